@@ -51,6 +51,7 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
 void Simulation::step() {
   Implementation& i = *implementation_;
   i.actuation->beforeStep(i.steps);
+  i.hands->beforeStep();
   i.physics->step(robotlink::hashBits(i.options.seed, kSolverStream, i.steps));
   ++i.steps;
   i.sensing->afterStep(i.noise());
@@ -66,6 +67,7 @@ void Simulation::step() {
   i.invalidate();
   i.recordPoses();
   i.doors->afterStep(i.steps, [&](const Door& door) { return i.readingFor(door); });
+  i.keepForRewind();
 }
 
 std::uint64_t Simulation::steps() const {
@@ -79,6 +81,7 @@ robotlink::Duration Simulation::time() const {
 void Simulation::reset(std::uint64_t seed) {
   implementation_->options.seed = seed;
   implementation_->start();
+  implementation_->beginRewindAnew();
 }
 
 const Scene& Simulation::scene() const {
@@ -116,11 +119,13 @@ std::span<const Servo> Simulation::servos() const {
 }
 
 void Simulation::requestAngle(std::size_t servo, double angle) {
+  implementation_->note(CommandKind::kAngle, servo, {angle});
   implementation_->actuation->command(servo, angle, implementation_->steps);
 }
 
 void Simulation::setTorqueLimit(std::size_t servo, double share) {
   if (std::isnan(share)) return;
+  implementation_->note(CommandKind::kTorqueLimit, servo, {share});
   implementation_->actuation->setTorqueShare(servo, std::clamp(share, 0.0, 1.0));
 }
 
@@ -139,12 +144,14 @@ const WheelState& Simulation::wheelState(std::size_t drive) const {
 void Simulation::requestWheelSpeeds(std::size_t drive, double left, double right) {
   const double limit = implementation_->ports.drives[drive].maximumSpeed;
   if (std::isnan(left) || std::isnan(right)) return;
+  implementation_->note(CommandKind::kWheelSpeeds, drive, {left, right});
   implementation_->driveUnobstructed[drive] = true;
   implementation_->physics->setRimSpeed(2 * drive, std::clamp(left, -limit, limit));
   implementation_->physics->setRimSpeed(2 * drive + 1, std::clamp(right, -limit, limit));
 }
 
 void Simulation::setDriveOn(std::size_t drive, bool on) {
+  implementation_->note(CommandKind::kDriveOn, drive, {on ? 1.0 : 0.0});
   implementation_->physics->setSideOn(2 * drive, on);
   implementation_->physics->setSideOn(2 * drive + 1, on);
 }
@@ -167,19 +174,27 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
   if (!isPlace(pose, posture)) {
     return robotlink::failure("simulation.place", "that place is too far away", {}, {model});
   }
-  const auto before = i.physics->motionOf(index);
-  i.physics->moveModel(index, moveBetween(i.physics->modelInWorld(index), pose, posture));
-  const int other = i.physics->overlappedModel(index, kMaxOverlap);
+  const ModelPosture tilt = posture.value_or(ModelPosture{});
+  i.note(CommandKind::kPlace, posture ? (tilt.height ? 2 : 1) : 0,
+         {pose.x, pose.y, pose.heading, tilt.height.value_or(0), tilt.roll, tilt.pitch}, model);
+  return i.tryMove(index, moveBetween(i.physics->modelInWorld(index), pose, posture));
+}
+
+robotlink::Result<void> SimulationState::tryMove(int index, const Pose3& transform) {
+  const auto before = physics->motionOf(index);
+  physics->moveModel(index, transform);
+  const int other = physics->overlappedModel(index, kMaxOverlap);
   // A model that stays goes on as it moved.
-  if (other >= 0) i.physics->setMotion(index, before);
-  if (other < 0) i.sensing->forgetVelocitiesOf(index);
-  i.invalidate();
-  i.recordPoses();
+  if (other >= 0) physics->setMotion(index, before);
+  if (other < 0) sensing->forgetVelocitiesOf(index);
+  invalidate();
+  recordPoses();
   if (other < 0) return {};
-  const std::string& otherName = i.world.models[static_cast<std::size_t>(other)].name;
+  const std::string& name = world.models[static_cast<std::size_t>(index)].name;
+  const std::string& otherName = world.models[static_cast<std::size_t>(other)].name;
   return robotlink::failure("simulation.place",
-                            "'" + model + "' does not fit there: '" + otherName + "' is in the way", {},
-                            {model, otherName});
+                            "'" + name + "' does not fit there: '" + otherName + "' is in the way", {},
+                            {name, otherName});
 }
 
 const LeftOuts& Simulation::overlaps() const {

@@ -9,7 +9,9 @@
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
+#include "simcore/Snapshot.h"
 #include "simcore/world/Devices.h"
+#include "simcore/world/Forces.h"
 #include "simcore/world/ImageSensor.h"
 #include "simcore/world/LeftOut.h"
 #include "simcore/world/Port.h"
@@ -170,6 +172,58 @@ class Simulation {
   /// or does not fit there.
   robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose,
                                      const std::optional<ModelPosture>& posture = {});
+
+  // What one does by hand to models while they move. A path is that of a model ("ball") or of a link
+  // ("red1/link:body"); a model stands for its first link. Vectors are in the world, SI units. Each fails,
+  // changing nothing, if there is no such object, or if it is static, or follows its odometry where forces do
+  // not move it.
+
+  /// Turns a model by roll about x, then pitch about y, then heading about z, about its origin and the axes
+  /// of the world; rad. It is at rest then. Fails if it does not fit there.
+  robotlink::Result<void> turnModel(const std::string& model, double heading, double roll, double pitch);
+  /// Sets a model in motion as a whole: the velocity of its center of mass, and its turning rate.
+  robotlink::Result<void> throwModel(const std::string& model, const robotlink::Vector3& velocity,
+                                     const robotlink::Vector3& spin);
+  /// Holds a link where it is, whatever pushes it, or lets it go.
+  robotlink::Result<void> pin(const std::string& path, bool on);
+  /// The paths of all links that are held.
+  std::vector<std::string> pinned() const;
+  /// Pulls a link by a spring from the point `grip`, in the frame of the link, to the point `target`, until
+  /// it is released. A strength of 1 is usual, see Hands.
+  robotlink::Result<void> drag(const std::string& path, const robotlink::Vector3& grip,
+                               const robotlink::Vector3& target, double strength = 1);
+  /// Releases a link, or with an empty path all; does nothing if it is not dragged.
+  void release(const std::string& path);
+  /// The paths of all links that are dragged.
+  std::vector<std::string> dragged() const;
+  /// Pushes a link with a force at the point `point`, in the frame of the link, for some simulated seconds, 0
+  /// to 60; at least for one step.
+  robotlink::Result<void> push(const std::string& path, const robotlink::Vector3& force,
+                               const robotlink::Vector3& point, double seconds);
+
+  /// Whether the forces of contacts are measured from the next step on; at first they are not. That changes
+  /// nothing else.
+  void readForces(bool on);
+  /// The forces of the last step; without contacts unless they are measured.
+  Forces forces() const;
+
+  /// Keeps everything that changes while it runs. It takes some ten microseconds.
+  Snapshot snapshot() const;
+  /// Snapshot::fingerprint of this simulation.
+  std::uint64_t fingerprint() const;
+  /// Goes back (or on) to a snapshot, of this simulation or another one of the same scene: from then on
+  /// everything is as it was then, to the last bit. Whether forces are read stays. Fails, changing nothing,
+  /// if it is of another scene, or is not possible.
+  robotlink::Result<void> restore(const Snapshot& snapshot);
+  /// From now on keeps a snapshot each simulated second and all commands, in at most so many bytes, of which
+  /// the oldest are given up. 0 bytes: no longer.
+  void keepForRewind(std::size_t maxBytes);
+  /// The first step to which one can go back; steps() if one cannot.
+  std::uint64_t rewindableFrom() const;
+  /// Goes back to an earlier step, exactly: from the last snapshot before it, everything is computed again
+  /// with the same commands. Costs up to 250 steps. What came after it is forgotten. Fails, changing nothing,
+  /// if that step is not kept.
+  robotlink::Result<void> rewindTo(std::uint64_t step);
 
   /// The models that start inside others by more than 3 mm.
   const LeftOuts& overlaps() const;

@@ -162,12 +162,18 @@ robotlink::Result<SceneChange> Simulation::continueIn(std::shared_ptr<const Scen
   next->chosenErrors = implementation_->chosenErrors;
   for (const auto& [sensor, errors] : next->chosenErrors)
     next->sensing->setErrors(sensor, errors, next->noise());
+  next->readsForces = implementation_->readsForces;
+  next->physics->readContacts(next->readsForces);
+  next->rewind = std::move(implementation_->rewind);
   implementation_ = std::move(next);
+  implementation_->beginRewindAnew();
   return SceneChange{true, std::move(putBack)};
 }
 
 std::vector<std::string> Simulation::continueFrom(const Simulation& before) {
-  return implementation_->takeOver(*before.implementation_);
+  std::vector<std::string> putBack = implementation_->takeOver(*before.implementation_);
+  implementation_->beginRewindAnew();
+  return putBack;
 }
 
 }  // namespace simcore

@@ -30,6 +30,17 @@ std::vector<double> valuesOf(const ActuatorState& state) {
   return {state.reached ? 1.0 : 0.0, state.unobstructed ? 1.0 : 0.0};
 }
 
+/// Notes the errors of a sensor: three numbers for its timing, then those of each channel; see
+/// SimulationState::note().
+void noteErrors(SimulationState& state, const std::string& path, const SensorErrors& errors) {
+  std::vector<double> values{errors.delay, errors.rate, errors.dropout};
+  for (const NoiseModel& noise : errors.noise) {
+    values.insert(values.end(), {noise.mean, noise.stddev, noise.biasMean, noise.biasStddev,
+                                 noise.driftStddev, noise.driftTime, noise.precision});
+  }
+  state.note(CommandKind::kErrors, 0, values, path);
+}
+
 /// Adds a visible pixel to a percept.
 void addPixel(TruePercept& percept, int x, int y) {
   const bool first = percept.pixels++ == 0;
@@ -236,6 +247,7 @@ robotlink::Result<void> Simulation::setSensorErrors(const std::string& path, con
   if (const std::string wrong = wrongErrors(errors); !wrong.empty())
     return robotlink::failure("simulation.noise", wrong, {}, {path});
   const Port& found = *port(path);
+  noteErrors(i, path, errors);
   i.remember(errors);
   if (found.kind == Port::Kind::kSensor) {
     i.sensing->setErrors(found.index, errors, i.noise());
@@ -289,6 +301,7 @@ std::span<const Guide> Simulation::guides() const {
 }
 
 void Simulation::guide(std::size_t guide, std::span<const double> values) {
+  implementation_->note(CommandKind::kGuide, guide, values);
   implementation_->actuation->guide(guide, values);
 }
 
@@ -309,6 +322,7 @@ std::span<const Door> Simulation::doors() const {
 }
 
 void Simulation::moveDoor(std::size_t door, bool open) {
+  implementation_->note(CommandKind::kDoor, door, {open ? 1.0 : 0.0});
   implementation_->doors->command(door, open, implementation_->steps);
 }
 

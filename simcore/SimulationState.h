@@ -3,16 +3,19 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "simcore/Rewind.h"
 #include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
 #include "simcore/devices/Actuation.h"
 #include "simcore/devices/Doors.h"
+#include "simcore/devices/Hands.h"
 #include "simcore/devices/Ports.h"
 #include "simcore/devices/PoseHistory.h"
 #include "simcore/devices/Sensing.h"
@@ -28,6 +31,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// Counts touches; touches less than kMoment steps apart count as one.
 class TouchCount {
  public:
@@ -38,6 +43,7 @@ class TouchCount {
   }
   std::uint64_t count() const { return count_; }
   std::uint64_t steps() const { return steps_; }
+  void transfer(StateStream& stream);
 
  private:
   static constexpr std::uint64_t kMoment = 25;
@@ -78,6 +84,13 @@ struct SimulationState {
   std::optional<Sensing> sensing;
   std::optional<Actuation> actuation;
   std::optional<Doors> doors;
+  std::optional<Hands> hands;
+  /// Null unless one may go back.
+  std::unique_ptr<Rewind> rewind;
+  /// Whether commands are those of before, on the way to an earlier step.
+  bool isRepeating = false;
+  /// Whether the forces of contacts are measured; a reset keeps it.
+  bool readsForces = false;
   // Null if there is nothing to measure.
   std::unique_ptr<RangeSensing> ranging;
   std::unique_ptr<ImageSensing> imaging;
@@ -167,6 +180,8 @@ struct SimulationState {
     sensing.emplace(*physics, ports.sources, world);
     actuation.emplace(*physics, ports);
     doors.emplace(ports, *actuation);
+    hands.emplace(*physics, world);
+    physics->readContacts(readsForces);
     steps = 0;
     history.clear();
     driveUnobstructed.assign(ports.drives.size(), true);
@@ -252,6 +267,34 @@ struct SimulationState {
     imagingStep = step;
     imaging->measure(sensor, {options.noise, options.seed, step}, values);
   }
+
+  /// Writes or reads everything that changes while it runs; what cannot be read is half overwritten.
+  void transfer(StateStream& stream);
+  void transferTiming(StateStream& stream);
+  /// A number for what the scene is, which is the same for the same scene wherever its file is.
+  std::uint64_t fingerprint() const;
+  /// The fingerprint, once it was needed.
+  mutable std::optional<std::uint64_t> knownFingerprint;
+  /// Moves a model unless it does not fit there; then nothing has changed.
+  robotlink::Result<void> tryMove(int model, const Pose3& transform);
+  /// The body of a link by its path, or the first body of a model by its name; fails unless forces move it.
+  robotlink::Result<std::size_t> movableBody(const std::string& path) const;
+  /// The index of a model that forces move.
+  robotlink::Result<int> movableModel(const std::string& name) const;
+  std::string linkPath(std::size_t body) const;
+  /// Notes a command for going back, if that is wanted.
+  void note(CommandKind kind, std::size_t index, std::span<const double> values,
+            const std::string& text = {}) {
+    if (rewind && !isRepeating) rewind->note(steps, kind, index, values, text);
+  }
+  void note(CommandKind kind, std::size_t index, std::initializer_list<double> values,
+            const std::string& text = {}) {
+    note(kind, index, std::span<const double>(values.begin(), values.size()), text);
+  }
+  /// Keeps the present state for going back, if one is due.
+  void keepForRewind();
+  /// The past is that of another world.
+  void beginRewindAnew();
 
   /// Fails if a robot or a ball starts inside another model; notes other overlaps.
   robotlink::Result<void> checkStart();

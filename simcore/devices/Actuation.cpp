@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simcore/physics/Step.h"
+#include "simcore/world/StateStream.h"
 
 namespace simcore {
 namespace {
@@ -60,6 +61,31 @@ void Actuation::takeOver(std::size_t servo, const Actuation& from, std::size_t f
   motor.integral = before.integral;
   motor.state.target = std::clamp(before.state.target, limits.minimum, limits.maximum);
   motor.state.torqueShare = before.state.torqueShare;
+}
+
+void Actuation::transferServo(StateStream& stream, std::size_t index) {
+  const Servo& limits = ports_.servos[index];
+  ServoMotor& motor = servos_[index];
+  // A joint may begin outside of its servo's range.
+  stream.number(motor.state.target);
+  stream.within(motor.state.torqueShare, 0, 1);
+  stream.size(motor.waiting, kMaxWaiting);
+  for (Command& command : motor.waiting) {
+    stream.raw(command.step);
+    stream.within(command.value, limits.minimum, limits.maximum);
+  }
+  stream.number(motor.integral);
+  stream.flag(motor.unobstructed);
+}
+
+void Actuation::transfer(StateStream& stream) {
+  for (std::size_t i = 0; i < servos_.size(); ++i) transferServo(stream, i);
+  for (GuideMotor& motor : guides_) {
+    for (double& value : motor.wanted) stream.within(value, -1e300, 1e300);
+    stream.vector(motor.velocity);
+    stream.vector(motor.rate);
+    stream.flag(motor.unobstructed);
+  }
 }
 
 void Actuation::beforeStep(std::uint64_t step) {

@@ -12,6 +12,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// Executes the commands of servos, motors and guided models, and knows what became of them. One thread at a
 /// time.
 class Actuation {
@@ -27,6 +29,9 @@ class Actuation {
 
   /// Has a servo go on as one of another simulation does; what is requested is limited to its own range.
   void takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo);
+
+  /// Writes or reads what was commanded and how far it was followed.
+  void transfer(StateStream& stream);
 
   /// To be called before and after each step of the physics.
   void beforeStep(std::uint64_t step);
@@ -54,6 +59,7 @@ class Actuation {
     Vector3 velocity = Vector3::Zero(), rate = Vector3::Zero();
     bool unobstructed = true;
   };
+  void transferServo(StateStream& stream, std::size_t index);
   void drive(std::size_t index);
   void drivePosition(const Servo& servo, ServoMotor& motor) const;
   void driveByGains(const Servo& servo, ServoMotor& motor) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simcore/physics/Step.h"
+#include "simcore/world/StateStream.h"
 
 namespace simcore {
 namespace {
@@ -29,6 +30,13 @@ void Doors::afterStep(std::uint64_t step, const Reading& reading) {
     const bool noticed = door.sensor.kind != DoorSensor::Kind::kNone && notices(door, reading(door));
     if (noticed) command(i, true, step);
     if (!noticed && states_[i].open && step >= states_[i].closesAt) move(i, false, step);
+  }
+}
+
+void Doors::transfer(StateStream& stream) {
+  for (State& state : states_) {
+    stream.flag(state.open);
+    stream.raw(state.closesAt);
   }
 }
 

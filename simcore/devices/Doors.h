@@ -10,6 +10,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// Opens and closes the doors of a world: joints with a servo and a DoorDescription. A door opens when its
 /// sensor reads less than a distance or is touched, or on command, and closes some time after the last such
 /// event. Sensors are read kLookSteps apart. One thread at a time.
@@ -31,6 +33,8 @@ class Doors {
   void takeOver(std::size_t door, const Doors& before, std::size_t other) {
     states_[door] = before.states_[other];
   }
+  /// Writes or reads which doors are open, and until when.
+  void transfer(StateStream& stream);
   /// Whether it opens or is open.
   bool isOpen(std::size_t door) const { return states_[door].open; }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simcore/physics/Step.h"
+#include "simcore/world/StateStream.h"
 
 namespace simcore {
 namespace {
@@ -78,6 +79,18 @@ void ExactSensing::discharge(const SensorSource& source, Memory& memory) const {
   const double power =
       source.battery.idlePower + physics_.motorPower(source.model) / source.battery.efficiency;
   memory.energy = std::max(0.0, memory.energy - power * kStepSeconds);
+}
+
+void ExactSensing::transfer(StateStream& stream) {
+  for (Memory& memory : memories_) {
+    stream.vector(memory.velocity);
+    for (int i = 0; i < 3; ++i) stream.within(memory.specificForce[i], -1e12, 1e12);
+    stream.pose(memory.odometry);
+    for (double* travel : {&memory.left, &memory.right}) stream.within(*travel, -1e12, 1e12);
+    stream.pose(memory.before);
+    stream.number(memory.height);
+    stream.within(memory.energy, 0, 1e15);
+  }
 }
 
 void ExactSensing::forgetVelocitiesOf(int model) {

@@ -8,6 +8,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// Computes what perfect sensors would read. Accelerometers, odometry and batteries need every step, so
 /// afterStep() must be called after each. One thread at a time.
 class ExactSensing {
@@ -23,6 +25,8 @@ class ExactSensing {
   void forgetVelocitiesOf(int model);
   /// A model was set in motion by hand: it has had this velocity before, too.
   void adoptVelocitiesOf(int model);
+  /// Writes or reads what is measured over time.
+  void transfer(StateStream& stream);
   /// Writes a reading; `values` has its size.
   void read(std::size_t index, std::vector<double>& values) const;
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "simcore/world/StateStream.h"
+
 namespace simcore {
 
 void PoseHistory::reachBack(std::size_t steps) {
@@ -21,6 +23,23 @@ void PoseHistory::add(std::uint64_t step, std::span<const Pose3> poses) {
   record.step = step;
   record.poses.assign(poses.begin(), poses.end());
   records_.push_back(std::move(record));
+}
+
+void PoseHistory::transfer(StateStream& stream, std::uint64_t step, std::size_t bodies) {
+  auto steps = static_cast<std::uint64_t>(steps_);
+  stream.upTo(steps, std::uint64_t{kMaxSteps});
+  steps_ = steps;
+  stream.size(records_, kMaxSteps + 1);
+  // Without gaps up to the present, so that a search of it ends soon.
+  std::uint64_t expected = step + 1 - std::min<std::uint64_t>(records_.size(), step + 1);
+  for (Record& record : records_) {
+    stream.raw(record.step);
+    stream.require(record.step == expected++);
+    if (!stream.good()) break;
+    record.poses.resize(bodies, Pose3::Identity());
+    for (Pose3& pose : record.poses) stream.pose(pose);
+  }
+  if (!stream.good()) records_.clear();
 }
 
 std::uint64_t PoseHistory::oldest(std::uint64_t step) const {

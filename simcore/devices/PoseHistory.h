@@ -10,6 +10,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// The poses of all bodies in the last steps, for sensors that measure what was. It holds nothing until it is
 /// told how far back it has to reach. One thread at a time.
 class PoseHistory {
@@ -22,6 +24,8 @@ class PoseHistory {
   bool isWanted() const { return steps_ > 0; }
   /// Forgets everything.
   void clear() { records_.clear(); }
+  /// Writes or reads everything; `step` is the present one, `bodies` how many poses a step has.
+  void transfer(StateStream& stream, std::uint64_t step, std::size_t bodies);
   /// Appends the poses after a step; steps come in order. Poses of the same step replace the former ones.
   void add(std::uint64_t step, std::span<const Pose3> poses);
   /// The oldest step that it has; `step` if it has none.

@@ -5,8 +5,15 @@
 
 #include "robotlink/base/Random.h"
 #include "simcore/physics/Step.h"
+#include "simcore/world/StateStream.h"
 
 namespace simcore {
+namespace {
+
+/// Samples that are on their way: one in each step of the longest delay.
+constexpr std::size_t kMaxSamples = 512;
+
+}  // namespace
 
 Sensing::Sensing(const Physics& physics, const std::vector<SensorSource>& sources,
                  const WorldDescription& world)
@@ -67,6 +74,34 @@ void Sensing::read(const Noise& noise, std::size_t index, Sensor& sensor) {
 
 void Sensing::read(const Noise& noise, std::vector<Sensor>& sensors) {
   for (std::size_t i = 0; i < sources_.size(); ++i) read(noise, i, sensors[i]);
+}
+
+void Sensing::transferSamples(StateStream& stream, std::size_t index, std::uint64_t step) {
+  State& state = states_[index];
+  stream.size(state.samples, kMaxSamples);
+  for (Sample& sample : state.samples) {
+    stream.upTo(sample.step, step);
+    sample.values.resize(sources_[index].size);
+    for (double& value : sample.values) stream.raw(value);
+  }
+  // One that has a timing always has a sample that can be read.
+  stream.require(state.clock.has_value() != state.samples.empty());
+}
+
+void Sensing::transfer(StateStream& stream, const Noise& noise) {
+  exact_.transfer(stream);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    State& state = states_[i];
+    transferErrors(stream, state.errors);
+    stream.flag(state.chosen);
+    state.noise.transfer(stream, noise.seed, noise.step);
+    if (stream.isReading()) {
+      state.clock.reset();
+      if (state.errors.hasTiming()) state.clock = clockOf(sources_[i], state.errors);
+    }
+    transferSamples(stream, i, noise.step);
+    if (!stream.good()) return;
+  }
 }
 
 void Sensing::setErrors(std::size_t index, const SensorErrors& errors, const Noise& noise) {

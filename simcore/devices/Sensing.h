@@ -13,6 +13,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// Computes the readings of sensors from the state of the world, with their errors. The errors depend only on
 /// seed, sensor and step, so it does not matter how often, or whether, readings are requested. afterStep()
 /// must be called after every step. One thread at a time.
@@ -45,6 +47,8 @@ class Sensing {
   /// Replaces the errors of a sensor from this step on, and applies them even where noise is off; samples
   /// that were taken before remain as they are.
   void setErrors(std::size_t index, const SensorErrors& errors, const Noise& noise);
+  /// Writes or reads everything; `noise` is that of the present step.
+  void transfer(StateStream& stream, const Noise& noise);
   const SensorErrors& errors(std::size_t index) const { return states_[index].errors; }
 
  private:
@@ -65,6 +69,7 @@ class Sensing {
   };
   /// A sample of this step, with noise, in the range of the sensor.
   void measure(std::size_t index, const Noise& noise, std::vector<double>& values);
+  void transferSamples(StateStream& stream, std::size_t index, std::uint64_t step);
   void takeSample(std::size_t index, const Noise& noise);
   static SampleClock clockOf(const SensorSource& source, const SensorErrors& errors);
 

@@ -7,9 +7,13 @@
 #include <utility>
 
 #include "robotlink/base/Random.h"
+#include "simcore/world/StateStream.h"
 
 namespace simcore {
 namespace {
+
+/// A sample is at most this many steps old when it is taken.
+constexpr std::uint64_t kMaxSampleAge = 400;
 
 /// Separate biases and drifts from white noise.
 constexpr std::uint64_t kBiasStream = 0x62696173, kDriftStream = 0x6472696674;
@@ -37,6 +41,21 @@ void NoiseProcess::change(std::vector<NoiseModel> noise, std::uint64_t seed, std
   continueDrift(seed, step);
   noise_ = std::move(noise);
   examine();
+}
+
+void NoiseProcess::transfer(StateStream& stream, std::uint64_t seed, std::uint64_t step) {
+  // Nobody may have read the sensor for long; whoever reads the state must not have to make up for that.
+  const bool isOther = driftSeed_ != seed || driftStep_ > step;
+  if (!stream.isReading() && (isOther || step > driftStep_ + kMaxSampleAge))
+    continueDrift(seed, step > kMaxSampleAge ? step - kMaxSampleAge : 0);
+  transferNoise(stream, noise_);
+  for (double& drift : drift_) stream.number(drift);
+  stream.raw(driftSeed_);
+  stream.upTo(driftStep_, step);
+  if (!stream.isReading()) return;
+  examine();
+  stream.require(driftSeed_ == seed);
+  stream.require(step <= driftStep_ + kMaxSampleAge);
 }
 
 void NoiseProcess::begin(std::uint64_t seed, std::uint64_t step) {

@@ -8,6 +8,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// Adds noise, bias, drift and rounding to the readings of one sensor.
 ///
 /// All random numbers come from counters: the errors of a sample depend on the seed, the stream and the step
@@ -25,6 +27,8 @@ class NoiseProcess {
 
   /// Replaces the noise from this step on; what has drifted stays.
   void change(std::vector<NoiseModel> noise, std::uint64_t seed, std::uint64_t step);
+  /// Writes or reads all on which later samples depend. `step` is the present one of the simulation.
+  void transfer(StateStream& stream, std::uint64_t seed, std::uint64_t step);
   /// Whether there is anything to be added.
   bool any() const { return any_; }
   /// Adds the errors of the sample that is taken in `step` to all elements for which `counts(value)`.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeWheels.h"
@@ -52,38 +53,82 @@ void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double upward) {
 
 /// The part of addContacts() for wheels.
 void addRolling(OdeWorld& ode, OdeGeom& wheel, OdeGeom& other) {
-  dContactGeom contact;
-  if (dCollide(wheel.id, other.id, 1, &contact, sizeof contact) == 0 || isFlank(ode, wheel, contact)) return;
-  addWheelContact(ode, wheel, other, contact);
-  noteTouch(ode, wheel, other, contact.normal[2]);
+  dContact contact{};
+  if (dCollide(wheel.id, other.id, 1, &contact.geom, sizeof(dContact)) == 0 ||
+      isFlank(ode, wheel, contact.geom))
+    return;
+  ode.pairs.push_back({&wheel, &other, ode.found.size(), 1, true});
+  ode.found.push_back(contact);
+  noteTouch(ode, wheel, other, contact.geom.normal[2]);
 }
 
 void addContacts(void* data, dGeomID a, dGeomID b) {
   auto& ode = *static_cast<OdeWorld*>(data);
   if (dGeomIsSpace(a) != 0 && dGeomIsSpace(b) != 0 && isUnmoved(a) && isUnmoved(b)) return;
   if (descend(&ode, a, b, &addContacts)) return;
+  // ODE passes them in an order that depends on how they moved before.
+  if (infoOf(b).index < infoOf(a).index) std::swap(a, b);
   OdeGeom& first = infoOf(a);
   OdeGeom& second = infoOf(b);
   if (first.wheel >= 0 && movedBody(ode, first) != nullptr) return addRolling(ode, first, second);
   if (second.wheel >= 0 && movedBody(ode, second) != nullptr) return addRolling(ode, second, first);
-  dContact contacts[kMaxMeshContacts];
   const int most =
       first.triangles != nullptr || second.triangles != nullptr ? kMaxMeshContacts : kMaxContacts;
+  dContact contacts[kMaxMeshContacts];
   const int count = dCollide(a, b, most, &contacts[0].geom, sizeof(dContact));
   if (count == 0) return;
   noteTouch(ode, first, second, contacts[0].geom.normal[2]);
-  for (int i = 0; i < count; ++i) {
-    dSurfaceParameters& surface = contacts[i].surface;
+  ode.pairs.push_back({&first, &second, ode.found.size(), static_cast<std::size_t>(count), false});
+  ode.found.insert(ode.found.end(), contacts, contacts + count);
+}
+
+/// Has the force of a contact be written where it is read.
+void record(OdeWorld& ode, const OdePair& pair, const dContactGeom& contact, const dJointFeedback* exerted) {
+  OdeContactRecord& record = ode.contactRecords.emplace_back();
+  record.first = pair.first;
+  record.second = pair.second;
+  record.point = {contact.pos[0], contact.pos[1], contact.pos[2]};
+  record.normal = {contact.normal[0], contact.normal[1], contact.normal[2]};
+  record.depth = contact.depth;
+  // ODE exchanges the bodies where the first one is none.
+  record.sign = movedBody(ode, *pair.first) != nullptr ? 1 : -1;
+  record.exerted = exerted;
+}
+
+/// Creates the contact joints of a pair.
+void addJoints(OdeWorld& ode, const OdePair& pair) {
+  if (pair.rolls) {
+    const dContactGeom& contact = ode.found[pair.firstContact].geom;
+    addWheelContact(ode, *pair.first, *pair.second, contact);
+    if (ode.readsContacts) record(ode, pair, contact, &ode.wheelContacts[ode.wheelContactCount - 1].feedback);
+    return;
+  }
+  for (std::size_t i = pair.firstContact; i < pair.firstContact + pair.count; ++i) {
+    dContact& contact = ode.found[i];
+    dSurfaceParameters& surface = contact.surface;
     surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
-    surface.mu = std::min(first.friction, second.friction);
+    surface.mu = std::min(pair.first->friction, pair.second->friction);
     surface.soft_erp = kContactErrorReduction;
     surface.soft_cfm = kContactSoftness;
-    surface.bounce = std::max(first.restitution, second.restitution);
+    surface.bounce = std::max(pair.first->restitution, pair.second->restitution);
     surface.bounce_vel = kMinBounceVelocity;
     if (surface.bounce > 0) surface.mode |= dContactBounce;
-    const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contacts[i]);
-    dJointAttach(joint, movedBody(ode, first), movedBody(ode, second));
+    const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contact);
+    dJointAttach(joint, movedBody(ode, *pair.first), movedBody(ode, *pair.second));
+    if (!ode.readsContacts) continue;
+    dJointFeedback& exerted = ode.contactForces.emplace_back();
+    dJointSetFeedback(joint, &exerted);
+    record(ode, pair, contact.geom, &exerted);
   }
+}
+
+/// Creates the contact joints of a step in an order that depends on nothing but which geoms touch, so that a
+/// simulation that was put back to an earlier state goes on as it did then.
+void addJointsInOrder(OdeWorld& ode) {
+  std::ranges::sort(ode.pairs, {}, &OdePair::key);
+  ode.contactRecords.clear();
+  ode.contactForces.clear();
+  for (const OdePair& pair : ode.pairs) addJoints(ode, pair);
 }
 
 /// Whether a contact of a geom is that of a wheel with the ground, or with the wheel's flank.
@@ -174,10 +219,10 @@ std::vector<int> touchingModels(OdeWorld& ode, int model) {
   return {query.found.begin(), query.found.end()};
 }
 
-void findContacts(OdeWorld& ode) {
-  if (!ode.hasDynamic) return;
-  dSpaceCollide(ode.top, &ode, &addContacts);
-  if (!ode.usesGrid) return;
+namespace {
+
+/// Compares all moving models with the static geoms near them.
+void findContactsInGrid(OdeWorld& ode) {
   StaticGrid::Bounds bounds;
   for (const OdeModel& model : ode.models) {
     if (model.space == nullptr || model.kinematic) continue;
@@ -185,6 +230,17 @@ void findContacts(OdeWorld& ode) {
     ode.grid.near(bounds, ode.nearby);
     for (const dGeomID geom : ode.nearby) dSpaceCollide2(asGeom(model.space), geom, &ode, &addContacts);
   }
+}
+
+}  // namespace
+
+void findContacts(OdeWorld& ode) {
+  ode.pairs.clear();
+  ode.found.clear();
+  if (!ode.hasDynamic) return;
+  dSpaceCollide(ode.top, &ode, &addContacts);
+  if (ode.usesGrid) findContactsInGrid(ode);
+  addJointsInOrder(ode);
 }
 
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note) {

@@ -80,7 +80,8 @@ class Mover {
   bool move() {
     const double left = left_.on ? left_.target : 0, right = right_.on ? right_.target : 0;
     const bool moves = left != 0 || right != 0;
-    const bool possible = !moves || tryMove((left + right) / 2, (right - left) / drive_.track);
+    const bool isPinned = ode_.bodies[drive_.body].pinned;
+    const bool possible = !moves || (!isPinned && tryMove((left + right) / 2, (right - left) / drive_.track));
     if (!moves || !possible) setVelocity(Vector3::Zero(), 0);
     settle(left_, possible ? left : 0, !possible && left != 0);
     settle(right_, possible ? right : 0, !possible && right != 0);

@@ -41,6 +41,7 @@ dGeomID addGeom(OdeWorld& ode, dSpaceID space, const CollisionDescription& colli
                 const Pose3& pose) {
   OdeGeom& geom = ode.geoms.emplace_back();
   geom.id = createGeom(space, collision.shape, pose, geom.triangles);
+  geom.index = static_cast<std::uint32_t>(ode.geoms.size() - 1);
   geom.model = index;
   geom.friction = collision.friction;
   geom.restitution = collision.restitution;

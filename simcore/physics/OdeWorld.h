@@ -4,6 +4,8 @@
 
 #include <ode/ode.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <deque>
 #include <vector>
 
@@ -16,6 +18,8 @@ namespace simcore {
 /// The data attached to each ODE geom.
 struct OdeGeom {
   dGeomID id = nullptr;
+  /// In OdeWorld::geoms.
+  std::uint32_t index = 0;
   /// Null unless it is a mesh. The mesh itself is that of the description.
   dTriMeshDataID triangles = nullptr;
   int model = 0;
@@ -38,6 +42,34 @@ struct OdeBody {
   Vector3 centerInLink = Vector3::Zero();
   /// Its geoms are consecutive in OdeWorld::geoms.
   std::size_t firstGeom = 0;
+  /// Nothing moves it.
+  bool pinned = false;
+};
+
+/// Two geoms that touch, for the contact joints of a step.
+struct OdePair {
+  OdeGeom* first = nullptr;
+  OdeGeom* second = nullptr;
+  /// A range of OdeWorld::found.
+  std::size_t firstContact = 0, count = 0;
+  /// The first one is a driven wheel.
+  bool rolls = false;
+  /// Orders the pairs, whatever the order in which ODE finds them.
+  std::uint64_t key() const {
+    const auto low = std::min(first->index, second->index), high = std::max(first->index, second->index);
+    return (std::uint64_t{low} << 32U) | high;
+  }
+};
+
+/// A contact whose force somebody reads.
+struct OdeContactRecord {
+  const OdeGeom* first = nullptr;
+  const OdeGeom* second = nullptr;
+  Vector3 point = Vector3::Zero(), normal = Vector3::Zero();
+  double depth = 0;
+  /// 1 if ODE's force is that on the first geom, -1 if it is that on the second one.
+  double sign = 1;
+  const dJointFeedback* exerted = nullptr;
 };
 
 /// A passive joint that resists being moved.
@@ -122,6 +154,14 @@ struct OdeWorld {
   /// A deque because ODE keeps pointers to its elements; those of this step come first.
   std::deque<OdeWheelContact> wheelContacts;
   std::size_t wheelContactCount = 0;
+  /// The pairs of geoms that touch in a step, and their contacts.
+  std::vector<OdePair> pairs;
+  std::vector<dContact> found;
+  /// Whether the forces of contacts are read; they are recorded then, and ODE writes them to the elements of
+  /// a deque because it keeps pointers to these.
+  bool readsContacts = false;
+  std::vector<OdeContactRecord> contactRecords;
+  std::deque<dJointFeedback> contactForces;
   /// Pairs of moving models that touched in the last step, lower index first.
   std::vector<std::pair<int, int>> touches;
 

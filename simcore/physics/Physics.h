@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "simcore/physics/Step.h"
@@ -11,6 +12,7 @@
 
 namespace simcore {
 
+class StateStream;
 struct OdeWorld;
 
 /// The dynamics of a world, computed by ODE: bodies, hinges and contacts. There is a collision space for each
@@ -112,6 +114,45 @@ class Physics {
   /// How all bodies of a model stand and move, so that setMotion() can undo a moveModel().
   std::vector<BodyMotion> motionOf(int model) const;
   void setMotion(int model, const std::vector<BodyMotion>& motion);
+  /// Turns off that forces move a body, which stands still then, or turns it on again.
+  void setPinned(std::size_t body, bool pinned);
+  bool isPinned(std::size_t body) const;
+  /// Whether forces move a model at all: it is not static and does not follow its odometry.
+  bool isMovedByForces(int model) const;
+  /// Gives all bodies of a model the velocities of a rigid piece about their center of mass; what is pinned
+  /// stays.
+  void throwModel(int model, const Vector3& velocity, const Vector3& rate);
+  /// Pushes a body during the next step at a point, both in the world, N and m.
+  void addForce(std::size_t body, const Vector3& force, const Vector3& point);
+  /// How hard a body is to move at a point (in the world), kg: at most its mass, and less far from its
+  /// center.
+  double massAt(std::size_t body, const Vector3& point) const;
+  /// The bodies of a model: the first one and how many there are; wheels are among them.
+  std::pair<std::size_t, std::size_t> bodiesOf(int model) const;
+  /// A driven wheel has no body of its own: that of the link that carries it. Otherwise `body`.
+  std::size_t carrierOf(std::size_t body) const;
+
+  /// Whether the forces of contacts are measured, from the next step on; they cost some time.
+  void readContacts(bool on);
+  /// A contact of the last step between two collision shapes.
+  struct Contact {
+    int firstModel = 0, secondModel = 0;
+    /// Bodies, or unset of static models.
+    std::optional<std::size_t> firstBody, secondBody;
+    Vector3 point = Vector3::Zero();
+    /// A unit vector towards the first.
+    Vector3 normal = Vector3::Zero();
+    double depth = 0;
+    /// On the first, N.
+    Vector3 force = Vector3::Zero();
+  };
+  std::vector<Contact> contacts() const;
+  /// Where the reaction of a hinge is measured, in the world.
+  Vector3 anchorOf(std::size_t hinge) const;
+
+  /// Writes or reads everything on which later steps and readings depend.
+  void transfer(StateStream& stream);
+
   /// A model that this one overlaps by more than `tolerance`, m; -1 if there is none.
   int overlappedModel(int model, double tolerance) const;
 
@@ -124,6 +165,8 @@ class Physics {
   OdeWorld& ode() { return *ode_; }
 
  private:
+  void transferTouches(StateStream& stream);
+
   std::unique_ptr<OdeWorld> ode_;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "simcore/physics/Step.h"
+#include "simcore/world/StateStream.h"
 
 namespace simcore {
 namespace {
@@ -93,6 +94,11 @@ const RayBundle& ImageSensing::bundle(std::size_t sensor) {
   std::optional<RayBundle>& rays = bundles_[sensor];
   if (!rays) rays = bundleOf(sensors_[sensor].geometry);
   return *rays;
+}
+
+void ImageSensing::transfer(StateStream& stream, const Noise& noise) {
+  for (NoiseProcess& process : noise_) process.transfer(stream, noise.seed, noise.step);
+  stream.bits(chosen_);
 }
 
 void ImageSensing::setErrors(std::size_t sensor, const SensorErrors& errors, const Noise& noise) {

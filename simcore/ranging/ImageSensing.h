@@ -14,6 +14,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// Computes the images of depth and class cameras, of facette cameras, and of cameras that sense radiation.
 /// Their noise depends only on seed, sensor and step, so it does not matter how often, or whether, images are
 /// requested. What it needs is made when it is needed first. One thread at a time.
@@ -35,6 +37,8 @@ class ImageSensing {
   };
   /// Replaces the noise of a sensor from this step on, and applies it even where noise is off.
   void setErrors(std::size_t sensor, const SensorErrors& errors, const Noise& noise);
+  /// Writes or reads the errors of all sensors and what has drifted; `noise` is that of the present step.
+  void transfer(StateStream& stream, const Noise& noise);
   /// Writes the image of a sensor, row by row, with the channels of a pixel side by side; values.size() must
   /// be ImageSensor::values().
   void measure(std::size_t sensor, const Noise& noise, std::span<float> values);

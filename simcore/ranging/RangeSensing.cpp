@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simcore/physics/Step.h"
+#include "simcore/world/StateStream.h"
 
 namespace simcore {
 namespace {
@@ -75,6 +76,11 @@ void RangeSensing::measure(std::size_t index, const Noise& noise, std::span<doub
                         [&](double range) { return range < sensor.maximum; });
   }
   for (double& range : ranges) range = std::clamp(range, sensor.minimum, sensor.maximum);
+}
+
+void RangeSensing::transfer(StateStream& stream, const Noise& noise) {
+  for (NoiseProcess& process : noise_) process.transfer(stream, noise.seed, noise.step);
+  stream.bits(chosen_);
 }
 
 void RangeSensing::setErrors(std::size_t sensor, const SensorErrors& errors, const Noise& noise) {

@@ -9,6 +9,8 @@
 
 namespace simcore {
 
+class StateStream;
+
 /// Computes the ranges of sonars and lasers. The noise depends only on seed, sensor and step, so it does not
 /// matter how often, or whether, readings are requested. One thread at a time.
 class RangeSensing {
@@ -30,6 +32,8 @@ class RangeSensing {
   };
   /// Replaces the noise of a sensor from this step on, and applies it even where noise is off.
   void setErrors(std::size_t sensor, const SensorErrors& errors, const Noise& noise);
+  /// Writes or reads the errors of all sensors and what has drifted; `noise` is that of the present step.
+  void transfer(StateStream& stream, const Noise& noise);
   /// Writes the readings of a sensor at the poses that were set, m; ranges.size() must be their number.
   void measure(std::size_t sensor, const Noise& noise, std::span<double> ranges);
 

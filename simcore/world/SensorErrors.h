@@ -43,6 +43,11 @@ struct SensorErrors {
   bool operator==(const SensorErrors&) const = default;
 };
 
+class StateStream;
+/// Writes or reads errors as a part of a simulation's state.
+void transferNoise(StateStream& stream, std::vector<NoiseModel>& noise);
+void transferErrors(StateStream& stream, SensorErrors& errors);
+
 /// The first thing that is wrong with errors that somebody chose, in words for users; empty if nothing is.
 const char* wrongErrors(const SensorErrors& errors);
 

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Simulation: keeping its state, and going back to it.
+#include <bit>
+#include <cmath>
+
+#include "robotlink/base/Random.h"
+#include "simcore/Simulation.h"
+#include "simcore/SimulationState.h"
+#include "simcore/world/StateStream.h"
+
+namespace simcore {
+namespace {
+
+/// Half a year; a simulation that has run longer cannot be restored from a file.
+constexpr std::uint64_t kMaxSteps = std::uint64_t{1} << 32U;
+
+/// Computes a number from many.
+class Fingerprint {
+ public:
+  void add(std::uint64_t bits) { hash_ = robotlink::mixBits(hash_ ^ bits); }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(const std::string& text) { add(hashOfPath(text)); }
+  void add(const Vector3& vector) {
+    for (int i = 0; i < 3; ++i) add(vector[i]);
+  }
+  void add(const Pose3& pose) {
+    for (int i = 0; i < 16; ++i) add(pose.matrix().data()[i]);
+  }
+  std::uint64_t hash() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0;
+};
+
+void hashLink(Fingerprint& print, const LinkDescription& link) {
+  print.add(link.name);
+  print.add(link.poseInModel);
+  print.add(link.mass);
+  print.add(link.centerOfMass);
+  for (int i = 0; i < 9; ++i) print.add(link.inertia.data()[i]);
+  for (const CollisionDescription& solid : link.collisions) {
+    print.add(static_cast<std::uint64_t>(solid.shape.kind));
+    print.add(solid.poseInLink);
+    print.add(solid.shape.size);
+    print.add(solid.shape.radius);
+    print.add(solid.shape.length);
+    print.add(solid.friction);
+  }
+}
+
+void hashJoint(Fingerprint& print, const JointDescription& joint) {
+  print.add(joint.name);
+  print.add(static_cast<std::uint64_t>(joint.kind));
+  print.add(static_cast<std::uint64_t>(joint.child));
+  print.add(joint.anchorInModel);
+  print.add(joint.axisInModel);
+  print.add(joint.maximumTorque);
+}
+
+/// Gives a simulation the command that it had before.
+void repeat(Simulation& simulation, const Rewind::Command& command) {
+  const std::vector<double>& v = command.values;
+  const auto at = [&](std::size_t i) { return i < v.size() ? v[i] : 0; };
+  const auto vector = [&](std::size_t i) { return Vector3(at(i), at(i + 1), at(i + 2)); };
+  switch (command.kind) {
+    case CommandKind::kAngle:
+      return simulation.requestAngle(command.index, at(0));
+    case CommandKind::kTorqueLimit:
+      return simulation.setTorqueLimit(command.index, at(0));
+    case CommandKind::kWheelSpeeds:
+      return simulation.requestWheelSpeeds(command.index, at(0), at(1));
+    case CommandKind::kDriveOn:
+      return simulation.setDriveOn(command.index, at(0) != 0);
+    case CommandKind::kGuide:
+      return simulation.guide(command.index, v);
+    case CommandKind::kDoor:
+      return simulation.moveDoor(command.index, at(0) != 0);
+    case CommandKind::kPlace: {
+      std::optional<ModelPosture> posture;
+      if (command.index > 0) posture.emplace(ModelPosture{std::nullopt, at(4), at(5)});
+      if (command.index > 1) posture->height = at(3);
+      // What did not fit then does not fit now.
+      (void)simulation.placeModel(command.text, {at(0), at(1), at(2)}, posture);
+      return;
+    }
+    case CommandKind::kErrors: {
+      SensorErrors errors{{}, at(0), at(1), at(2)};
+      for (std::size_t i = 3; i + 7 <= v.size(); i += 7)
+        errors.noise.push_back({v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4], v[i + 5], v[i + 6]});
+      (void)simulation.setSensorErrors(command.text, errors);
+      return;
+    }
+    case CommandKind::kTurn:
+      (void)simulation.turnModel(command.text, at(0), at(1), at(2));
+      return;
+    case CommandKind::kThrow:
+      (void)simulation.throwModel(command.text, vector(0), vector(3));
+      return;
+    case CommandKind::kPin:
+      (void)simulation.pin(command.text, at(0) != 0);
+      return;
+    case CommandKind::kDrag:
+      (void)simulation.drag(command.text, vector(0), vector(3), at(6));
+      return;
+    case CommandKind::kRelease:
+      return simulation.release(command.text);
+    case CommandKind::kPush:
+      (void)simulation.push(command.text, vector(0), vector(3), at(6));
+      return;
+  }
+}
+
+}  // namespace
+
+void TouchCount::transfer(StateStream& stream) {
+  stream.raw(stepsSince_);
+  stream.raw(count_);
+  stream.raw(steps_);
+}
+
+std::uint64_t SimulationState::fingerprint() const {
+  if (knownFingerprint) return *knownFingerprint;
+  Fingerprint print;
+  print.add(static_cast<std::uint64_t>(options.kinematic));
+  print.add(world.gravity);
+  for (const ModelInstance& model : world.models) {
+    print.add(model.name);
+    print.add(model.poseInWorld);
+    print.add(static_cast<std::uint64_t>(model.type->isStatic));
+    for (const LinkDescription& link : model.type->links) hashLink(print, link);
+    for (const JointDescription& joint : model.type->joints) hashJoint(print, joint);
+  }
+  for (const Port& port : allPorts) print.add(port.info.path);
+  knownFingerprint = print.hash();
+  return *knownFingerprint;
+}
+
+void SimulationState::transferTiming(StateStream& stream) {
+  for (auto* sensors : {&rangeTiming, &imageTiming, &cameraTiming}) {
+    for (TimedSensor& sensor : *sensors) {
+      transferErrors(stream, sensor.errors);
+      stream.flag(sensor.chosen);
+      if (stream.isReading()) sensor.set(SensorErrors(sensor.errors));
+    }
+  }
+  for (CameraSensor& camera : ports.cameras) stream.within(camera.noise, 0, 1e9);
+  std::vector<std::uint32_t> chosen;
+  for (const auto& [sensor, errors] : chosenErrors) chosen.push_back(static_cast<std::uint32_t>(sensor));
+  stream.size(chosen, ports.sensors.size());
+  std::map<std::size_t, SensorErrors> read;
+  for (std::uint32_t sensor : chosen) {
+    stream.raw(sensor);
+    SensorErrors errors = stream.isReading() ? SensorErrors{} : chosenErrors[sensor];
+    transferErrors(stream, errors);
+    if (sensor >= ports.sensors.size()) return stream.fail();
+    if (stream.isReading()) read[sensor] = std::move(errors);
+  }
+  if (stream.isReading()) chosenErrors = std::move(read);
+}
+
+void SimulationState::transfer(StateStream& stream) {
+  stream.raw(options.seed);
+  stream.flag(options.noise);
+  stream.upTo(steps, kMaxSteps);
+  if (!stream.good()) return;
+  physics->transfer(stream);
+  actuation->transfer(stream);
+  doors->transfer(stream);
+  hands->transfer(stream);
+  sensing->transfer(stream, noise());
+  transferTiming(stream);
+  history.transfer(stream, steps, poses.size());
+  if (ranging) ranging->transfer(stream, {options.noise, options.seed, steps});
+  if (imaging) imaging->transfer(stream, {options.noise, options.seed, steps});
+  stream.bits(driveUnobstructed);
+  stream.raw(ballContacts);
+  stream.bits(touchedBall);
+  for (TouchCount& touches : obstacles) touches.transfer(stream);
+  if (!stream.isReading()) return;
+  readWheels();
+  invalidate();
+}
+
+std::uint64_t Simulation::fingerprint() const {
+  return implementation_->fingerprint();
+}
+
+Snapshot Simulation::snapshot() const {
+  Snapshot snapshot;
+  snapshot.scene = scene().file().string();
+  snapshot.fingerprint = implementation_->fingerprint();
+  snapshot.step = implementation_->steps;
+  StateStream stream(snapshot.state);
+  implementation_->transfer(stream);
+  return snapshot;
+}
+
+robotlink::Result<void> Simulation::restore(const Snapshot& snapshot) {
+  Implementation& i = *implementation_;
+  if (snapshot.fingerprint != i.fingerprint()) {
+    const std::string own = scene().file().string();
+    return robotlink::failure(
+        "snapshot.scene",
+        snapshot.scene == own
+            ? "the snapshot is of " + own +
+                  " as it was before its models, or how they are moved, were changed"
+            : "the snapshot is of another scene, " + snapshot.scene + "; the one that runs is " + own,
+        {}, {snapshot.scene, own});
+  }
+  std::vector<std::uint8_t> before;
+  StateStream keep(before);
+  i.transfer(keep);
+  StateStream stream(snapshot.state,
+                     snapshot.isForeign ? StateStream::Trust::kForeign : StateStream::Trust::kOwn);
+  i.transfer(stream);
+  const bool isRead = stream.complete() && i.steps == snapshot.step;
+  if (!isRead) {
+    StateStream back(before, StateStream::Trust::kOwn);
+    i.transfer(back);
+    return robotlink::failure("snapshot.damaged",
+                              "the snapshot of " + snapshot.scene + " has a state that is not possible", {},
+                              {snapshot.scene});
+  }
+  i.beginRewindAnew();
+  return {};
+}
+
+void SimulationState::keepForRewind() {
+  if (!rewind || isRepeating || !rewind->isDue(steps)) return;
+  std::vector<std::uint8_t> state;
+  StateStream stream(state);
+  transfer(stream);
+  rewind->add(steps, std::move(state));
+}
+
+void SimulationState::beginRewindAnew() {
+  if (!rewind) return;
+  rewind->clear();
+  keepForRewind();
+}
+
+void Simulation::keepForRewind(std::size_t maxBytes) {
+  implementation_->rewind = maxBytes > 0 ? std::make_unique<Rewind>(maxBytes) : nullptr;
+  implementation_->keepForRewind();
+}
+
+std::uint64_t Simulation::rewindableFrom() const {
+  const Implementation& i = *implementation_;
+  return i.rewind ? i.rewind->oldest().value_or(i.steps) : i.steps;
+}
+
+robotlink::Result<void> Simulation::rewindTo(std::uint64_t step) {
+  Implementation& i = *implementation_;
+  if (step > i.steps || step < rewindableFrom() || !i.rewind || !i.rewind->oldest()) {
+    return robotlink::failure(
+        "simulation.rewind",
+        "the simulation can go back to " +
+            std::to_string(robotlink::seconds(kStep * static_cast<std::int64_t>(rewindableFrom()))) +
+            " s at most");
+  }
+  const std::uint64_t from = i.rewind->stateBefore(step);
+  StateStream stream(i.rewind->stateAt(from), StateStream::Trust::kOwn);
+  i.transfer(stream);
+  i.isRepeating = true;
+  const auto again = [this](const Rewind::Command& command) { repeat(*this, command); };
+  if (step == from) i.rewind->replay(from, from, [](const Rewind::Command&) {});
+  while (i.steps < step) {
+    i.rewind->replay(from, i.steps, again);
+    this->step();
+  }
+  i.isRepeating = false;
+  i.rewind->forgetAfter(step);
+  return {};
+}
+
+}  // namespace simcore

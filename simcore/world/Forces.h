@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Geometry.h"
+
+namespace simcore {
+
+/// A contact of two solids in the last step. Links are named by their paths ("red1/link:body"), and models
+/// that never move by their names. SI units, in the world's frame.
+struct ContactForce {
+  std::string first, second;
+  robotlink::Vector3 point = robotlink::Vector3::Zero();
+  /// A unit vector towards the first.
+  robotlink::Vector3 normal = robotlink::Vector3::Zero();
+  /// How far they overlap, m.
+  double depth = 0;
+  /// On the first, friction included.
+  robotlink::Vector3 force = robotlink::Vector3::Zero();
+};
+
+/// What a hinge or a slider exerted on its child in the last step.
+struct JointForce {
+  /// Its path: "red1/joint:legFL1".
+  std::string joint;
+  robotlink::Vector3 anchor = robotlink::Vector3::Zero();
+  robotlink::Vector3 force = robotlink::Vector3::Zero();
+  /// About the anchor.
+  robotlink::Vector3 torque = robotlink::Vector3::Zero();
+};
+
+/// A force that somebody applies by hand.
+struct HandForce {
+  enum class Kind : std::uint8_t { kDrag, kPush };
+  Kind kind = Kind::kDrag;
+  /// The path of the link.
+  std::string link;
+  /// Where it acts, and for kDrag where it pulls to.
+  robotlink::Vector3 point = robotlink::Vector3::Zero(), target = robotlink::Vector3::Zero();
+  robotlink::Vector3 force = robotlink::Vector3::Zero();
+};
+
+/// The forces in a world in its last step. A plain value.
+struct Forces {
+  std::vector<ContactForce> contacts;
+  std::vector<JointForce> joints;
+  std::vector<HandForce> hands;
+};
+
+}  // namespace simcore
