@@ -40,7 +40,6 @@ std::vector<double> viewOf(Simulation& simulation) {
     const auto values = simulation.read(port.info.path);
     if (values) view.insert(view.end(), values->begin(), values->end());
   }
-  // Images may contain infinity, and bits are compared.
   return view;
 }
 
@@ -243,9 +242,15 @@ TEST(Snapshots, oneGoesBackToAnyStepOfThePast) {
   std::vector<std::vector<double>> seen;
   for (int i = 0; i < 600; ++i) {
     seen.push_back(viewOf(*simulation));
-    if (i == 300) ASSERT_TRUE(simulation->throwModel("block", {0, 1, 2}, {3, 0, 0}));
-    if (i == 310) ASSERT_TRUE(simulation->placeModel("omni", {2.5, -1, 0.5}));
-    if (i == 320) ASSERT_TRUE(simulation->setSensorErrors("cart/foot", {{{.stddev = 0.2}}}));
+    if (i == 300) {
+      ASSERT_TRUE(simulation->throwModel("block", {0, 1, 2}, {3, 0, 0}));
+    }
+    if (i == 310) {
+      ASSERT_TRUE(simulation->placeModel("omni", {2.5, -1, 0.5}));
+    }
+    if (i == 320) {
+      ASSERT_TRUE(simulation->setSensorErrors("cart/foot", {{{.stddev = 0.2}}}));
+    }
     play(*simulation, 1);
   }
   EXPECT_EQ(simulation->rewindableFrom(), 0U);
