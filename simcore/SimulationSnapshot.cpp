@@ -14,6 +14,9 @@ namespace {
 /// Half a year; a simulation that has run longer cannot be restored from a file.
 constexpr std::uint64_t kMaxSteps = std::uint64_t{1} << 32U;
 
+/// Steps of a simulation that has run without end.
+constexpr std::uint64_t kMaxTouches = std::uint64_t{1} << 40U;
+
 /// Computes a number from many.
 class Fingerprint {
  public:
@@ -113,9 +116,7 @@ void repeat(Simulation& simulation, const Rewind::Command& command) {
 }  // namespace
 
 void TouchCount::transfer(StateStream& stream) {
-  stream.raw(stepsSince_);
-  stream.raw(count_);
-  stream.raw(steps_);
+  for (std::uint64_t* count : {&stepsSince_, &count_, &steps_}) stream.upTo(*count, kMaxTouches);
 }
 
 std::uint64_t SimulationState::fingerprint() const {

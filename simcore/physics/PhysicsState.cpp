@@ -17,6 +17,8 @@ namespace {
 
 /// How far rotations of a file may be from being ones.
 constexpr double kRotationTolerance = 1e-6;
+/// What moves or turns faster in a file has left the world long ago, m/s and rad/s.
+constexpr double kMaxMotion = 1e4;
 
 /// Overwrites what ODE has of a body, which it returns as constant.
 void overwrite(const dReal* in, const dReal* values, std::size_t count) {
@@ -49,8 +51,8 @@ void transferBody(StateStream& stream, dBodyID body) {
   numbers(stream, position, 3);
   numbers(stream, q, 4);
   numbers(stream, r, 12);
-  numbers(stream, velocity, 3);
-  numbers(stream, rate, 3);
+  for (dReal* motion : {velocity, rate})
+    for (int i = 0; i < 3; ++i) stream.within(motion[i], -kMaxMotion, kMaxMotion);
   if (!stream.isReading()) return;
   stream.require(isRotation(q, r));
   if (!stream.good()) return;

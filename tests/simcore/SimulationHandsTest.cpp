@@ -15,11 +15,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// The cart of 4 kg on the ground, and a box of 1 kg in the air.
-std::unique_ptr<Simulation> withBox(SimulationOptions options = {}) {
+std::unique_ptr<Simulation> withBox() {
   return cartWith("", "", R"(<model name="box"><pose>0 2 1 0 0 0</pose><link name="body">
       <inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial>
-      <collision name="c"><geometry><box><size>0.2 0.2 0.2</size></box></geometry></collision></link></model>)",
-                  options);
+      <collision name="c"><geometry><box><size>0.2 0.2 0.2</size></box></geometry></collision></link></model>)");
 }
 
 Vector3 placeOf(const Simulation& simulation, const std::string& model) {
