@@ -11,6 +11,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/Spelling.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
@@ -103,6 +104,76 @@ Result<void> release(OpenPlatform& open, const Values& values) {
   return setActuator(open, std::move(set));
 }
 
+/// Asks for what is done by hand, unless something is wrong with it.
+Result<void> askByHand(OpenPlatform& open, robotcontrol::Request request) {
+  const auto* status = open.session().store().latestAs<robotcontrol::SimulationStatus>(
+      robotlink::streams::kSimulation, open.session().timeline().newest());
+  if (status == nullptr || status->is_real())
+    return failure("scene.none", "there is no simulation in which something could be moved; open a scene");
+  if (const std::string wrong = robotlink::wrongWith(request); !wrong.empty())
+    return failure("scene.hand", wrong);
+  open.ask(std::move(request));
+  return {};
+}
+
+template <typename Vector>
+void setVector(Vector& vector, const Values& values, std::size_t first) {
+  vector.set_x(number(values, first));
+  vector.set_y(number(values, first + 1));
+  vector.set_z(number(values, first + 2));
+}
+
+Result<void> turn(OpenPlatform& open, const Values& values) {
+  robotcontrol::Request request;
+  auto& details = *request.mutable_turn_model();
+  details.set_model(text(values, 0));
+  details.set_heading(number(values, 1));
+  details.set_roll(number(values, 2));
+  details.set_pitch(number(values, 3));
+  return askByHand(open, std::move(request));
+}
+
+Result<void> throwModel(OpenPlatform& open, const Values& values) {
+  robotcontrol::Request request;
+  auto& details = *request.mutable_throw_model();
+  details.set_model(text(values, 0));
+  setVector(*details.mutable_velocity(), values, 1);
+  details.mutable_spin()->set_z(number(values, 4));
+  return askByHand(open, std::move(request));
+}
+
+Result<void> pin(OpenPlatform& open, const Values& values) {
+  robotcontrol::Request request;
+  request.mutable_pin_object()->set_path(text(values, 0));
+  request.mutable_pin_object()->set_pinned(flag(values, 1));
+  return askByHand(open, std::move(request));
+}
+
+Result<void> drag(OpenPlatform& open, const Values& values) {
+  robotcontrol::Request request;
+  auto& details = *request.mutable_drag_object();
+  details.set_path(text(values, 0));
+  setVector(*details.mutable_target(), values, 1);
+  details.set_strength(number(values, 4));
+  return askByHand(open, std::move(request));
+}
+
+Result<void> drop(OpenPlatform& open, const Values& values) {
+  robotcontrol::Request request;
+  request.mutable_drag_object()->set_path(text(values, 0));
+  request.mutable_drag_object()->set_released(true);
+  return askByHand(open, std::move(request));
+}
+
+Result<void> push(OpenPlatform& open, const Values& values) {
+  robotcontrol::Request request;
+  auto& details = *request.mutable_push_object();
+  details.set_path(text(values, 0));
+  setVector(*details.mutable_force(), values, 1);
+  details.set_seconds(number(values, 4));
+  return askByHand(open, std::move(request));
+}
+
 Result<void> reload(OpenPlatform& open) {
   const LoadedPlatform* loaded = open.loaded();
   if (loaded == nullptr || loaded->adapter != SimulationFeed::kAdapter)
@@ -124,6 +195,19 @@ void addSceneCommands(CommandTable& commands, OpenPlatform& open) {
   commands.attach(
       "scene.place", [&open](const Values& values) { return place(open, values); },
       [&open](const auto& before) { return before.empty() ? models(open) : std::vector<std::string>(); });
+  const auto moved = [&open](const auto& before) {
+    return before.empty() ? models(open) : std::vector<std::string>();
+  };
+  const auto byHand = [&](const char* name, Result<void> (*handler)(OpenPlatform&, const Values&)) {
+    commands.attach(
+        name, [&open, handler](const Values& values) { return handler(open, values); }, moved);
+  };
+  byHand("scene.turn", &turn);
+  byHand("scene.throw", &throwModel);
+  byHand("scene.pin", &pin);
+  byHand("scene.drag", &drag);
+  byHand("scene.drop", &drop);
+  byHand("scene.push", &push);
   commands.attach("scene.reload", [&open](const Values&) { return reload(open); });
 }
 

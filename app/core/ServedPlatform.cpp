@@ -247,7 +247,8 @@ void Service::tick() {
 
 void Service::followDemand(bool isAlone) {
   const PlatformFeed::Demand wanted{!isAlone || options_.seconds,
-                                    server_.isWanted(robotlink::streams::kTransforms)};
+                                    server_.isWanted(robotlink::streams::kTransforms),
+                                    server_.isWanted(robotlink::streams::kForces)};
   if (std::exchange(demand_, wanted) != wanted) platform_.setDemand(wanted);
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/SimulationCommands.h"
 
+#include <filesystem>
+
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/debugging/Streams.h"
 
 namespace app {
 namespace {
@@ -29,6 +32,80 @@ Result<void> setSimulationSpeed(OpenPlatform& open, double speed) {
   return control(open, Control::UNCHANGED, speed);
 }
 
+using Snapshots = robotcontrol::ControlSnapshots;
+
+/// Whether a word of a command means a file instead of a snapshot in memory.
+bool isSnapshotFile(const std::string& name) {
+  return name.find('/') != std::string::npos || std::filesystem::path(name).extension() == ".snapshot";
+}
+
+/// Sets a name or a file, whose path is made absolute, since whoever fulfills the request may run elsewhere.
+void nameSnapshot(Snapshots& control, const std::string& name) {
+  if (!isSnapshotFile(name)) return control.set_name(name);
+  std::error_code ignored;
+  const auto absolute = std::filesystem::absolute(name, ignored);
+  control.set_file(ignored ? name : absolute.string());
+}
+
+Result<void> controlSnapshots(OpenPlatform& open, Snapshots control) {
+  robotcontrol::Request request;
+  *request.mutable_control_snapshots() = std::move(control);
+  if (const std::string wrong = robotlink::wrongWith(request); !wrong.empty())
+    return robotlink::failure("simulation.snapshot", wrong);
+  open.ask(std::move(request));
+  return {};
+}
+
+/// The names of the snapshots in memory.
+std::vector<std::string> snapshotNames(OpenPlatform& open) {
+  std::vector<std::string> names;
+  const auto* status = open.session().store().latestAs<robotcontrol::SimulationStatus>(
+      robotlink::streams::kSimulation, open.session().timeline().newest());
+  for (int i = 0; status != nullptr && i < status->snapshots_size(); ++i)
+    names.push_back(status->snapshots(i).name());
+  return names;
+}
+
+void addSnapshotCommands(CommandTable& commands, OpenPlatform& open) {
+  const auto names = [&open](const auto& before) {
+    return before.empty() ? snapshotNames(open) : std::vector<std::string>();
+  };
+  const auto named = [&](const char* command, Snapshots::Action action) {
+    commands.attach(
+        command,
+        [&open, action](const Values& values) {
+          Snapshots control;
+          control.set_action(action);
+          nameSnapshot(control, text(values, 0));
+          if (action == Snapshots::RESTORE) control.set_programs(flag(values, 1));
+          return controlSnapshots(open, std::move(control));
+        },
+        names);
+  };
+  named("simulation.snapshot", Snapshots::TAKE);
+  named("simulation.restore", Snapshots::RESTORE);
+  commands.attach(
+      "simulation.forget",
+      [&open](const Values& values) {
+        Snapshots control;
+        control.set_action(Snapshots::FORGET);
+        control.set_name(text(values, 0));
+        return controlSnapshots(open, std::move(control));
+      },
+      names);
+  commands.attach("simulation.rewind", [&open](const Values& values) {
+    Snapshots control;
+    control.set_action(Snapshots::REWIND);
+    control.set_seconds(number(values, 0));
+    return controlSnapshots(open, std::move(control));
+  });
+  commands.attach("simulation.cancel", [&open](const Values&) {
+    Snapshots control;
+    control.set_action(Snapshots::CANCEL);
+    return controlSnapshots(open, std::move(control));
+  });
+}
+
 /// Opens the simulation that runs again, since a world gets its noise when it is made.
 Result<void> setNoise(OpenPlatform& open, bool on) {
   const LoadedPlatform* loaded = open.loaded();
@@ -49,6 +126,7 @@ void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
   action("simulation.pause", Control::PAUSE);
   action("simulation.step", Control::STEP);
   action("simulation.reset", Control::RESET);
+  addSnapshotCommands(commands, open);
   commands.attach("simulation.speed",
                   [&open](const Values& values) { return setSimulationSpeed(open, number(values, 0)); });
   commands.attach("simulation.noise",

@@ -9,6 +9,8 @@ namespace robotlink::streams {
 inline constexpr char kLog[] = "log";  ///< foxglove.Log, of all processes
 /// foxglove.Log.name of what a robot's platform reports; else it is the process.
 inline constexpr char kPlatformSource[] = "platform";
+/// foxglove.Log.name of texts about a simulated world that was put to another instant.
+inline constexpr char kWorldSource[] = "world";
 inline constexpr char kKeys[] = "tables/keys";            ///< KeyTable, of all processes together
 inline constexpr char kSolutions[] = "tables/solutions";  ///< SolutionTable
 inline constexpr char kProcesses[] = "tables/processes";  ///< ProcessTable

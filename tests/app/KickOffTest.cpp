@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/KickOff.h"
+#include "app/core/game/KickOff.h"
 
 #include <gmock/gmock.h>
 

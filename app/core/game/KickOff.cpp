@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/KickOff.h"
+#include "app/core/game/KickOff.h"
 
 #include <cmath>
 
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
+#include "simcore/world/StateStream.h"
 
 namespace app {
 namespace {
@@ -36,6 +37,21 @@ KickOff::KickOff(std::shared_ptr<const robotlink::FieldDescription> field, simco
 void KickOff::restart() {
   goals_ = {{kTowardsPlusX, 0}, {kTowardsMinusX, 0}};
   outSince_.reset();
+}
+
+void KickOff::transfer(simcore::StateStream& stream) {
+  for (auto& [team, count] : goals_) {
+    stream.raw(count);
+    stream.require(count >= 0);
+  }
+  bool isOut = outSince_.has_value();
+  stream.flag(isOut);
+  std::int64_t since = outSince_.value_or(robotlink::Duration()).count();
+  stream.raw(since);
+  stream.require(since >= 0 && since <= simulation_.time().count());
+  if (!stream.isReading()) return;
+  outSince_.reset();
+  if (isOut && stream.good()) outSince_ = robotlink::Duration(since);
 }
 
 std::optional<std::string> KickOff::scorer(const Vector3& ball) const {

@@ -12,7 +12,8 @@
 
 namespace simcore {
 class Simulation;
-}
+class StateStream;
+}  // namespace simcore
 
 namespace app {
 
@@ -34,6 +35,22 @@ class KickOff {
   std::optional<std::string> step();
   /// To be called after a reset of the simulation: sets the score to 0.
   void restart();
+
+  /// Writes or reads the score, and since when the ball is out.
+  void transfer(simcore::StateStream& stream);
+  /// The simulation went back or on to another instant: a ball that is out has left just now.
+  void worldJumped() { outSince_.reset(); }
+
+  /// The goals so far, and since when the ball is out.
+  struct Score {
+    std::map<std::string, int> goals;
+    std::optional<robotlink::Duration> outSince;
+  };
+  Score present() const { return {goals_, outSince_}; }
+  void adopt(const Score& score) {
+    goals_ = score.goals;
+    outSince_ = score.outSince;
+  }
 
   /// Goals by the name of the team that scored.
   const std::map<std::string, int>& goals() const { return goals_; }

@@ -84,6 +84,8 @@ class PlatformFeed {
     bool anything = true;
     /// Whether the poses of the bodies are.
     bool transforms = true;
+    /// Whether a client reads the forces in the world; who does so here asks for them (ReadForces).
+    bool forces = false;
     bool operator==(const Demand&) const = default;
   };
 

@@ -79,6 +79,13 @@ void ProgramRequests::beginAnew() {
   continued_.clear();
 }
 
+void ProgramRequests::beginAnewWith(ProgramOverrides overrides) {
+  const std::lock_guard lock(mutex_);
+  continued_.clear();
+  open_.clear();
+  overrides_ = std::move(overrides);
+}
+
 void ProgramRequests::addOwn(Request request) {
   request.set_id(robotlink::kRepeatedIds | ++ownRequests_);
   open_.push_back({std::move(request)});

@@ -51,6 +51,8 @@ class ProgramRequests {
   bool takeBack(const robotcontrol::Request& request);
   /// To be called when the robot is put back to its start: the next program continues with nothing.
   void beginAnew();
+  /// The same; what the user chose is replaced by these overrides, and what is not answered is dropped.
+  void beginAnewWith(ProgramOverrides overrides);
   /// Passes the requests that the program has not got yet to `give`, in order, until that returns false; the
   /// others wait for the next call. `give` must not call this object.
   void hand(const std::function<bool(const robotcontrol::Request&)>& give);

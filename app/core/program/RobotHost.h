@@ -140,6 +140,8 @@ class RobotHost {
   robotlink::Result<void> request(const robotcontrol::Request& request);
   /// To be called when the robot is put back to its start: its next program does not continue to its goal.
   void beginAnew() { requests_.beginAnew(); }
+  /// The same, and its next program starts with these overrides instead of what the user chose since.
+  void beginAnewWith(ProgramOverrides overrides) { requests_.beginAnewWith(std::move(overrides)); }
   /// To be called before each step: passes the requests since the last step to the program.
   void enqueueRequests();
   /// Has a program in a process of its own compute from what the platform has sent. To be called in lockstep

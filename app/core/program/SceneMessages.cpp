@@ -4,6 +4,7 @@
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/MapConversions.h"
 #include "simcore/ModelParts.h"
@@ -91,7 +92,8 @@ std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::Groun
   return message;
 }
 
-std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulation& simulation) {
+std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulation& simulation,
+                                                          std::optional<robotlink::Instant> at) {
   auto update = std::make_shared<foxglove::SceneUpdate>();
   const auto scene = simulation.renderScene();
   const std::vector<std::string> movable = movableModels(simulation);
@@ -99,7 +101,7 @@ std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulat
     const simcore::RenderInstance& instance = scene->instances[i];
     const std::string& body = scene->bodies[static_cast<std::size_t>(instance.body)];
     auto& entity = *update->add_entities();
-    robotlink::assign(*entity.mutable_timestamp(), now(simulation));
+    robotlink::assign(*entity.mutable_timestamp(), at.value_or(now(simulation)));
     entity.set_frame_id(frameOf(body));
     entity.set_id(std::to_string(i) + ":" + instance.name);
     if (const std::string model = modelOf(body, movable); !model.empty()) {
@@ -122,17 +124,57 @@ std::shared_ptr<const foxglove::SceneUpdate> modelMessage(const simcore::ModelPa
   return update;
 }
 
-std::shared_ptr<const foxglove::FrameTransforms> transformsMessage(const simcore::Simulation& simulation) {
+std::shared_ptr<const foxglove::FrameTransforms> transformsMessage(const simcore::Simulation& simulation,
+                                                                   std::optional<robotlink::Instant> at) {
+  const robotlink::Instant time = at.value_or(now(simulation));
   auto message = std::make_shared<foxglove::FrameTransforms>();
   const auto scene = simulation.renderScene();
   const auto poses = simulation.bodyPoses();
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    addTransform(*message, frameOf(scene->bodies[i]), poses[i], now(simulation));
+    addTransform(*message, frameOf(scene->bodies[i]), poses[i], time);
   }
   for (const auto& robot : simulation.scene().robots()) {
     if (const auto pose = simulation.modelPose(robot.name)) {
-      addTransform(*message, robot.name, onGround(robotlink::groundPose(*pose)), now(simulation));
+      addTransform(*message, robot.name, onGround(robotlink::groundPose(*pose)), time);
     }
+  }
+  return message;
+}
+
+std::shared_ptr<const robotcontrol::WorldForces> forcesMessage(const simcore::Simulation& simulation,
+                                                               robotlink::Instant at) {
+  const auto set = [](auto* to, const robotlink::Vector3& from) {
+    to->set_x(from.x());
+    to->set_y(from.y());
+    to->set_z(from.z());
+  };
+  const simcore::Forces forces = simulation.forces();
+  auto message = std::make_shared<robotcontrol::WorldForces>();
+  robotlink::assign(*message->mutable_timestamp(), at);
+  for (const simcore::ContactForce& contact : forces.contacts) {
+    auto& to = *message->add_contacts();
+    to.set_first(contact.first);
+    to.set_second(contact.second);
+    set(to.mutable_point(), contact.point);
+    set(to.mutable_normal(), contact.normal);
+    to.set_depth(contact.depth);
+    set(to.mutable_force(), contact.force);
+  }
+  for (const simcore::JointForce& joint : forces.joints) {
+    auto& to = *message->add_joints();
+    to.set_joint(joint.joint);
+    set(to.mutable_anchor(), joint.anchor);
+    set(to.mutable_force(), joint.force);
+    set(to.mutable_torque(), joint.torque);
+  }
+  for (const simcore::HandForce& hand : forces.hands) {
+    auto& to = *message->add_hands();
+    const bool isDrag = hand.kind == simcore::HandForce::Kind::kDrag;
+    to.set_kind(isDrag ? robotcontrol::HandForce::DRAG : robotcontrol::HandForce::PUSH);
+    to.set_path(hand.link);
+    set(to.mutable_point(), hand.point);
+    if (isDrag) set(to.mutable_target(), hand.target);
+    set(to.mutable_force(), hand.force);
   }
   return message;
 }

@@ -130,6 +130,12 @@ void SimulatedPioneer::reset(std::uint64_t seed) {
   driveOn_ = true;
 }
 
+void SimulatedPioneer::worldJumped() {
+  session_.encodersJumped();
+  // Whether the drive has power then is asked of the microcontroller, as after each step.
+  simulation_.setDriveOn(ports_.drive, driveOn_);
+}
+
 void SimulatedPioneer::step(Instant now) {
   const robotlink::Duration passed = now - now_;
   now_ = now;

@@ -48,6 +48,10 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   /// and its odometry is 0.
   void reset(std::uint64_t seed);
 
+  /// To be called when the simulation was put back or on to another instant, while the time goes on: the
+  /// robot was carried there, which its odometry does not notice.
+  void worldJumped();
+
   /// Processes a packet of the present client.
   void take(const robotlink::arcos::Packet& packet, robotlink::Instant now);
   /// Removes and returns the packets for the present client.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SimulatedRun: going on in a scene whose file was edited.
+// SimulatedRun: going on in a scene whose file was edited, or with programs in another layout.
 #include <algorithm>
+#include <set>
 #include <utility>
 
+#include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
 
 namespace app {
@@ -32,6 +35,7 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::reload() {
   if (!change) return tl::unexpected(Errors{change.error()});
   // Platforms know sensors and motors by their numbers.
   if (!change->hasSamePorts) return exchangeWorld(std::move(*scene));
+  spoilJournal("the scene was edited");
   if (tap_) recordWorld();
   return Reloaded{.inPlace = true, .startedPrograms = false, .putBack = std::move(change->putBack)};
 }
@@ -53,12 +57,48 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::exchangeWorld(
     return tl::unexpected(std::move(programs.error()));
   }
   before->clear();
+  spoilJournal("the scene was edited");
   ports_.reset();
   kickOff_ = options_.kickOffs ? KickOff::create(field_, world_->simulation()) : nullptr;
   startPrograms(std::move(*programs));
   if (!hasEnded()) leftOverWorlds_.push_back(std::move(*other));
   if (auto opened = openPorts(); !opened && listeners_.ports) listeners_.ports(opened.error().text);
   return Reloaded{.inPlace = true, .startedPrograms = true, .putBack = std::move(putBack)};
+}
+
+Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
+  auto read = readLayoutWith(layout, options_.solutions);
+  if (!read) return read.error();
+  for (const auto& robot : robots_) {
+    if (robot->description().name != kind) continue;
+    auto made = makeProgram(*robot, layout, *read);
+    if (!made) return made.error();
+    made->program->stop();
+    return {};
+  }
+  return {};
+}
+
+Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
+  Errors errors;
+  std::set<std::string> kinds, changed;
+  for (const auto& robot : robots_) kinds.insert(robot->description().name);
+  for (const std::string& kind : kinds) {
+    if (Errors reasons = whyNot(kind, file); reasons.empty()) {
+      changed.insert(kind);
+    } else if (errors.empty()) {
+      errors = std::move(reasons);
+    }
+  }
+  if (changed.empty()) return errors;
+  Layouts layouts = options_.layouts;
+  for (const std::string& kind : changed) layouts[kind] = file;
+  auto programs = makePrograms(layouts);
+  if (!programs) return programs.error();
+  options_.layouts = std::move(layouts);
+  spoilJournal("the layout was changed");
+  startPrograms(std::move(*programs));
+  return {};
 }
 
 }  // namespace app

@@ -102,6 +102,7 @@ Errors SimulatedRun::load() {
   if (!programs) return programs.error();
   if (tap_) tap_->restart();
   startPrograms(std::move(*programs));
+  beginJournal();
   return {};
 }
 
@@ -290,6 +291,7 @@ Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::Ho
   const RunOptions before = options_;
   const std::vector<RobotHost*> changed = applyHosting(name, choice);
   if (changed.empty()) return {};
+  spoilJournal("programs were started again");
   Candidates candidates;
   for (RobotHost* robot : changed) {
     auto made = makeProgramOnPlatform(*robot);
@@ -341,7 +343,8 @@ void SimulatedRun::stopPrograms() {
 void SimulatedRun::recordWorld() {
   if (const auto known = map())
     tap_->world({robotlink::streams::kMap, world_->clock().now(), mapMessage(*known, world_->clock().now())});
-  tap_->world({robotlink::streams::kScene, world_->clock().now(), sceneMessage(world_->simulation())});
+  tap_->world({robotlink::streams::kScene, world_->clock().now(),
+               sceneMessage(world_->simulation(), world_->clock().now())});
   stepsToTransforms_ = 0;
 }
 
@@ -349,8 +352,8 @@ void SimulatedRun::recordStep() {
   tap_->endStep();
   if (--stepsToTransforms_ > 0 || !tap_->wants(robotlink::streams::kTransforms)) return;
   stepsToTransforms_ = kTransformsEvery;
-  tap_->world(
-      {robotlink::streams::kTransforms, world_->clock().now(), transformsMessage(world_->simulation())});
+  tap_->world({robotlink::streams::kTransforms, world_->clock().now(),
+               transformsMessage(world_->simulation(), world_->clock().now())});
 }
 
 void SimulatedRun::reportTrouble(const robotlink::Process& process, const std::string& text) {
@@ -361,6 +364,7 @@ void SimulatedRun::reportTrouble(const robotlink::Process& process, const std::s
 
 void SimulatedRun::step() {
   leftOver_.forgetEnded();
+  if (again_) repeatRequests();
   for (const auto& robot : robots_) robot->enqueueRequests();
   if (tap_) tap_->askForPackages();
   if (options_.executor() == ExecutorKind::kLockstep) {
@@ -376,6 +380,8 @@ void SimulatedRun::step() {
   for (const auto& robot : robots_) robot->endStep();
   if (kickOff_) watchGame();
   if (tap_) recordStep();
+  ++stepsMade_;
+  if (again_ && world_->simulation().steps() >= again_->snapshot.step) endRunningAgain();
 }
 
 void SimulatedRun::watchGame() {
@@ -390,13 +396,24 @@ void SimulatedRun::watchGame() {
 }
 
 Errors SimulatedRun::reset(std::uint64_t seed) {
+  again_.reset();
+  return restart(seed, nullptr);
+}
+
+Errors SimulatedRun::restart(std::uint64_t seed, const std::map<std::string, ProgramOverrides>* overrides) {
   // Made before anything is given up: a file may have been broken meanwhile.
   auto before = makePrograms(options_.layouts);
   if (!before) return before.error();
   // Their processes must not read a clock that jumps.
   stopPrograms();
   world_->reset(seed);
-  for (const auto& robot : robots_) robot->beginAnew();
+  for (const auto& robot : robots_) {
+    if (overrides != nullptr && overrides->contains(robot->name())) {
+      robot->beginAnewWith(overrides->at(robot->name()));
+    } else {
+      robot->beginAnew();
+    }
+  }
   if (kickOff_) kickOff_->restart();
   options_.world.seed = seed;
   // Made again, so that what they have is that of the new world. If a file was broken just now, those of
@@ -405,40 +422,7 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
   if (tap_) tap_->restart();
   if (programs) before->clear();
   startPrograms(std::move(programs ? *programs : *before));
-  return {};
-}
-
-Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
-  auto read = readLayoutWith(layout, options_.solutions);
-  if (!read) return read.error();
-  for (const auto& robot : robots_) {
-    if (robot->description().name != kind) continue;
-    auto made = makeProgram(*robot, layout, *read);
-    if (!made) return made.error();
-    made->program->stop();
-    return {};
-  }
-  return {};
-}
-
-Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
-  Errors errors;
-  std::set<std::string> kinds, changed;
-  for (const auto& robot : robots_) kinds.insert(robot->description().name);
-  for (const std::string& kind : kinds) {
-    if (Errors reasons = whyNot(kind, file); reasons.empty()) {
-      changed.insert(kind);
-    } else if (errors.empty()) {
-      errors = std::move(reasons);
-    }
-  }
-  if (changed.empty()) return errors;
-  Layouts layouts = options_.layouts;
-  for (const std::string& kind : changed) layouts[kind] = file;
-  auto programs = makePrograms(layouts);
-  if (!programs) return programs.error();
-  options_.layouts = std::move(layouts);
-  startPrograms(std::move(*programs));
+  beginJournal();
   return {};
 }
 
@@ -467,7 +451,11 @@ robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& reque
     patience_->restore();
     ownPatience_->restore();
   }
-  if (RobotHost* robot = find(request.robot())) return robot->request(request);
+  if (RobotHost* robot = find(request.robot())) {
+    auto done = robot->request(request);
+    if (done) journal_.add(stepsMade_, request);
+    return done;
+  }
   return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
                             {request.robot()});
 }

@@ -9,16 +9,18 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/core/game/KickOff.h"
 #include "app/core/own/OwnProgram.h"
 #include "app/core/platform/HostingChoices.h"
 #include "app/core/platform/StopSwitch.h"
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/simulated/ArcosPorts.h"
-#include "app/core/simulated/KickOff.h"
 #include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/snapshots/RunJournal.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
 
@@ -134,6 +136,28 @@ class SimulatedRun {
   /// Puts world and programs back to the start, with another seed. The user's overrides are kept. If the
   /// programs cannot be made again, everything continues as before.
   robotlink::Errors reset(std::uint64_t seed);
+  /// Fulfills a request that changes the world only (WorldRequests.h), and keeps it for runAgain().
+  robotlink::Result<void> changeWorld(const robotcontrol::Request& request);
+  /// Keeps the state of the world and the game, and what is needed to run the programs again.
+  simcore::Snapshot snapshot() const;
+  /// Puts the world to where it was; the programs run on, and their time does, too. Fails, changing nothing,
+  /// if the snapshot is of another scene or is not possible.
+  robotlink::Result<void> restore(const simcore::Snapshot& snapshot);
+  /// The same in the recent past; see SimulatedWorld::rewind().
+  robotlink::Result<void> rewind(robotlink::Duration back);
+  /// Begins to bring world and programs to the state of a snapshot: all begin anew, and each step() repeats
+  /// what was asked then. Fails, changing nothing, with the reason where it cannot be known that the same
+  /// state comes of it: programs in threads or elsewhere, other settings, robots driven from outside, or
+  /// where something happened that is not kept.
+  robotlink::Result<void> runAgain(const simcore::Snapshot& snapshot);
+  /// How far that has come, in [0, 1); unset: it is not being done.
+  std::optional<double> ranAgain() const;
+  /// Ends it where it is.
+  void stopRunningAgain() { again_.reset(); }
+  /// What came of the last one that was finished since the last call: empty, or why the state is another one,
+  /// when the world was put to the snapshot alone. Unset: none was finished.
+  std::optional<std::string> takeRunAgainOutcome() { return std::exchange(againOutcome_, std::nullopt); }
+
   /// What reload() has done.
   struct Reloaded {
     /// False: the robots, their field or the map are others, so the scene has to be opened instead; nothing
@@ -241,6 +265,19 @@ class SimulatedRun {
   bool hasSameRobots(const simcore::Scene& scene) const;
   /// Passes a problem of a process to the robot that owns it.
   void reportTrouble(const robotlink::Process& process, const std::string& text);
+  /// World and programs begin anew; the programs with these overrides by robot, unless that is null.
+  robotlink::Errors restart(std::uint64_t seed, const std::map<std::string, ProgramOverrides>* overrides);
+  /// What decides, beside requests, what a run does: a "name: value" in a line each.
+  std::string settings() const;
+  void beginJournal();
+  /// The run cannot be repeated from here on; `what` is a clause: "the layout was changed".
+  void spoilJournal(const std::string& what);
+  robotlink::Result<RunJournal> journalToRepeat(const simcore::Snapshot& snapshot) const;
+  /// Asks again what was asked at this step of the run that is repeated.
+  void repeatRequests();
+  /// Compares the state that came of it.
+  void endRunningAgain();
+
   /// Lets the referee act, and reports goals and kick-offs.
   void watchGame();
 
@@ -258,6 +295,17 @@ class SimulatedRun {
   std::unique_ptr<RecordingTap> tap_;
   std::vector<std::unique_ptr<RobotHost>> robots_;
   std::vector<std::string> lostChoices_;
+  /// Steps since the start, and what was asked since then.
+  std::uint64_t stepsMade_ = 0;
+  RunJournal journal_;
+  /// A run that is repeated.
+  struct Again {
+    simcore::Snapshot snapshot;
+    RunJournal journal;
+    std::size_t next = 0;
+  };
+  std::optional<Again> again_;
+  std::optional<std::string> againOutcome_;
   /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
   /// With modules inside, and with programs in processes of their own; shared with stopSwitch_.

@@ -90,6 +90,7 @@ robotlink::Result<std::unique_ptr<SimulatedWorld>> SimulatedWorld::create(
 
 SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options)
     : options_(options), simulation_(std::move(simulation)), trueClasses_(*simulation_->renderScene()) {
+  if (options_.rewindBytes > 0) simulation_->keepForRewind(options_.rewindBytes);
   makeRenderer();
 }
 
@@ -116,6 +117,7 @@ robotlink::Result<simcore::SceneChange> SimulatedWorld::continueIn(
 std::vector<std::string> SimulatedWorld::continueFrom(const SimulatedWorld& before) {
   std::vector<std::string> putBack = simulation_->continueFrom(*before.simulation_);
   clock_.set(before.clock_.now());
+  clockAhead_ = before.clockAhead_;
   costs_ = before.costs_;
   digest_ = before.digest_;
   return putBack;
@@ -156,7 +158,7 @@ void SimulatedWorld::advance() {
       simulation_->step();
       ++costs_.steps;
     }
-    clock_.set(robotlink::Instant(simulation_->time()));
+    clock_.set(robotlink::Instant(simulation_->time() + clockAhead_));
     if (pioneers_.empty()) continue;
     const CostMeter meter(costs_.pioneers);
     for (const auto& pioneer : pioneers_) pioneer->step(clock_.now());
@@ -172,6 +174,7 @@ void SimulatedWorld::reset(std::uint64_t seed) {
   posesRendered_ = ~std::uint64_t{0};
   digest_ = 0;
   costs_ = {};
+  clockAhead_ = {};
   clock_.set(robotlink::Instant{});
   for (const auto& pioneer : pioneers_) pioneer->reset(seed);
 }

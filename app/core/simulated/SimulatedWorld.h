@@ -47,6 +47,8 @@ class SimulatedWorld {
     std::optional<double> imageNoise = {};
     /// Whether robots on wheels are moved by their odometry instead of by forces.
     bool kinematic = false;
+    /// How many bytes of its past are kept, so that it can be rewound; 0: it cannot.
+    std::size_t rewindBytes = 0;
     /// Settings of all Pioneers. Their seed is that of the world; without `noise` they have no tire errors.
     SimulatedPioneer::Options pioneers = {};
   };
@@ -75,6 +77,20 @@ class SimulatedWorld {
   /// Goes on where another world is, before the first step; see simcore::Simulation::continueFrom().
   /// Microcontrollers begin anew.
   std::vector<std::string> continueFrom(const SimulatedWorld& before);
+
+  /// Keeps everything of the world that changes: the simulation, what is held, light, cameras, the digest.
+  simcore::Snapshot snapshot() const;
+  /// The digest() at that instant; 0 if the snapshot does not say it.
+  static std::uint64_t digestOf(const simcore::Snapshot& snapshot);
+  /// Goes back (or on) to a snapshot. Its clock goes on, and so do microcontrollers with their odometry:
+  /// whoever reads a clock must not see it jump. From before the first step, the clock is that of the
+  /// snapshot. Fails, changing nothing, if the snapshot is of another scene or is not possible.
+  robotlink::Result<void> restore(const simcore::Snapshot& snapshot);
+  /// How far it can go back.
+  robotlink::Duration rewindable() const;
+  /// Goes back in the simulation by at least a step of kStep, to the nearest one, as restore() does; digest()
+  /// goes on. Fails, changing nothing, if that is too long ago.
+  robotlink::Result<void> rewind(robotlink::Duration back);
 
   const robotlink::Clock& clock() const { return clock_; }
   simcore::Simulation& simulation() { return *simulation_; }
@@ -135,9 +151,14 @@ class SimulatedWorld {
   /// Renders a camera's image into image_.
   void draw(std::size_t camera);
   void mixIntoDigest(std::uint64_t value);
+  /// What was measured or rendered of the world before a jump does not count, and the clock goes on.
+  void settleAfterJump();
+  struct Kept;
 
   Options options_;
   robotlink::ManualClock clock_;
+  /// The clock minus the time of the simulation, which was put back.
+  robotlink::Duration clockAhead_{};
   std::unique_ptr<simcore::Simulation> simulation_;
   std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
   HeldActuators held_;

@@ -13,7 +13,6 @@
 #include "robotcontrol/World.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
-#include "robotlink/packages/Conversions.h"
 #include "simcore/Scene.h"
 
 namespace app {
@@ -21,6 +20,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kTransformsPeriod{15}, kPortsPeriod{33};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
+/// What the recent past may take.
+constexpr std::size_t kRewindBytes = std::size_t{256} << 20U;
 
 /// The options of the last simulation, as the adapter's memory keeps them; at first, programs run where they
 /// did in the last run of the workbench.
@@ -70,6 +71,7 @@ tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed:
     RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices) {
   auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session, recorder));
   feed->choices_ = std::move(choices);
+  options.world.rewindBytes = kRewindBytes;
   if (options.patience.count() == 0) options.patience = kModulePatience;
   auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
@@ -152,12 +154,14 @@ std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
     pace_.setSpeed(1);
     restartPace();
   }
+  if (run_->ranAgain()) return Clock::now();
   if (running_) return pace_.due(now());
   if (stepsWanted_ > 0) return Clock::now();
   return std::nullopt;
 }
 
 void SimulationFeed::step() {
+  if (run_->ranAgain()) return runAgain();
   pace_.forgetLag(Clock::now(), now());
   if (ports_->holdsAny()) ports_->release(run_->stoppedRobots());
   run_->step();
@@ -169,6 +173,7 @@ void SimulationFeed::step() {
     publishTransforms();
   }
   if (!ports_->isEmpty()) stepPorts(real);
+  if (readsForces_) stepForces(real);
   const bool isRead = demand_.anything || recorder_.active();
   if (isRead && (single || real - lastStatus_ >= kSimulationStatusEvery)) publishStatus();
   publishAnswers();
@@ -196,6 +201,7 @@ LoadedPlatform SimulationFeed::describe() const {
 }
 
 robotlink::Result<void> SimulationFeed::requestRobot(const robotcontrol::Request& request) {
+  if (auto free = whetherFree(request); !free) return free;
   auto done = run_->request(request);
   publishAnswers();
   return done;
@@ -206,13 +212,20 @@ struct SimulationFeed::Handlers {
   using Request = robotcontrol::Request;
   static constexpr robotlink::RequestRow<robotlink::Result<void> (SimulationFeed::*)(const Request&)> kRows[]{
       {Request::kControlSimulation, &SimulationFeed::controlSimulation},
-      {Request::kPlaceModel, &SimulationFeed::placeModel},
-      {Request::kSetLighting, &SimulationFeed::setLighting},
-      {Request::kSetSensorErrors, &SimulationFeed::setSensorErrors},
-      {Request::kMoveDoor, &SimulationFeed::moveDoor},
+      {Request::kPlaceModel, &SimulationFeed::changeWorld},
+      {Request::kTurnModel, &SimulationFeed::changeWorld},
+      {Request::kThrowModel, &SimulationFeed::changeWorld},
+      {Request::kPinObject, &SimulationFeed::changeWorld},
+      {Request::kDragObject, &SimulationFeed::changeWorld},
+      {Request::kPushObject, &SimulationFeed::changeWorld},
+      {Request::kSetLighting, &SimulationFeed::changeWorld},
+      {Request::kSetSensorErrors, &SimulationFeed::changeWorld},
+      {Request::kMoveDoor, &SimulationFeed::changeWorld},
+      {Request::kSetActuator, &SimulationFeed::changeWorld},
       {Request::kHostProgram, &SimulationFeed::hostProgram},
-      {Request::kSetActuator, &SimulationFeed::setActuator},
-      {Request::kReadPorts, &SimulationFeed::readPorts}};
+      {Request::kReadPorts, &SimulationFeed::readPorts},
+      {Request::kReadForces, &SimulationFeed::readForces},
+      {Request::kControlSnapshots, &SimulationFeed::controlSnapshots}};
 };
 
 bool SimulationFeed::fulfills(const robotcontrol::Request& request) {
@@ -223,51 +236,21 @@ robotlink::Result<void> SimulationFeed::requestSimulation(const robotcontrol::Re
   const auto* row = robotlink::rowOf(Handlers::kRows, request.what_case());
   if (row == nullptr)
     return robotlink::failure("simulation.request", "a simulation cannot " + robotlink::inWords(request));
+  if (auto free = whetherFree(request); !free) return free;
   const robotlink::Result<void> done = (this->*row->handler)(request);
   publishAnswers();
   return done;
 }
 
-robotlink::Result<void> SimulationFeed::placeModel(const robotcontrol::Request& request) {
-  const auto& place = request.place_model();
-  std::optional<simcore::ModelPosture> posture;
-  if (place.height() != 0 || place.roll() != 0 || place.pitch() != 0) {
-    posture.emplace();
-    if (place.height() != 0) posture->height = place.height();
-    posture->roll = place.roll();
-    posture->pitch = place.pitch();
+robotlink::Result<void> SimulationFeed::changeWorld(const robotcontrol::Request& request) {
+  const auto done = run_->changeWorld(request);
+  if (request.has_set_actuator()) publishPorts();
+  if (!request.has_set_actuator() && !request.has_set_lighting() && !request.has_set_sensor_errors()) {
+    publishTransforms();
+    publishForces();
+    publishStatus();
   }
-  const auto done =
-      run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()), posture);
-  publishTransforms();
   return done;
-}
-
-robotlink::Result<void> SimulationFeed::setLighting(const robotcontrol::Request& request) {
-  const auto& wanted = request.set_lighting();
-  const double before = run_->world().options().lighting.brightness;
-  return run_->world().setLighting({wanted.has_brightness() ? wanted.brightness() : before, wanted.warmth()});
-}
-
-robotlink::Result<void> SimulationFeed::setSensorErrors(const robotcontrol::Request& request) {
-  const auto& wanted = request.set_sensor_errors();
-  simcore::SensorErrors errors;
-  if (wanted.noise() != 0 || wanted.bias() != 0)
-    errors.noise = {{.mean = wanted.bias(), .stddev = wanted.noise()}};
-  errors.delay = wanted.delay();
-  errors.rate = wanted.rate();
-  errors.dropout = wanted.dropout();
-  return run_->world().setSensorErrors(wanted.sensor(), errors);
-}
-
-robotlink::Result<void> SimulationFeed::moveDoor(const robotcontrol::Request& request) {
-  const std::string& path = request.move_door().door();
-  simcore::Simulation& simulation = run_->world().simulation();
-  const simcore::Port* port = simulation.port(path);
-  if (port == nullptr || port->kind != simcore::Port::Kind::kDoor)
-    return robotlink::failure("simulation.door", "there is no door '" + path + "'", {}, {path});
-  simulation.moveDoor(port->index, request.move_door().open());
-  return {};
 }
 
 robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request& request) {
@@ -276,12 +259,6 @@ robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request&
   if (choices_) choices_(run_->options());
   publishLostOverrides();
   return {};
-}
-
-robotlink::Result<void> SimulationFeed::setActuator(const robotcontrol::Request& request) {
-  const auto done = ports_->set(request.robot(), request.set_actuator(), run_->stoppedRobots());
-  publishPorts();
-  return done;
 }
 
 robotlink::Result<void> SimulationFeed::readPorts(const robotcontrol::Request& request) {
@@ -350,6 +327,7 @@ void SimulationFeed::publishLostOverrides() {
 
 robotlink::Result<void> SimulationFeed::reset() {
   stepsWanted_ = 0;
+  run_->stopRunningAgain();
   if (const robotlink::Errors errors = run_->reset(run_->options().world.seed); !errors.empty()) {
     return tl::unexpected(errors.front());
   }
@@ -362,8 +340,10 @@ void SimulationFeed::publishScene() {
   lastStatusTime_ = now();
   lastStatus_ = Clock::now();
   if (const auto map = run_->map()) gate_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
-  gate_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
-  gate_.publish({robotlink::streams::kObjects, now(), worldObjects(run_->world().simulation())});
+  gate_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation(), now())});
+  gate_.publish({robotlink::streams::kObjects, now(), worldObjects(run_->world().simulation(), now())});
+  // Whoever wants to read forces finds their stream.
+  gate_.publish({robotlink::streams::kForces, now(), std::make_shared<robotcontrol::WorldForces>()});
   // After a reset nothing is held any more.
   if (lastPorts_ != Clock::time_point()) publishPorts();
   publishTransforms();
@@ -375,11 +355,13 @@ void SimulationFeed::setDemand(const Demand& demand) {
   const Demand before = std::exchange(demand_, demand);
   if (demand.anything && !before.anything) publishStatus();
   if (demand.transforms && !before.transforms) publishTransforms();
+  chooseForces();
 }
 
 void SimulationFeed::publishTransforms() {
   if (!demand_.transforms) return;
-  gate_.publish({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
+  gate_.publish(
+      {robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation(), now())});
 }
 
 void SimulationFeed::publishPorts() {
@@ -416,6 +398,7 @@ void SimulationFeed::publishStatus() {
   for (const auto& robot : run_->robots()) status->add_robots(robot);
   for (const auto& robot : run_->stoppedRobots()) status->add_stopped_robots(robot);
   for (const auto& model : movableModels(world.simulation())) status->add_models(model);
+  addSnapshots(*status);
   const robotlink::StreamMessage message{robotlink::streams::kSimulation, now(), std::move(status)};
   if (recorder_.active()) recorder_.add({message});
   gate_.publish(message);

@@ -3,12 +3,18 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "app/core/platform/Pace.h"
 #include "app/core/platform/PlatformFeed.h"
 #include "app/core/platform/PublishGate.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/WorldPorts.h"
+#include "app/core/snapshots/SnapshotShelf.h"
+
+namespace robotcontrol {
+class SimulationStatus;
+}
 
 namespace app {
 
@@ -60,7 +66,7 @@ class SimulationFeed final : public PlatformFeed {
  protected:
   /// Fulfilled even while the simulation is paused: STOP acts, and requests to programs are answered.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
-  /// Controls the simulation, places models, moves doors, or changes the light or errors of sensors.
+  /// Controls the simulation and its snapshots, or changes its world.
   robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
 
  private:
@@ -81,13 +87,11 @@ class SimulationFeed final : public PlatformFeed {
   // The handlers of requests.
   /// Starts, pauses, steps or resets the simulation, or sets its speed.
   robotlink::Result<void> controlSimulation(const robotcontrol::Request& request);
-  robotlink::Result<void> placeModel(const robotcontrol::Request& request);
-  robotlink::Result<void> setLighting(const robotcontrol::Request& request);
-  robotlink::Result<void> setSensorErrors(const robotcontrol::Request& request);
-  robotlink::Result<void> moveDoor(const robotcontrol::Request& request);
+  robotlink::Result<void> changeWorld(const robotcontrol::Request& request);
   robotlink::Result<void> hostProgram(const robotcontrol::Request& request);
-  robotlink::Result<void> setActuator(const robotcontrol::Request& request);
   robotlink::Result<void> readPorts(const robotcontrol::Request& request);
+  robotlink::Result<void> readForces(const robotcontrol::Request& request);
+  robotlink::Result<void> controlSnapshots(const robotcontrol::Request& request);
   struct Handlers;
 
   /// Resets the run with the same seed, and publishes the scene again.
@@ -103,6 +107,25 @@ class SimulationFeed final : public PlatformFeed {
   void publishTransforms();
   /// What is read or held of ports, if there is something.
   void publishPorts();
+  /// Unless nobody reads them.
+  void publishForces();
+  /// Has contacts be measured while somebody reads their forces.
+  void chooseForces();
+  /// Publishes forces at their rate, until the time for which they were asked is over.
+  void stepForces(Clock::time_point real);
+  // What is done with snapshots.
+  robotlink::Result<void> takeSnapshot(const robotcontrol::Request& request);
+  robotlink::Result<void> restoreSnapshot(const robotcontrol::Request& request);
+  robotlink::Result<void> rewind(double seconds);
+  /// Publishes what there is now, since the world has jumped, and why.
+  void publishJump(const std::string& text);
+  void addSnapshots(robotcontrol::SimulationStatus& status) const;
+  /// Publishes a text in the log of the first robot.
+  void say(const std::string& text, int level);
+  /// Fails while programs are run again, which what is asked would disturb.
+  robotlink::Result<void> whetherFree(const robotcontrol::Request& request);
+  /// Runs programs again for a moment.
+  void runAgain();
   /// Publishes that at its rate, with the images that are due, and lets go what must not move.
   void stepPorts(Clock::time_point real);
 
@@ -119,7 +142,11 @@ class SimulationFeed final : public PlatformFeed {
   int stepsWanted_ = 0;
   Pace pace_;
   /// When transforms, status and ports were last published.
-  Clock::time_point lastTransforms_, lastStatus_, lastPorts_;
+  Clock::time_point lastTransforms_, lastStatus_, lastPorts_, lastForces_;
+  /// Until when somebody asked for forces, and whether they are measured.
+  Clock::time_point forcesUntil_;
+  bool readsForces_ = false;
+  SnapshotShelf snapshots_;
   /// The simulation's time at lastStatus_, for measuring the speed.
   robotlink::Instant lastStatusTime_;
   /// Times real time, since the status before.

@@ -380,9 +380,10 @@ std::string imageStreamOf(const simcore::Simulation& simulation, const simcore::
                                            : camera.info.path;
 }
 
-std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Simulation& simulation) {
+std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Simulation& simulation,
+                                                               std::optional<robotlink::Instant> at) {
   auto message = std::make_shared<robotcontrol::WorldObjects>();
-  robotlink::assign(*message->mutable_timestamp(), robotlink::Instant(simulation.time()));
+  robotlink::assign(*message->mutable_timestamp(), at.value_or(robotlink::Instant(simulation.time())));
   const std::string file = simulation.scene().file().string();
   message->set_file(file);
   const auto movable = movableModels(simulation);

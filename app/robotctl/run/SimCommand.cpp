@@ -36,6 +36,7 @@
 #include "app/robotctl/run/CameraOptions.h"
 #include "app/robotctl/run/ListenOptions.h"
 #include "app/robotctl/run/SimFigures.h"
+#include "app/robotctl/run/SnapshotOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
 #include "robotlink/packages/Packages.h"
@@ -72,6 +73,7 @@ struct SimArguments {
   double radius = 1.5;
   double speed = 0;  ///< times real time; 0: as fast as possible
   bool progress = false;
+  SnapshotOptions snapshots;
   ArcosOptions arcos;
   ListenOptions listen;
   CameraOptions camera;
@@ -133,17 +135,22 @@ bool waitUntilDue(Pace::RealTime due) {
 
 /// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the
 /// recording: nothing is in a hurry here.
-bool simulate(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
+robotlink::Result<bool> simulate(SimulatedRun& run, const SimArguments& arguments,
+                                 logplayer::Recorder* recorder) {
+  auto snapshots = arguments.snapshots.wanted();
+  if (!snapshots) return tl::unexpected(snapshots.error());
   Pace pace;
   pace.setSpeed(arguments.speed);
   const auto& clock = run.world().clock();
   pace.restart(std::chrono::steady_clock::now(), clock.now());
-  const robotlink::Instant end(robotlink::fromSeconds(arguments.seconds));
-  robotlink::Instant reported;
+  const robotlink::Instant end = clock.now() + robotlink::fromSeconds(arguments.seconds);
+  robotlink::Instant reported = clock.now();
+  if (auto written = writeDueSnapshots(run, *snapshots); !written) return tl::unexpected(written.error());
   while (clock.now() < end) {
     if (Interrupt::noted()) return false;
     if (arguments.speed > 0 && !waitUntilDue(pace.due(clock.now()))) return false;
     run.step();
+    if (auto written = writeDueSnapshots(run, *snapshots); !written) return tl::unexpected(written.error());
     if (recorder != nullptr) recorder->waitForRoom();
     if (!arguments.progress || clock.now() - reported < kProgressEvery) continue;
     reported += kProgressEvery;
@@ -206,14 +213,17 @@ void printFigures(const SimArguments& arguments, json figures, const ProgramTrou
 /// Plays a game whose programs are made, and prints what came of it.
 int playGame(SimulatedRun& run, const SimArguments& arguments, const SimOutputs& outputs,
              const ProgramTroubles& troubles) {
+  if (const auto restored = arguments.snapshots.restore(run); !restored)
+    return printErrors({restored.error()});
   const auto start = std::chrono::steady_clock::now();
-  const bool played = simulate(run, arguments, outputs.recorder.get());
+  const auto played = simulate(run, arguments, outputs.recorder.get());
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   int status = outputs.recorder ? finishRecording(*outputs.recorder, std::cerr) : kDone;
   if (const int written = finishImages(outputs.images.get(), arguments.camera.labeledFolder);
       written != kDone)
     status = written;
-  if (!played) status = kFailed;
+  if (!played) return printErrors({played.error()});
+  if (!*played) status = kFailed;
   json figures = figuresOf(run, real);
   if (outputs.errors) figures["errors"] = errorFigures(*outputs.errors);
   printFigures(arguments, std::move(figures), troubles);
@@ -297,9 +307,9 @@ int runTrials(const SimArguments& arguments) {
 /// Runs a simulation whose robots are driven by other programs.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() ||
-      !arguments.solutions.empty() || !arguments.preset.empty()) {
+      arguments.snapshots.given() || !arguments.solutions.empty() || !arguments.preset.empty()) {
     std::cerr << "robotctl sim: with --arcos robots have no programs here; omit --trials, --record, "
-                 "--layout, --solution and --preset\n";
+                 "--layout, --solution, --preset, --snapshot-at and --restore\n";
     return kUsage;
   }
   ArcosRun run{
@@ -360,6 +370,15 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
     return kUsage;
   }
   if (arguments.arcos.given()) return runForClients(arguments, secondsGiven, speedGiven);
+  if (const auto wanted = arguments.snapshots.wanted(); !wanted) {
+    std::cerr << "robotctl sim: " << wanted.error().text << "\n";
+    return kUsage;
+  }
+  if (arguments.snapshots.given() && (arguments.trials > 0 || arguments.listen.given())) {
+    std::cerr << "robotctl sim: --snapshot-at and --restore are for one game that runs here; omit --trials "
+                 "and --listen\n";
+    return kUsage;
+  }
   const auto solutions = solutionsOf(arguments.solutions);
   if (!solutions) {
     std::cerr << "robotctl sim: " << solutions.error().text << "\n";
@@ -464,6 +483,7 @@ void addSimCommand(CLI::App& app, int& status) {
                     ->excludes(trials);
   sim->add_flag("--progress", arguments->progress,
                 "Prints the simulated time on stderr, ten times in each simulated second");
+  arguments->snapshots.addTo(*sim);
   arguments->arcos.addTo(*sim);
   arguments->listen.addTo(*sim);
   arguments->camera.addTo(*sim);

@@ -99,6 +99,8 @@ class MotionController {
   /// Stops at once and sets the odometry to 0, for encoders that start again. Motors and parameters keep
   /// their state.
   void reset();
+  /// The encoders go on from other numbers; the odometry stays.
+  void encodersJumped() { last_.reset(); }
   /// Sets the pose of the odometry. The goal of a turn to a heading is adjusted, so that the turn ends where
   /// it would have.
   void setOdometry(const Pose2& pose);

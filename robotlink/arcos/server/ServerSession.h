@@ -76,6 +76,8 @@ class ServerSession {
   void clientGone(Instant now);
   /// The robot was moved and its encoders start again: it stops, and its odometry is 0.
   void robotReset();
+  /// The encoders go on from other numbers, which the odometry does not notice.
+  void encodersJumped() { motion_.encodersJumped(); }
   /// Advances to `now`; call it every few milliseconds. The returned command for the wheels holds until the
   /// next call.
   WheelCommand step(const RobotSensing& sensing, RangeFinders& ranges, Instant now);

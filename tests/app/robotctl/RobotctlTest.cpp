@@ -378,3 +378,35 @@ TEST(Robotctl, commandsPrintsJsonForPrograms) {
   EXPECT_EQ(images.at("default"), "auto");
   EXPECT_EQ(images.at("optional"), true);
 }
+
+TEST(Robotctl, simGoesOnFromASnapshotWithTheSameBytes) {
+  const TestFolder folder;
+  const std::string file = (folder.path() / "half.snapshot").string();
+  const PrintedOutcome whole =
+      robotctl("sim " + kScene + " --seconds 1 --digest --snapshot-at 0.48=" + file + " --seed 4");
+  ASSERT_EQ(whole.status, 0) << whole.text;
+  const PrintedOutcome rest =
+      robotctl("sim " + kScene + " --seconds 0.52 --digest --restore " + file + " --programs --seed 9");
+  EXPECT_EQ(rest.status, 0) << rest.text;
+  EXPECT_EQ(rest.text, whole.text) << "world and programs are those of the snapshot";
+  EXPECT_EQ(robotctl("sim " + kScene + " --seconds 0.1 --restore " + file).status, 0);
+  const PrintedOutcome other = robotctl("sim pioneer --seconds 0.1 --restore " + file);
+  EXPECT_NE(other.status, 0);
+  EXPECT_NE(other.text.find("field2002"), std::string::npos) << other.text;
+  EXPECT_EQ(robotctl("sim " + kScene + " --snapshot-at soon").status, 2);
+  EXPECT_EQ(robotctl("sim " + kScene + " --programs").status, 2) << "it needs --restore";
+}
+
+TEST(Robotctl, aSceneWithoutRobotsRuns) {
+  const TestFolder folder;
+  const auto scene = folder.write(
+      "empty.sdf",
+      "<sdf version='1.9'><world name='empty'><model name='stone'><pose>0 0 1 0 0 0</pose><link name='l'>"
+      "<inertial><mass>1</mass></inertial><collision name='c'><geometry><sphere><radius>0.1</radius></sphere>"
+      "</geometry></collision></link></model></world></sdf>");
+  const PrintedOutcome outcome = robotctl("sim '" + scene.string() + "' --seconds 0.4 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const auto figures = nlohmann::json::parse(outcome.text);
+  EXPECT_EQ(figures.at("robots"), 0);
+  EXPECT_EQ(figures.at("steps"), 100);
+}

@@ -162,3 +162,41 @@ TEST(RequestKinds, anOverrideCanBeRemoved) {
   packages.mutable_record_packages()->add_packages("models/ball");
   EXPECT_FALSE(removes(packages));
 }
+
+TEST(RequestKinds, whatHandsDoHasLimits) {
+  Request thrown;
+  thrown.mutable_throw_model()->mutable_velocity()->set_x(5);
+  EXPECT_THAT(wrongWith(thrown), HasSubstr("not named"));
+  thrown.mutable_throw_model()->set_model("ball");
+  EXPECT_EQ(wrongWith(thrown), "");
+  thrown.mutable_throw_model()->mutable_spin()->set_z(1e9);
+  EXPECT_THAT(wrongWith(thrown), HasSubstr("rad/s"));
+  Request drag;
+  drag.mutable_drag_object()->set_path("ball");
+  EXPECT_EQ(wrongWith(drag), "");
+  drag.mutable_drag_object()->mutable_target()->set_z(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THAT(wrongWith(drag), HasSubstr("too far away"));
+  Request push;
+  push.mutable_push_object()->set_path("ball");
+  push.mutable_push_object()->set_seconds(-1);
+  EXPECT_THAT(wrongWith(push), HasSubstr("60 s"));
+}
+
+TEST(RequestKinds, aSnapshotHasANameOrAFileThatOnlySomebodyHereMayName) {
+  using robotcontrol::ControlSnapshots;
+  Request request;
+  ControlSnapshots& control = *request.mutable_control_snapshots();
+  control.set_action(ControlSnapshots::TAKE);
+  EXPECT_THAT(wrongWith(request), HasSubstr("either a name or a file"));
+  control.set_name("before");
+  EXPECT_EQ(wrongWith(request), "");
+  EXPECT_EQ(wrongFromElsewhere(request), "");
+  control.set_file("/tmp/a.snapshot");
+  EXPECT_NE(wrongWith(request), "");
+  control.clear_name();
+  EXPECT_EQ(wrongWith(request), "");
+  EXPECT_NE(wrongFromElsewhere(request), "");
+  control.set_action(ControlSnapshots::REWIND);
+  control.set_seconds(0);
+  EXPECT_NE(wrongWith(request), "");
+}

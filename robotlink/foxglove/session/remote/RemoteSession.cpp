@@ -37,7 +37,8 @@ bool isAlways(const std::string& stream) {
 
 /// Streams of a world are published by one thread, so each step back in their times is a reset.
 bool isOfWorld(const std::string& path) {
-  return path == streams::kTransforms || path == streams::kSimulation || path == streams::kPorts;
+  return path == streams::kTransforms || path == streams::kSimulation || path == streams::kPorts ||
+         path == streams::kForces;
 }
 
 /// What is behind the path of a channel of our servers whose images another channel has raw; else empty.

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SimulatedRun: snapshots of the world, going back, and running programs again to where they were.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/core/simulated/SimulatedRun.h"
+#include "app/core/simulated/WorldRequests.h"
+#include "robotlink/debugging/RequestKinds.h"
+#include "simcore/Scene.h"
+#include "simcore/world/StateStream.h"
+
+namespace app {
+
+using robotlink::Errors;
+using robotlink::failure;
+using robotlink::Result;
+
+namespace {
+
+constexpr char kGamePart[] = "game", kJournalPart[] = "journal";
+/// Steps of the simulation in one of the run.
+constexpr std::uint64_t kStepsTogether = SimulatedWorld::kStep / simcore::Simulation::kStep;
+
+auto cannotRunAgain(const std::string& why) {
+  return failure("snapshot.programs",
+                 "the programs cannot be brought to the state of the snapshot: " + why +
+                     "; without them the world can be put there",
+                 {}, {why});
+}
+
+const char* onOff(bool on) {
+  return on ? "on" : "off";
+}
+
+/// The first line in which two texts of settings differ.
+std::pair<std::string, std::string> firstDifference(const std::string& a, const std::string& b) {
+  const auto lineAt = [](const std::string& text, std::size_t at) {
+    const auto before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    return text.substr(begin, text.find('\n', begin) - begin);
+  };
+  const auto differs = std::ranges::mismatch(a, b);
+  const auto at = static_cast<std::size_t>(differs.in1 - a.begin());
+  return {lineAt(a, at), lineAt(b, at)};
+}
+
+}  // namespace
+
+std::string SimulatedRun::settings() const {
+  std::string text = fmt::format("noise: {}\nkinematic: {}\nkick-offs: {}\n", onOff(options_.world.noise),
+                                 onOff(options_.world.kinematic), onOff(options_.kickOffs));
+  for (const auto& robot : robots_)
+    text += fmt::format("layout of {}: {}\n", robot->name(), layoutOf(*robot, options_.layouts).string());
+  for (const auto& [task, solution] : options_.solutions) text += fmt::format("{}: {}\n", task, solution);
+  if (options_.preset) text += "a preset\n";
+  return text;
+}
+
+void SimulatedRun::beginJournal() {
+  std::vector<robotcontrol::Request> overrides;
+  for (const auto& robot : robots_) {
+    for (robotcontrol::Request& request : robot->overrides().requests(robot->name()))
+      overrides.push_back(std::move(request));
+  }
+  stepsMade_ = 0;
+  journal_.begin(options_.world.seed, settings(), std::move(overrides));
+}
+
+void SimulatedRun::spoilJournal(const std::string& what) {
+  journal_.spoil(fmt::format("{} at {:.3f} s", what, robotlink::seconds(world_->clock().now())));
+}
+
+Result<void> SimulatedRun::changeWorld(const robotcontrol::Request& request) {
+  auto done = app::changeWorld(*world_, request, stoppedRobots());
+  if (done) journal_.add(stepsMade_, request);
+  return done;
+}
+
+simcore::Snapshot SimulatedRun::snapshot() const {
+  simcore::Snapshot snapshot = world_->snapshot();
+  if (kickOff_) {
+    simcore::StateStream stream(snapshot.parts[kGamePart]);
+    kickOff_->transfer(stream);
+  }
+  snapshot.parts[kJournalPart] = journal_.encode();
+  return snapshot;
+}
+
+Result<void> SimulatedRun::restore(const simcore::Snapshot& snapshot) {
+  const bool isFresh = stepsMade_ == 0;
+  if (auto restored = world_->restore(snapshot); !restored) return restored;
+  again_.reset();
+  spoilJournal(isFresh ? "it began with a snapshot" : "the world was put to a snapshot without the programs");
+  if (!kickOff_) return {};
+  kickOff_->worldJumped();
+  const auto part = snapshot.parts.find(kGamePart);
+  if (part == snapshot.parts.end()) return {};
+  const KickOff::Score before = kickOff_->present();
+  simcore::StateStream stream(part->second, snapshot.isForeign ? simcore::StateStream::Trust::kForeign
+                                                               : simcore::StateStream::Trust::kOwn);
+  kickOff_->transfer(stream);
+  // A score that cannot be read is that of before.
+  if (!stream.complete()) kickOff_->adopt(before);
+  return {};
+}
+
+Result<void> SimulatedRun::rewind(robotlink::Duration back) {
+  if (auto done = world_->rewind(back); !done) return done;
+  spoilJournal("the world was rewound without the programs");
+  if (kickOff_) kickOff_->worldJumped();
+  return {};
+}
+
+Result<RunJournal> SimulatedRun::journalToRepeat(const simcore::Snapshot& snapshot) const {
+  if (snapshot.fingerprint != world_->simulation().fingerprint()) return RunJournal();
+  if (options_.executor() != ExecutorKind::kLockstep)
+    return cannotRunAgain("programs in threads do not do the same again");
+  if (options_.instead) return cannotRunAgain("they run elsewhere");
+  if (ports_) return cannotRunAgain("other programs can drive the robots at their ports");
+  const auto part = snapshot.parts.find(kJournalPart);
+  if (part == snapshot.parts.end()) return cannotRunAgain("it does not say what was asked of them");
+  auto journal = RunJournal::decode(part->second);
+  if (!journal) return tl::unexpected(journal.error());
+  if (!journal->spoiled().empty()) return cannotRunAgain(journal->spoiled());
+  if (const std::string now = settings(); journal->settings() != now) {
+    const auto [then, here] = firstDifference(journal->settings(), now);
+    return cannotRunAgain("it was taken with '" + then + "', and now it is '" + here + "'");
+  }
+  if (snapshot.step % kStepsTogether != 0) return cannotRunAgain("it was taken in the middle of a step");
+  return journal;
+}
+
+Result<void> SimulatedRun::runAgain(const simcore::Snapshot& snapshot) {
+  if (robots_.empty()) return restore(snapshot);
+  auto journal = journalToRepeat(snapshot);
+  if (!journal) return tl::unexpected(journal.error());
+  // Says what is wrong with a snapshot of another scene.
+  if (snapshot.fingerprint != world_->simulation().fingerprint()) return restore(snapshot);
+  std::map<std::string, ProgramOverrides> overrides;
+  for (const auto& robot : robots_) overrides[robot->name()];
+  for (const auto& request : journal->overrides()) overrides[request.robot()].note(request);
+  if (const Errors errors = restart(journal->seed(), &overrides); !errors.empty())
+    return tl::unexpected(errors.front());
+  againOutcome_.reset();
+  again_.emplace(Again{snapshot, std::move(*journal)});
+  if (snapshot.step == 0) endRunningAgain();
+  return {};
+}
+
+std::optional<double> SimulatedRun::ranAgain() const {
+  if (!again_) return std::nullopt;
+  return static_cast<double>(world_->simulation().steps()) / static_cast<double>(again_->snapshot.step);
+}
+
+void SimulatedRun::repeatRequests() {
+  const auto& entries = again_->journal.entries();
+  for (; again_->next < entries.size() && entries[again_->next].step <= stepsMade_; ++again_->next) {
+    robotcontrol::Request request = entries[again_->next].request;
+    request.set_id(request.id() | robotlink::kRepeatedIds);
+    // What was accepted then is accepted now; if not, the state shows it at the end.
+    if (changesWorld(request)) {
+      (void)changeWorld(request);
+    } else {
+      (void)this->request(request);
+    }
+  }
+}
+
+void SimulatedRun::endRunningAgain() {
+  const simcore::Snapshot snapshot = std::move(again_->snapshot);
+  // What was asked after the last step before the snapshot.
+  repeatRequests();
+  again_.reset();
+  againOutcome_ = "";
+  if (world_->digest() == SimulatedWorld::digestOf(snapshot)) return;
+  againOutcome_ =
+      "the programs did not come to the state of the snapshot, perhaps because their files have changed; the "
+      "world was put there";
+  if (const auto restored = restore(snapshot); !restored) againOutcome_ = restored.error().text;
+}
+
+}  // namespace app

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SimulatedWorld: keeping its state, and going back to it.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/core/simulated/SimulatedWorld.h"
+#include "simcore/world/StateStream.h"
+
+namespace app {
+namespace {
+
+constexpr char kWorldPart[] = "world";
+constexpr std::size_t kMaxHeld = 10'000;
+
+}  // namespace
+
+/// What of a world is not in its simulation.
+struct SimulatedWorld::Kept {
+  std::uint64_t digest = 0, images = 0;
+  simcore::LightAdjustment lighting;
+  std::vector<CameraSetting> cameras;
+  std::vector<bool> errorsChosen;
+  /// Ports and their values.
+  std::vector<std::pair<std::string, std::vector<double>>> held;
+
+  void transfer(simcore::StateStream& stream) {
+    stream.raw(digest);
+    stream.raw(images);
+    stream.within(lighting.brightness, 0, simcore::LightAdjustment::kMaxBrightness);
+    stream.within(lighting.warmth, -1, 1);
+    const std::size_t count = cameras.size();
+    stream.size(cameras, count);
+    if (cameras.size() != count) stream.fail();
+    for (CameraSetting& camera : cameras) {
+      stream.within(camera.exposure, 0, 1e6);
+      stream.within(camera.gain, 0, 1e6);
+      stream.within(camera.whiteBalance, -1, 1);
+    }
+    stream.bits(errorsChosen);
+    stream.size(held, kMaxHeld);
+    for (auto& [port, values] : held) {
+      stream.text(port);
+      stream.size(values, 16);
+      for (double& value : values) stream.number(value);
+    }
+  }
+};
+
+simcore::Snapshot SimulatedWorld::snapshot() const {
+  simcore::Snapshot snapshot = simulation_->snapshot();
+  Kept kept{digest_, costs_.images, options_.lighting, cameraSettings_, cameraErrorsChosen_, {}};
+  for (const auto& [port, held] : held_.all()) kept.held.emplace_back(port, held.values);
+  simcore::StateStream stream(snapshot.parts[kWorldPart]);
+  kept.transfer(stream);
+  return snapshot;
+}
+
+std::uint64_t SimulatedWorld::digestOf(const simcore::Snapshot& snapshot) {
+  const auto part = snapshot.parts.find(kWorldPart);
+  std::uint64_t digest = 0;
+  if (part == snapshot.parts.end()) return digest;
+  simcore::StateStream stream(part->second, simcore::StateStream::Trust::kForeign);
+  stream.raw(digest);
+  return digest;
+}
+
+robotlink::Result<void> SimulatedWorld::restore(const simcore::Snapshot& snapshot) {
+  const auto part = snapshot.parts.find(kWorldPart);
+  // A snapshot of a simulation alone leaves the rest as it is.
+  std::optional<Kept> kept;
+  if (part != snapshot.parts.end()) {
+    kept.emplace();
+    kept->cameras = cameraSettings_;
+    kept->errorsChosen = cameraErrorsChosen_;
+    simcore::StateStream stream(part->second, snapshot.isForeign ? simcore::StateStream::Trust::kForeign
+                                                                 : simcore::StateStream::Trust::kOwn);
+    kept->transfer(stream);
+    // Of another scene it has other parts, which the simulation says better.
+    if (snapshot.fingerprint == simulation_->fingerprint() && !stream.complete()) {
+      return robotlink::failure("snapshot.damaged", "the snapshot of " + snapshot.scene + " is damaged", {},
+                                {snapshot.scene});
+    }
+  }
+  const bool isFresh = simulation_->steps() == 0 && clock_.now() == robotlink::Instant();
+  if (auto restored = simulation_->restore(snapshot); !restored) return restored;
+  if (isFresh) clock_.set(robotlink::Instant(simulation_->time()));
+  settleAfterJump();
+  if (!kept) return {};
+  digest_ = kept->digest;
+  costs_.images = kept->images;
+  options_.lighting = kept->lighting;
+  cameraSettings_ = kept->cameras;
+  cameraErrorsChosen_ = kept->errorsChosen;
+  held_.forget();
+  // What cannot be held any more need not be.
+  for (const auto& [port, values] : kept->held) (void)held_.hold(*simulation_, port, values);
+  return {};
+}
+
+void SimulatedWorld::settleAfterJump() {
+  clockAhead_ = clock_.now().time_since_epoch() - simulation_->time();
+  posesRendered_ = ~std::uint64_t{0};
+  costs_.steps = simulation_->steps();
+  for (const auto& pioneer : pioneers_) pioneer->worldJumped();
+}
+
+robotlink::Duration SimulatedWorld::rewindable() const {
+  const std::uint64_t steps = simulation_->steps() - simulation_->rewindableFrom();
+  return simcore::Simulation::kStep * static_cast<std::int64_t>(steps);
+}
+
+robotlink::Result<void> SimulatedWorld::rewind(robotlink::Duration back) {
+  constexpr std::uint64_t kTogether = kStep / simcore::Simulation::kStep;
+  const robotlink::Duration most = rewindable();
+  if (back > most) {
+    return robotlink::failure(
+        "simulation.rewind",
+        "the simulation can go back by " + std::to_string(robotlink::seconds(most)) + " s at most");
+  }
+  const auto own = std::max<std::uint64_t>(1, static_cast<std::uint64_t>((back + kStep / 2) / kStep));
+  if (kTogether * own > simulation_->steps())
+    return robotlink::failure("simulation.rewind", "the simulation is at its start");
+  if (auto done = simulation_->rewindTo(simulation_->steps() - kTogether * own); !done) return done;
+  settleAfterJump();
+  return {};
+}
+
+}  // namespace app
