@@ -23,6 +23,7 @@
 #include "app/robotcontrol/bars/LightMenu.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "app/robotcontrol/bars/SimulationToolBar.h"
+#include "app/robotcontrol/bars/SnapshotMenu.h"
 #include "app/robotcontrol/bars/Tour.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
@@ -117,6 +118,7 @@ void MainWindow::createRobotMenus() {
     });
     action->setObjectName(QStringLiteral("speed.%1").arg(value));
   }
+  simulationMenu_->addMenu(new SnapshotMenu(workbench_, *actions_, simulationMenu_));
   simulationMenu_->addMenu(new LightMenu(workbench_, *actions_, simulationMenu_));
 }
 

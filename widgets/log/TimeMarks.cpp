@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "foxglove/Robot.pb.h"
+#include "robotlink/debugging/Streams.h"
 
 namespace widgets {
 
@@ -34,7 +35,8 @@ void TimeMarks::setHits(std::vector<TimeMark> hits) {
 }
 
 void TimeMarks::add(LogEntry entry) {
-  if (!expression_.match(entry.text).hasMatch()) return;
+  const bool isJump = entry.source == QLatin1String(robotlink::streams::kWorldSource);
+  if (!isJump && (pattern_.isEmpty() || !expression_.match(entry.text).hasMatch())) return;
   if (!known_.emplace(entry.time, entry.text).second) return;
   const auto at = std::ranges::upper_bound(texts_, entry.time, {}, &TimeMark::from);
   texts_.insert(at, {entry.time, entry.time, std::move(entry.text), entry.level});
@@ -60,7 +62,11 @@ void TimeMarks::takeSession(robotlink::Session& session) {
       const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
       if (log == nullptr) continue;
       const auto level = static_cast<LogEntry::Level>(std::clamp(static_cast<int>(log->level()), 0, 5));
-      add({message->time, level, {}, {}, QString::fromStdString(log->message())});
+      add({message->time,
+           level,
+           {},
+           QString::fromStdString(log->name()),
+           QString::fromStdString(log->message())});
     }
   }
   while (texts_.size() > kMaxMarks) {
@@ -82,12 +88,12 @@ void TimeMarks::startOver(robotlink::Session& session) {
   texts_.clear();
   known_.clear();
   cursors_.clear();
-  if (!pattern_.isEmpty()) takeLogs();
+  takeLogs();
 }
 
 void TimeMarks::tick(robotlink::Session& session) {
   startOver(session);
-  if (!pattern_.isEmpty()) takeSession(session);
+  takeSession(session);
 }
 
 }  // namespace widgets

@@ -20,7 +20,8 @@
 namespace widgets {
 
 /// What is marked in the timeline and in all plots of a window: text messages that match a regular
-/// expression, of open logs as a whole and of the session; and what a search found. GUI thread; owned by the
+/// expression, and where a simulated world was put to another instant, of open logs as a whole and of the
+/// session; and what a search found. GUI thread; owned by the
 /// logs.
 class TimeMarks final : public QObject {
   Q_OBJECT

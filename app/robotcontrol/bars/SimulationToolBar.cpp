@@ -76,7 +76,9 @@ void SimulationToolBar::createActions() {
   step_ = actions_.make(tr("Step"), "step", QStringLiteral("simulation.step"), {}, {Qt::Key_F10});
   reset_ = actions_.make(tr("Reset"), "reset", QStringLiteral("simulation.reset"), {},
                          {QKeySequence(QStringLiteral("Ctrl+R"))});
-  simulationActions_ = {start_, pause_, step_, reset_};
+  rewind_ = actions_.make(tr("Rewind 1 s"), "step-back", QStringLiteral("simulation.rewind"), {1.0},
+                          {QKeySequence(QStringLiteral("Ctrl+F10"))});
+  simulationActions_ = {start_, pause_, rewind_, step_, reset_};
   start_->setCheckable(true);
   pause_->setCheckable(true);
 
@@ -205,6 +207,7 @@ void SimulationToolBar::refresh() {
   if (!there) return;
   start_->setChecked(status->running());
   pause_->setChecked(!status->running());
+  rewind_->setEnabled(canBeControlled && !status->running() && status->rewindable() >= 1);
   showStop(status->stopped_robots_size() > 0);
   refreshSpeed(status->requested_speed());
 }

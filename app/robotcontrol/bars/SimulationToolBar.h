@@ -28,7 +28,7 @@ class SimulationToolBar : public QToolBar {
   /// To be called when robots have come or gone.
   void showRobots();
 
-  /// Start, pause, step, reset.
+  /// Start, pause, rewind, step, reset.
   const QList<QAction*>& simulationActions() const { return simulationActions_; }
   /// The STOP of all robots.
   QAction* stopAction() const { return stop_; }
@@ -64,6 +64,7 @@ class SimulationToolBar : public QToolBar {
   QAction* ofColors_ = nullptr;
   QAction* start_ = nullptr;
   QAction* pause_ = nullptr;
+  QAction* rewind_ = nullptr;
   QAction* step_ = nullptr;
   QAction* reset_ = nullptr;
   QAction* stop_ = nullptr;

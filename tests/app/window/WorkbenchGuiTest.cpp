@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QTreeView>
 #include <fstream>
 
@@ -48,6 +49,28 @@ class WorkbenchGuiTest : public WindowTest {
     QVERIFY(desk.find<QLabel>("statusTime").text().contains(QString::number(desk.status()->time(), 'f', 3)));
     desk.click("simulation.reset");
     QTRY_COMPARE_WITH_TIMEOUT(desk.status()->steps(), 0U, kWaitMs);
+  }
+
+  void theWorldIsPutBackAndRewoundByTheMenu() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto& menu = desk.find<QMenu>("snapshotMenu");
+    const auto choose = [&](const char* name) {
+      Q_EMIT menu.aboutToShow();
+      auto* action = menu.findChild<QAction*>(QLatin1String(name));
+      if (action != nullptr && action->isEnabled()) action->trigger();
+      return action != nullptr;
+    };
+    QVERIFY(choose("snapshot.take"));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->snapshots_size(), 1, kWaitMs);
+    for (int i = 0; i < 20; ++i) desk.click("simulation.step");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->steps(), 40U, kWaitMs);
+    QVERIFY(choose("rewind.0.1"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status()->world_time() < 0.07, kWaitMs);
+    QVERIFY(choose("simulation.restore 1"));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->world_time(), 0.0, kWaitMs);
+    QVERIFY(desk.status()->time() > 0.15);
+    QVERIFY(!desk.find<QAction>("simulation.rewind").isEnabled());
   }
 
   void theSpeedIsChosenInItsBoxAndStopIsAKey() {

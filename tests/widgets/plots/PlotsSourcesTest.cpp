@@ -282,6 +282,12 @@ class PlotsSourcesTest : public QObject {
     QCOMPARE(set.pattern(), textOf("ball (lost|found)"));
     QCOMPARE(set.setPattern({}), QString());
     QCOMPARE(countNear(picture(bench, *view), color, 0), none);
+    log.set_name("world");
+    log.set_message("The world was rewound.");
+    bench.push("red1/log", log, 9.6);
+    picture(bench, *view);
+    QCOMPARE(set.texts().size(), std::size_t{1});  // marked whatever the pattern is
+    QCOMPARE(set.texts().front().text, textOf("The world was rewound."));
   }
 
   void whatIsNotPublishedIsListedInGray() {
