@@ -6,7 +6,6 @@
 
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/WorldRequests.h"
-#include "robotlink/debugging/RequestKinds.h"
 #include "simcore/Scene.h"
 #include "simcore/world/StateStream.h"
 
@@ -156,8 +155,8 @@ std::optional<double> SimulatedRun::ranAgain() const {
 void SimulatedRun::repeatRequests() {
   const auto& entries = again_->journal.entries();
   for (; again_->next < entries.size() && entries[again_->next].step <= stepsMade_; ++again_->next) {
-    robotcontrol::Request request = entries[again_->next].request;
-    request.set_id(request.id() | robotlink::kRepeatedIds);
+    // With its number of then, so that the programs do exactly the same.
+    const robotcontrol::Request& request = entries[again_->next].request;
     // What was accepted then is accepted now; if not, the state shows it at the end.
     if (changesWorld(request)) {
       (void)changeWorld(request);
