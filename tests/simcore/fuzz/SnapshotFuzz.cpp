@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "robotlink/base/bytes/LittleEndian.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
 #include "simcore/Snapshot.h"
