@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,11 +31,26 @@ struct ModelPosture {
   double roll = 0, pitch = 0;
 };
 
+/// How a model stands and moves, with all its links. Immutable.
+struct ModelMotion;
+
+/// How a simulation goes on in another scene.
+struct Continuation {
+  /// Whether it may have other sensors, cameras, servos and drives than before.
+  bool otherPorts = false;
+  /// Whether new models have to fit between those that are there now, instead of those at the start.
+  bool fitsNow = false;
+  /// New models that begin with a motion instead of at rest at their places, by name.
+  std::map<std::string, std::shared_ptr<const ModelMotion>> motions = {};
+};
+
 /// What became of a running simulation that was to go on in another scene.
 struct SceneChange {
   /// Whether it has the same sensors, cameras, servos and drives as before, in the same order, so that those
-  /// who keep their indices can go on. If not, nothing was changed.
+  /// who keep their indices can go on. If not, nothing was changed, unless Continuation::otherPorts.
   bool hasSamePorts = false;
+  /// The models of both scenes that have other sensors, cameras, servos or drives than before.
+  std::vector<std::string> changedPorts = {};
   /// Models that were in the scene before and stand at the places that the new scene gives them: they have
   /// other links or joints, or another place in its file, or would stand inside something.
   std::vector<std::string> putBack = {};
@@ -71,12 +87,16 @@ class Simulation {
   /// name that move, have the same links and joints, and have the same place in both scenes keep their poses,
   /// joint angles and velocities, and their servos and drives what was requested of them; all others are at
   /// the start of the new scene. Fails as create() does, and then nothing has changed.
-  robotlink::Result<SceneChange> continueIn(std::shared_ptr<const Scene> scene);
+  robotlink::Result<SceneChange> continueIn(std::shared_ptr<const Scene> scene, const Continuation& how = {});
+  /// Takes back the last continueIn(), as if it had never been. Only before the next step() or reset();
+  /// otherwise it does nothing.
+  void goBack();
   /// Goes on where another simulation is, in the same way, whatever ports that has. Returns
   /// SceneChange::putBack. To be called before the first step.
   std::vector<std::string> continueFrom(const Simulation& before);
 
   const Scene& scene() const;
+  std::shared_ptr<const Scene> sharedScene() const;
   std::shared_ptr<const RenderScene> renderScene() const;
   /// The poses of the bodies of renderScene(), by body index; valid until the next call of a non-const
   /// function.
@@ -171,6 +191,9 @@ class Simulation {
   robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose,
                                      const std::optional<ModelPosture>& posture = {});
 
+  /// How a model stands and moves now, for Continuation::motions; null if there is none or it is static.
+  std::shared_ptr<const ModelMotion> motionOf(const std::string& model) const;
+
   /// The models that start inside others by more than 3 mm.
   const LeftOuts& overlaps() const;
   /// The names of the models that a moving model touches at its present pose; costs a search. Empty if the
@@ -192,6 +215,8 @@ class Simulation {
   Simulation();
   using Implementation = SimulationState;
   std::unique_ptr<Implementation> implementation_;
+  /// What goBack() goes back to; null: nothing.
+  std::unique_ptr<Implementation> before_;
 };
 
 }  // namespace simcore

@@ -126,8 +126,9 @@ class OpenPlatform {
     std::atomic<double> share = 0;
     std::atomic<bool> canceled = false;
   };
-  /// What a result is about: another platform, or another layout or an edited scene on the same one.
-  enum class Change { kPlatform, kLayout, kScene };
+  /// What a result is about: another platform, or another layout, an edited scene, or other robots on the
+  /// same one. Nobody has asked to open the last.
+  enum class Change { kPlatform, kLayout, kScene, kRobots };
   /// A result from the platform's thread.
   struct Outcome {
     Change change;

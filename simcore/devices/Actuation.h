@@ -28,6 +28,9 @@ class Actuation {
   /// Has a servo go on as one of another simulation does; what is requested is limited to its own range.
   void takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo);
 
+  /// The same of a guide.
+  void takeOverGuide(std::size_t guide, const Actuation& from, std::size_t fromGuide);
+
   /// To be called before and after each step of the physics.
   void beforeStep(std::uint64_t step);
   void afterStep();

@@ -35,6 +35,10 @@ class KickOff {
   /// To be called after a reset of the simulation: sets the score to 0.
   void restart();
 
+  /// To be called when there are other models: robots that are new start where they are now. False if there
+  /// is no game any more.
+  bool followModels();
+
   /// Goals by the name of the team that scored.
   const std::map<std::string, int>& goals() const { return goals_; }
 

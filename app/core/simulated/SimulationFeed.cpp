@@ -210,6 +210,7 @@ struct SimulationFeed::Handlers {
       {Request::kSetLighting, &SimulationFeed::setLighting},
       {Request::kSetSensorErrors, &SimulationFeed::setSensorErrors},
       {Request::kMoveDoor, &SimulationFeed::moveDoor},
+      {Request::kEditScene, &SimulationFeed::editScene},
       {Request::kHostProgram, &SimulationFeed::hostProgram},
       {Request::kSetActuator, &SimulationFeed::setActuator},
       {Request::kReadPorts, &SimulationFeed::readPorts}};
@@ -267,6 +268,43 @@ robotlink::Result<void> SimulationFeed::moveDoor(const robotcontrol::Request& re
   if (port == nullptr || port->kind != simcore::Port::Kind::kDoor)
     return robotlink::failure("simulation.door", "there is no door '" + path + "'", {}, {path});
   simulation.moveDoor(port->index, request.move_door().open());
+  return {};
+}
+
+robotlink::Result<void> SimulationFeed::editScene(const robotcontrol::Request& request) {
+  using Edit = robotcontrol::EditScene;
+  const Edit& edit = request.edit_scene();
+  tl::expected<std::string, robotlink::Errors> done;
+  switch (edit.what_case()) {
+    case Edit::kAdd: {
+      const auto& add = edit.add();
+      simcore::ModelToAdd model{
+          .model = add.model(), .name = add.name(), .place = robotlink::pose2(add.pose_in_field())};
+      if (add.has_height()) model.height = add.height();
+      model.team = add.team();
+      done = run_->addModel(model);
+      break;
+    }
+    case Edit::kRemove:
+      done = run_->removeModel(edit.remove().model());
+      break;
+    case Edit::kDuplicate:
+      done = run_->duplicateModel(edit.duplicate().model(), edit.duplicate().name());
+      break;
+    default:
+      done = run_->undoEdit();
+  }
+  if (!done) {
+    robotlink::Error error = done.error().front();
+    // A request is answered by one text.
+    if (done.error().size() > 1) error.text = robotlink::describe(done.error());
+    return tl::unexpected(std::move(error));
+  }
+  descriptionChanged_ = true;
+  restartPace();
+  publishScene();
+  say(*done);
+  publishLostOverrides();
   return {};
 }
 
@@ -331,18 +369,21 @@ tl::expected<bool, robotlink::Errors> SimulationFeed::reload() {
   if (!done->inPlace) return false;
   restartPace();
   publishScene();
-  if (run_->robots().empty()) return true;
-  const auto say = [this](const std::string& text) {
-    gate_.publishText(run_->robots().front(), "simulation", now(), foxglove::Log::INFO, text);
-  };
   say("The scene was loaded again; the simulation goes on in it.");
   for (const std::string& model : done->putBack) say(model + " is where the scene's file puts it.");
-  if (done->startedPrograms) say("The programs were started again, since sensors or motors have changed.");
+  for (const std::string& robot : done->started) say("The program of " + robot + " was started.");
+  for (const std::string& robot : done->ended) say("The program of " + robot + " has ended.");
   publishAnswers();
   return true;
 }
 
+void SimulationFeed::say(const std::string& text) {
+  if (run_->robots().empty()) return;
+  gate_.publishText(run_->robots().front(), "simulation", now(), foxglove::Log::INFO, text);
+}
+
 void SimulationFeed::publishLostOverrides() {
+  if (run_->robots().empty()) return;
   for (const std::string& lost : run_->lostChoices()) {
     gate_.publishText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);
   }
@@ -413,6 +454,7 @@ void SimulationFeed::publishStatus() {
   status->set_brightness(world.options().lighting.brightness);
   status->set_warmth(world.options().lighting.warmth);
   status->set_scene(run_->options().scene.string());
+  status->set_scene_undo(run_->undoable());
   for (const auto& robot : run_->robots()) status->add_robots(robot);
   for (const auto& robot : run_->stoppedRobots()) status->add_stopped_robots(robot);
   for (const auto& model : movableModels(world.simulation())) status->add_models(model);
