@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +9,7 @@
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
+#include "simcore/world/Continuation.h"
 #include "simcore/world/Devices.h"
 #include "simcore/world/ImageSensor.h"
 #include "simcore/world/LeftOut.h"
@@ -29,19 +29,6 @@ struct ModelPosture {
   /// The height of the model's frame in the world, m; unset: as it is.
   std::optional<double> height = {};
   double roll = 0, pitch = 0;
-};
-
-/// How a model stands and moves, with all its links. Immutable.
-struct ModelMotion;
-
-/// How a simulation goes on in another scene.
-struct Continuation {
-  /// Whether it may have other sensors, cameras, servos and drives than before.
-  bool otherPorts = false;
-  /// Whether new models have to fit between those that are there now, instead of those at the start.
-  bool fitsNow = false;
-  /// New models that begin with a motion instead of at rest at their places, by name.
-  std::map<std::string, std::shared_ptr<const ModelMotion>> motions = {};
 };
 
 /// What became of a running simulation that was to go on in another scene.

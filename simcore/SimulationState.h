@@ -11,7 +11,6 @@
 
 #include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
-#include "simcore/Simulation.h"
 #include "simcore/devices/Actuation.h"
 #include "simcore/devices/Doors.h"
 #include "simcore/devices/Ports.h"
@@ -23,6 +22,7 @@
 #include "simcore/ranging/ImageSensing.h"
 #include "simcore/ranging/RangeSensing.h"
 #include "simcore/rendering/CameraRenderer.h"
+#include "simcore/world/Continuation.h"
 #include "simcore/world/LeftOut.h"
 #include "simcore/world/Port.h"
 #include "simcore/world/SimulationOptions.h"

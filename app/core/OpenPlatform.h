@@ -88,6 +88,9 @@ class OpenPlatform {
   robotlink::Result<void> offerSession(const std::string& address);
   void stopOffering() { offer_.end(); }
 
+  /// The folders in which models of scenes are searched first; from one run to the next. Any thread.
+  std::vector<std::filesystem::path> modelFolders() const { return hosting_.modelFolders(); }
+
   /// Sends a request to what runs. A refusal is passed to the handler of onErrors().
   void ask(robotcontrol::Request request);
 

@@ -235,7 +235,10 @@ void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vec
   }
   // First, so that whoever gets the result sees the effect.
   if (feed_) feed_->publishStatus();
-  if (feed_ && feed_->takeDescriptionChange() && robotsChanged_) robotsChanged_(describe());
+  if (feed_ && feed_->takeDescriptionChange() && robotsChanged_) {
+    reportedAtEnd_.clear();
+    robotsChanged_(describe());
+  }
   for (const std::uint64_t id : ids) pushResult(id, done ? std::string() : done.error().text);
 }
 

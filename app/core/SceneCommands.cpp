@@ -182,7 +182,8 @@ std::vector<std::string> addable(OpenPlatform& open) {
   std::vector<std::string> names;
   const LoadedPlatform* loaded = open.loaded();
   if (!whetherSimulated(open) || loaded->sources.empty()) return names;
-  for (const SceneModelFile& model : sceneModels(loaded->sources.front())) names.push_back(model.name);
+  for (const SceneModelFile& model : sceneModels(loaded->sources.front(), open.modelFolders()))
+    names.push_back(model.name);
   return names;
 }
 

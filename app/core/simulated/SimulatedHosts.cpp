@@ -20,6 +20,24 @@ namespace app {
 
 using robotlink::Errors;
 
+robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, RunOptions& options) {
+  std::error_code ignored;
+  for (const std::string& text : texts) {
+    const auto choice = assignmentOf(text);
+    // A file may be called so.
+    if (!choice || std::filesystem::exists(text, ignored)) {
+      if (text.find('=') == text.size() - 1 || text.starts_with('='))
+        return robotlink::failure("usage", "--layout takes LAYOUT or NAME=LAYOUT, not '" + text + "'");
+      options.layout = layoutNamed(text);
+    } else if (std::filesystem::exists(descriptionFile(choice->first), ignored)) {
+      options.layouts[choice->first] = layoutNamed(choice->second);
+    } else {
+      options.robotLayouts[choice->first] = layoutNamed(choice->second);
+    }
+  }
+  return {};
+}
+
 tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::Scene& scene) const {
   struct Kind {
     std::shared_ptr<const robotlink::RobotDescription> description;

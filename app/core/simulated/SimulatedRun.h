@@ -87,6 +87,10 @@ struct RunOptions {
 /// The simulation that is opened by default: the shipped soccer field.
 RunOptions defaultSimulation();
 
+/// Applies what a user has chosen, LAYOUT for all robots that can be run in it or NAME=LAYOUT for one robot
+/// or kind of robots; layouts are files or names of shipped ones. Fails if a text is neither.
+robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, RunOptions& options);
+
 /// A simulated world with the programs of all its robots, stepped by the caller. It is made as a whole or
 /// refused with all reasons.
 ///

@@ -28,7 +28,10 @@ std::shared_ptr<RunOptions> lastSimulation(const PlatformContext& context) {
   std::any& memory = context.memory;
   if (!memory.has_value()) {
     const auto first = std::make_shared<RunOptions>(defaultSimulation());
-    if (context.hosting != nullptr) first->hosting = context.hosting->choices(SimulationFeed::kAdapter);
+    if (context.hosting != nullptr) {
+      first->hosting = context.hosting->choices(SimulationFeed::kAdapter);
+      first->models = context.hosting->modelFolders();
+    }
     memory = first;
   }
   return std::any_cast<std::shared_ptr<RunOptions>>(memory);
@@ -41,6 +44,7 @@ SimulationFeed::Choices keeperOf(std::shared_ptr<RunOptions> last, HostingMemory
           known = std::optional<HostingChoices>()](const RunOptions& running) mutable {
     *last = running;
     const HostingChoices& now = running.hosting;
+    if (hosting != nullptr) hosting->chooseModelFolders(running.models);
     if (hosting != nullptr && known && *known != now) hosting->choose(SimulationFeed::kAdapter, now);
     known = now;
   };
