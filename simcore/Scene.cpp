@@ -45,7 +45,9 @@ class IncludedTypes {
   std::map<std::pair<fs::path, std::optional<bool>>, std::shared_ptr<const ModelDescription>> types_;
 };
 
-void setTeam(const SceneInclude& include, const SceneFiles& files, ModelInstance& instance, Errors& errors) {
+/// Sets the team and the layout that an <include> names.
+void setUse(const SceneInclude& include, const SceneFiles& files, ModelInstance& instance, Errors& errors) {
+  instance.layout = include.layout;
   if (include.team.empty()) return;
   const auto color = files.palette().find(include.team);
   instance.teamColorName = include.team;
@@ -66,7 +68,7 @@ ModelInstance instanceOf(const SceneInclude& include, const SceneFiles& files,
   if (!instance.poseInWorld.matrix().allFinite() || instance.poseInWorld.translation().norm() > 1e5) {
     errors.push_back({"scene.pose", "a pose must be finite and at most 100 km away", {}, instance.where});
   }
-  setTeam(include, files, instance, errors);
+  setUse(include, files, instance, errors);
   return instance;
 }
 
@@ -104,7 +106,7 @@ Draft readSdfScene(const fs::path& file, const std::vector<fs::path>& folders, c
   for (const SceneInclude& include : draft.files.includes()) {
     if (includesRead) {
       const auto read = std::ranges::find(draft.world.models, include.name, &ModelInstance::name);
-      if (read != draft.world.models.end()) setTeam(include, draft.files, *read, errors);
+      if (read != draft.world.models.end()) setUse(include, draft.files, *read, errors);
     } else if (auto type = types.of(include.file, include.isStatic)) {
       draft.world.models.push_back(instanceOf(include, draft.files, std::move(type), errors));
     }
@@ -188,6 +190,20 @@ void putRobots(Draft& draft, RobotsToAdd robots, const fs::path& file, const Sdf
 
 }  // namespace
 
+void SceneContents::complete() {
+  robots.clear();
+  balls.clear();
+  for (const ModelInstance& model : world.models) {
+    const std::string& layout = model.layout.empty() ? model.type->layout : model.layout;
+    if (!model.type->robot.empty())
+      robots.push_back({model.name, model.type->robot, model.teamColorName, layout});
+    if (model.type->isBall) balls.push_back(model.name);
+  }
+  const auto* shown = firstModel(world, [](const auto& model) { return !model.field.empty(); });
+  field = shown != nullptr ? shown->type->field : std::string();
+  renderScene = buildRenderScene(world);
+}
+
 Scene::Scene() : contents_(std::make_unique<SceneContents>()) {}
 Scene::~Scene() = default;
 
@@ -209,16 +225,9 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
   implementation.groundMap = std::move(draft.map);
   implementation.leftOut = draft.files.leftOut();
   for (LeftOut& one : draft.leftOut) leaveOut(implementation.leftOut, std::move(one));
-  for (const ModelInstance& model : implementation.world.models) {
-    if (!model.type->robot.empty())
-      implementation.robots.push_back({model.name, model.type->robot, model.teamColorName});
-    if (model.type->isBall) implementation.balls.push_back(model.name);
-  }
-  if (const auto* field =
-          firstModel(implementation.world, [](const auto& model) { return !model.field.empty(); })) {
-    implementation.field = field->type->field;
-  }
-  implementation.renderScene = buildRenderScene(implementation.world);
+  implementation.modelFolders = modelFolders;
+  implementation.palette = draft.files.palette();
+  implementation.complete();
   if (!progress.reached(0.95)) return tl::unexpected(std::move(errors));
   return scene;
 }

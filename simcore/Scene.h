@@ -18,6 +18,7 @@ struct GroundMap;
 
 namespace simcore {
 
+struct ModelInstance;
 struct SceneContents;
 struct WorldDescription;
 
@@ -54,6 +55,19 @@ class Scene {
       const std::vector<std::filesystem::path>& modelFolders = {});
 
   ~Scene();
+
+  // The same scene with other models, for a simulation that goes on (Simulation::continueIn()). Types, meshes
+  // and the map are shared; the file stays as it is. Each costs about as much as drawing the scene once.
+  /// With one more model, the last one; its file is read now. Fails with all errors if it cannot be read, the
+  /// name is taken, or the palette lacks the team's color.
+  tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> with(const ModelToAdd& model) const;
+  /// With an instance, as the model with this index, or as the last one. Fails if its name is taken.
+  robotlink::Result<std::shared_ptr<const Scene>> with(const ModelInstance& model, std::size_t index) const;
+  /// Fails if there is no such model, or if it is the last one.
+  robotlink::Result<std::shared_ptr<const Scene>> without(const std::string& model) const;
+  /// The first name of this kind that no model has: "crate", or the prefix with a number, "red3".
+  std::string freeName(const std::string& prefix, bool numbered) const;
+
   /// The path as given to load().
   const std::filesystem::path& file() const;
   /// In the order of the world's models; added robots come last.

@@ -8,6 +8,7 @@
 
 #include "robotlink/base/GroundMap.h"
 #include "simcore/world/LeftOut.h"
+#include "simcore/world/Palette.h"
 #include "simcore/world/RenderScene.h"
 #include "simcore/world/SceneRobots.h"
 #include "simcore/world/WorldDescription.h"
@@ -17,6 +18,10 @@ namespace simcore {
 /// The contents of a Scene, for the sources and tests of this folder only.
 struct SceneContents {
   std::filesystem::path file;
+  /// Those that load() got.
+  std::vector<std::filesystem::path> modelFolders;
+  /// Of the scene and all its models.
+  Palette palette;
   std::vector<SceneRobot> robots;
   std::vector<std::string> balls;
   // As Scene::balls() and Scene::field() return them.
@@ -27,6 +32,9 @@ struct SceneContents {
   LeftOuts leftOut;
   /// Null if the file is not a map.
   std::shared_ptr<const robotlink::GroundMap> groundMap;
+
+  /// Sets what follows from the world: robots, balls, field, renderScene.
+  void complete();
 };
 
 }  // namespace simcore

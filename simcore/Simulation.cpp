@@ -49,6 +49,7 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
 }
 
 void Simulation::step() {
+  before_.reset();
   Implementation& i = *implementation_;
   i.actuation->beforeStep(i.steps);
   i.hands->beforeStep();
@@ -79,6 +80,7 @@ robotlink::Duration Simulation::time() const {
 }
 
 void Simulation::reset(std::uint64_t seed) {
+  before_.reset();
   implementation_->options.seed = seed;
   implementation_->start();
   implementation_->beginRewindAnew();
@@ -86,6 +88,10 @@ void Simulation::reset(std::uint64_t seed) {
 
 const Scene& Simulation::scene() const {
   return *implementation_->scene;
+}
+
+std::shared_ptr<const Scene> Simulation::sharedScene() const {
+  return implementation_->scene;
 }
 
 std::shared_ptr<const RenderScene> Simulation::renderScene() const {

@@ -10,6 +10,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "simcore/Snapshot.h"
+#include "simcore/world/Continuation.h"
 #include "simcore/world/Devices.h"
 #include "simcore/world/Forces.h"
 #include "simcore/world/ImageSensor.h"
@@ -35,8 +36,10 @@ struct ModelPosture {
 /// What became of a running simulation that was to go on in another scene.
 struct SceneChange {
   /// Whether it has the same sensors, cameras, servos and drives as before, in the same order, so that those
-  /// who keep their indices can go on. If not, nothing was changed.
+  /// who keep their indices can go on. If not, nothing was changed, unless Continuation::otherPorts.
   bool hasSamePorts = false;
+  /// The models of both scenes that have other sensors, cameras, servos or drives than before.
+  std::vector<std::string> changedPorts = {};
   /// Models that were in the scene before and stand at the places that the new scene gives them: they have
   /// other links or joints, or another place in its file, or would stand inside something.
   std::vector<std::string> putBack = {};
@@ -73,12 +76,16 @@ class Simulation {
   /// name that move, have the same links and joints, and have the same place in both scenes keep their poses,
   /// joint angles and velocities, and their servos and drives what was requested of them; all others are at
   /// the start of the new scene. Fails as create() does, and then nothing has changed.
-  robotlink::Result<SceneChange> continueIn(std::shared_ptr<const Scene> scene);
+  robotlink::Result<SceneChange> continueIn(std::shared_ptr<const Scene> scene, const Continuation& how = {});
+  /// Takes back the last continueIn(), as if it had never been. Only before the next step() or reset();
+  /// otherwise it does nothing.
+  void goBack();
   /// Goes on where another simulation is, in the same way, whatever ports that has. Returns
   /// SceneChange::putBack. To be called before the first step.
   std::vector<std::string> continueFrom(const Simulation& before);
 
   const Scene& scene() const;
+  std::shared_ptr<const Scene> sharedScene() const;
   std::shared_ptr<const RenderScene> renderScene() const;
   /// The poses of the bodies of renderScene(), by body index; valid until the next call of a non-const
   /// function.
@@ -224,6 +231,8 @@ class Simulation {
   /// with the same commands. Costs up to 250 steps. What came after it is forgotten. Fails, changing nothing,
   /// if that step is not kept.
   robotlink::Result<void> rewindTo(std::uint64_t step);
+  /// How a model stands and moves now, for Continuation::motions; null if there is none or it is static.
+  std::shared_ptr<const ModelMotion> motionOf(const std::string& model) const;
 
   /// The models that start inside others by more than 3 mm.
   const LeftOuts& overlaps() const;
@@ -246,6 +255,8 @@ class Simulation {
   Simulation();
   using Implementation = SimulationState;
   std::unique_ptr<Implementation> implementation_;
+  /// What goBack() goes back to; null: nothing.
+  std::unique_ptr<Implementation> before_;
 };
 
 }  // namespace simcore

@@ -2,6 +2,7 @@
 // How a simulation starts, and goes on in another scene: checkStart() and takeOver() of SimulationState.h,
 // continueIn() and continueFrom() of Simulation.h.
 #include <algorithm>
+#include <utility>
 
 #include "simcore/Simulation.h"
 #include "simcore/SimulationState.h"
@@ -32,26 +33,60 @@ bool goesOnAs(const ModelInstance& before, const ModelInstance& now) {
          before.poseInWorld.matrix().isApprox(now.poseInWorld.matrix(), 1e-9);
 }
 
-/// Whether two worlds have the same sensors, servos and drives in the same order.
-bool samePorts(const Ports& a, const Ports& b) {
-  const auto same = [](const auto& one, const auto& other) {
-    return one.info.path == other.info.path && one.info.type == other.info.type &&
-           one.info.shape == other.info.shape;
-  };
-  const auto sameRange = [](const RangeSensor& one, const RangeSensor& other) {
-    return one.info.path == other.info.path && one.kind == other.kind && one.readings == other.readings &&
-           one.period == other.period && one.startAngle == other.startAngle &&
-           one.endAngle == other.endAngle && one.maximum == other.maximum;
-  };
-  const auto sameDrive = [](const WheelDrive& one, const WheelDrive& other) {
-    return one.info.path == other.info.path && one.controller == other.controller &&
-           one.wheelRadius == other.wheelRadius && one.track == other.track &&
-           one.maximumSpeed == other.maximumSpeed;
-  };
-  return std::ranges::equal(a.sensors, b.sensors, same) && std::ranges::equal(a.cameras, b.cameras, same) &&
-         std::ranges::equal(a.servos, b.servos, same) && std::ranges::equal(a.doors, b.doors, same) &&
-         std::ranges::equal(a.ranges, b.ranges, sameRange) &&
-         std::ranges::equal(a.drives, b.drives, sameDrive);
+/// Compares the ports of two worlds: all, or only those of a model.
+class PortComparison {
+ public:
+  /// `model` empty: all.
+  PortComparison(const Ports& a, const Ports& b, std::string model = {})
+      : a_(a), b_(b), model_(std::move(model)) {}
+
+  /// Whether both have the same sensors, servos and drives in the same order.
+  bool areSame() const {
+    const auto same = [](const auto& one, const auto& other) {
+      return one.info.type == other.info.type && one.info.shape == other.info.shape;
+    };
+    const auto sameRange = [](const RangeSensor& one, const RangeSensor& other) {
+      return one.kind == other.kind && one.readings == other.readings && one.period == other.period &&
+             one.startAngle == other.startAngle && one.endAngle == other.endAngle &&
+             one.maximum == other.maximum;
+    };
+    const auto sameDrive = [](const WheelDrive& one, const WheelDrive& other) {
+      return one.controller == other.controller && one.wheelRadius == other.wheelRadius &&
+             one.track == other.track && one.maximumSpeed == other.maximumSpeed;
+    };
+    return areSame(a_.sensors, b_.sensors, same) && areSame(a_.cameras, b_.cameras, same) &&
+           areSame(a_.servos, b_.servos, same) && areSame(a_.doors, b_.doors, same) &&
+           areSame(a_.ranges, b_.ranges, sameRange) && areSame(a_.drives, b_.drives, sameDrive);
+  }
+
+ private:
+  template <typename List, typename Same>
+  bool areSame(const List& a, const List& b, Same same) const {
+    const auto next = [this](auto at, auto end) {
+      return std::find_if(at, end,
+                          [this](const auto& one) { return model_.empty() || one.info.robot == model_; });
+    };
+    auto one = next(a.begin(), a.end());
+    auto other = next(b.begin(), b.end());
+    for (; one != a.end() && other != b.end();
+         one = next(std::next(one), a.end()), other = next(std::next(other), b.end())) {
+      if (one->info.path != other->info.path || !same(*one, *other)) return false;
+    }
+    return one == a.end() && other == b.end();
+  }
+
+  const Ports& a_;
+  const Ports& b_;
+  const std::string model_;
+};
+
+std::vector<std::string> changedPorts(const SimulationState& before, const SimulationState& now) {
+  std::vector<std::string> changed;
+  for (const ModelInstance& model : now.world.models) {
+    if (before.modelIndex(model.name) < 0) continue;
+    if (!PortComparison(before.ports, now.ports, model.name).areSame()) changed.push_back(model.name);
+  }
+  return changed;
 }
 
 }  // namespace
@@ -75,8 +110,34 @@ robotlink::Result<void> SimulationState::checkStart() {
   return {};
 }
 
-std::vector<std::string> SimulationState::takeOverModels(const SimulationState& before,
-                                                         std::vector<int>& kept) {
+robotlink::Result<void> SimulationState::beginNewModels(const SimulationState& before,
+                                                        const Continuation& how) {
+  const auto isNew = [&](std::size_t i) { return before.modelIndex(world.models[i].name) < 0; };
+  for (std::size_t i = 0; i < world.models.size(); ++i) {
+    const auto motion = how.motions.find(world.models[i].name);
+    if (!isNew(i) || motion == how.motions.end() || !motion->second) continue;
+    const int model = static_cast<int>(i);
+    if (physics->motionOf(model).size() == motion->second->bodies.size())
+      physics->setMotion(model, motion->second->bodies);
+  }
+  if (!how.fitsNow) return {};
+  for (std::size_t i = 0; i < world.models.size(); ++i) {
+    const int other = physics->overlappedModel(static_cast<int>(i), kMaxOverlap);
+    if (other < 0 || !(isNew(i) || isNew(static_cast<std::size_t>(other)))) continue;
+    const bool first = isNew(i);
+    const std::string& added = world.models[first ? i : static_cast<std::size_t>(other)].name;
+    const std::string& standing = world.models[first ? static_cast<std::size_t>(other) : i].name;
+    return robotlink::failure("scene.no-room",
+                              "there is no room for '" + added + "': it would stand inside '" + standing +
+                                  "'; choose another place",
+                              {}, {added, standing});
+  }
+  return {};
+}
+
+robotlink::Result<std::vector<std::string>> SimulationState::takeOverModels(const SimulationState& before,
+                                                                            const Continuation& how,
+                                                                            std::vector<int>& kept) {
   std::vector<std::string> putBack;
   std::vector<std::pair<int, std::vector<Physics::BodyMotion>>> starts;
   for (std::size_t i = 0; i < world.models.size(); ++i) {
@@ -90,13 +151,14 @@ std::vector<std::string> SimulationState::takeOverModels(const SimulationState& 
     starts.emplace_back(now, physics->motionOf(now));
     physics->setMotion(now, before.physics->motionOf(was));
   }
+  if (auto begun = beginNewModels(before, how); !begun) return tl::unexpected(begun.error());
   // A model that overlapped before, such as in a hard collision, may go on so.
   const auto isInside = [&](int model) {
     const int was = before.modelIndex(world.models[static_cast<std::size_t>(model)].name);
     return physics->overlappedModel(model, kMaxOverlap) >= 0 &&
            before.physics->overlappedModel(was, kMaxOverlap) < 0;
   };
-  // Each turn puts one back; with all of them back it is the start, which is known to fit.
+  // Each turn puts one back; with all of them back it is the start.
   while (true) {
     const auto inside = std::ranges::find_if(starts, [&](const auto& one) { return isInside(one.first); });
     if (inside == starts.end()) break;
@@ -126,6 +188,15 @@ void SimulationState::takeOverPorts(const SimulationState& before, const std::ve
     if (!isKept(info) || was == before.ports.doors.end()) continue;
     doors->takeOver(i, *before.doors, static_cast<std::size_t>(was - before.ports.doors.begin()));
   }
+  for (std::size_t i = 0; i < ports.guides.size(); ++i) {
+    const PortInfo& info = ports.guides[i].info;
+    const auto was = std::ranges::find(
+        before.ports.guides, info.path, [](const Guide& guide) -> const auto& { return guide.info.path; });
+    const bool fits = was != before.ports.guides.end() && was->info.shape == info.shape;
+    if (!isKept(info) || !fits) continue;
+    actuation->takeOverGuide(i, *before.actuation,
+                             static_cast<std::size_t>(was - before.ports.guides.begin()));
+  }
   for (std::size_t i = 0; i < ports.drives.size(); ++i) {
     const PortInfo& info = ports.drives[i].info;
     const auto was = std::ranges::find(
@@ -138,9 +209,11 @@ void SimulationState::takeOverPorts(const SimulationState& before, const std::ve
   }
 }
 
-std::vector<std::string> SimulationState::takeOver(const SimulationState& before) {
+robotlink::Result<std::vector<std::string>> SimulationState::takeOver(const SimulationState& before,
+                                                                      const Continuation& how) {
   std::vector<int> kept;
-  std::vector<std::string> putBack = takeOverModels(before, kept);
+  auto putBack = takeOverModels(before, how, kept);
+  if (!putBack) return putBack;
   takeOverPorts(before, kept);
   for (const int model : kept) sensing->adoptVelocitiesOf(model);
   steps = before.steps;
@@ -154,24 +227,60 @@ std::vector<std::string> SimulationState::takeOver(const SimulationState& before
   return putBack;
 }
 
-robotlink::Result<SceneChange> Simulation::continueIn(std::shared_ptr<const Scene> scene) {
+std::map<std::string, SensorErrors> SimulationState::errorsByPath() const {
+  std::map<std::string, SensorErrors> errors;
+  for (const auto& [sensor, chosen] : chosenErrors) errors[ports.sensors[sensor].info.path] = chosen;
+  const auto add = [&](const auto& sensors, const std::vector<TimedSensor>& timing) {
+    for (std::size_t i = 0; i < timing.size(); ++i) {
+      if (timing[i].chosen) errors[sensors[i].info.path] = timing[i].errors;
+    }
+  };
+  add(ports.ranges, rangeTiming);
+  add(ports.images, imageTiming);
+  add(ports.cameras, cameraTiming);
+  return errors;
+}
+
+robotlink::Result<SceneChange> Simulation::continueIn(std::shared_ptr<const Scene> scene,
+                                                      const Continuation& how) {
   auto next = std::make_unique<Implementation>(std::move(scene), implementation_->options);
-  if (auto fits = next->checkStart(); !fits) return tl::unexpected(fits.error());
-  if (!samePorts(implementation_->ports, next->ports)) return SceneChange{};
-  std::vector<std::string> putBack = next->takeOver(*implementation_);
-  next->chosenErrors = implementation_->chosenErrors;
-  for (const auto& [sensor, errors] : next->chosenErrors)
-    next->sensing->setErrors(sensor, errors, next->noise());
+  if (!how.fitsNow) {
+    if (auto fits = next->checkStart(); !fits) return tl::unexpected(fits.error());
+  }
+  const bool same = PortComparison(implementation_->ports, next->ports).areSame();
+  if (!same && !how.otherPorts) return SceneChange{};
+  auto putBack = next->takeOver(*implementation_, how);
+  if (!putBack) return tl::unexpected(putBack.error());
+  std::vector<std::string> changed;
+  if (!same) changed = changedPorts(*implementation_, *next);
   next->readsForces = implementation_->readsForces;
   next->physics->readContacts(next->readsForces);
   next->rewind = std::move(implementation_->rewind);
-  implementation_ = std::move(next);
+  before_ = std::exchange(implementation_, std::move(next));
   implementation_->beginRewindAnew();
-  return SceneChange{true, std::move(putBack)};
+  for (const auto& [path, errors] : before_->errorsByPath()) {
+    // A sensor that is gone has none.
+    if (port(path) != nullptr) static_cast<void>(setSensorErrors(path, errors));
+  }
+  return SceneChange{same, std::move(changed), std::move(*putBack)};
+}
+
+void Simulation::goBack() {
+  if (!before_) return;
+  before_->rewind = std::move(implementation_->rewind);
+  implementation_ = std::move(before_);
+  implementation_->beginRewindAnew();
+}
+
+std::shared_ptr<const ModelMotion> Simulation::motionOf(const std::string& model) const {
+  const int index = implementation_->modelIndex(model);
+  if (index < 0 || implementation_->world.models[static_cast<std::size_t>(index)].type->isStatic)
+    return nullptr;
+  return std::make_shared<const ModelMotion>(ModelMotion{implementation_->physics->motionOf(index)});
 }
 
 std::vector<std::string> Simulation::continueFrom(const Simulation& before) {
-  std::vector<std::string> putBack = implementation_->takeOver(*before.implementation_);
+  std::vector<std::string> putBack = *implementation_->takeOver(*before.implementation_, {});
   implementation_->beginRewindAnew();
   return putBack;
 }

@@ -25,6 +25,7 @@
 #include "simcore/ranging/ImageSensing.h"
 #include "simcore/ranging/RangeSensing.h"
 #include "simcore/rendering/CameraRenderer.h"
+#include "simcore/world/Continuation.h"
 #include "simcore/world/LeftOut.h"
 #include "simcore/world/Port.h"
 #include "simcore/world/SimulationOptions.h"
@@ -66,6 +67,10 @@ struct TimedSensor {
     clock.reset();
     if (of.hasTiming()) clock.emplace(errors, stream, kStepSeconds);
   }
+};
+
+struct ModelMotion {
+  std::vector<Physics::BodyMotion> bodies;
 };
 
 /// Solids that rest on each other overlap a little, m; a deeper overlap means an impossible pose.
@@ -300,9 +305,15 @@ struct SimulationState {
   robotlink::Result<void> checkStart();
   /// Takes over how models, servos and drives stand and move from another world; see
   /// Simulation::continueIn().
-  std::vector<std::string> takeOver(const SimulationState& before);
+  robotlink::Result<std::vector<std::string>> takeOver(const SimulationState& before,
+                                                       const Continuation& how);
   /// Returns the models that stay at their start; adds the others to `kept`.
-  std::vector<std::string> takeOverModels(const SimulationState& before, std::vector<int>& kept);
+  robotlink::Result<std::vector<std::string>> takeOverModels(const SimulationState& before,
+                                                             const Continuation& how, std::vector<int>& kept);
+  /// Moves new models as they are to begin. Fails if they have to fit now, and one does not.
+  robotlink::Result<void> beginNewModels(const SimulationState& before, const Continuation& how);
+  /// The errors of sensors that somebody chose, by the paths of their ports.
+  std::map<std::string, SensorErrors> errorsByPath() const;
   void takeOverPorts(const SimulationState& before, const std::vector<int>& kept);
 
   int modelIndex(const std::string& name) const {

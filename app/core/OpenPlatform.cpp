@@ -26,6 +26,7 @@ OpenPlatform::OpenPlatform(std::filesystem::path userFolder)
       platform_(session_, recording_.recorder(), &hosting_, &limits_) {
   session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
   history_.setLive(true);
+  platform_.onRobotsChanged([this](const auto& loaded) { outcomes_.push({Change::kRobots, loaded}); });
   // What is refused is among the notes of remote_.
   offer_.onSteerElsewhere(
       [this](const std::string& robot, bool giveUp) { static_cast<void>(remote_.steer(robot, giveUp)); });
@@ -228,7 +229,7 @@ void OpenPlatform::report(const robotlink::Errors& errors) {
 }
 
 void OpenPlatform::apply(Outcome outcome) {
-  openings_.pop_front();
+  if (outcome.change != Change::kRobots) openings_.pop_front();
   if (!outcome.loaded) {
     const robotlink::Errors& errors = outcome.loaded.error();
     if (bodyQuestion_.ask(errors)) return;
@@ -237,6 +238,10 @@ void OpenPlatform::apply(Outcome outcome) {
         errors.size() == 1 && (errors.front().id == "log.given-up" || errors.front().id == "scene.given-up");
     if (!wanted) report(errors);
     return;
+  }
+  std::set<std::string> before;
+  if (loaded_ && outcome.change != Change::kPlatform) {
+    for (const auto& [name, description] : loaded_->robots) before.insert(name);
   }
   loaded_ = std::move(*outcome.loaded);
   if (outcome.change == Change::kPlatform) {
@@ -248,9 +253,9 @@ void OpenPlatform::apply(Outcome outcome) {
   remote_.setPlatform(loaded_->time ? std::optional(robots) : std::nullopt);
   listRobots();
   if (offer_.isOffered()) publishPrograms(session_, *loaded_);
-  if (outcome.change == Change::kPlatform) {
-    keysToSwitchOn_.clear();
-    for (const std::string& robot : robots) switchKeysOn(robot);
+  if (outcome.change == Change::kPlatform) keysToSwitchOn_.clear();
+  for (const std::string& robot : robots) {
+    if (!before.contains(robot)) switchKeysOn(robot);
   }
   if (onLoaded_) onLoaded_(*loaded_);
   robotlink::Errors lost;

@@ -88,6 +88,9 @@ class OpenPlatform {
   robotlink::Result<void> offerSession(const std::string& address);
   void stopOffering() { offer_.end(); }
 
+  /// The folders in which models of scenes are searched first; from one run to the next. Any thread.
+  std::vector<std::filesystem::path> modelFolders() const { return hosting_.modelFolders(); }
+
   /// Sends a request to what runs. A refusal is passed to the handler of onErrors().
   void ask(robotcontrol::Request request);
 
@@ -126,8 +129,9 @@ class OpenPlatform {
     std::atomic<double> share = 0;
     std::atomic<bool> canceled = false;
   };
-  /// What a result is about: another platform, or another layout or an edited scene on the same one.
-  enum class Change { kPlatform, kLayout, kScene };
+  /// What a result is about: another platform, or another layout, an edited scene, or other robots on the
+  /// same one. Nobody has asked to open the last.
+  enum class Change { kPlatform, kLayout, kScene, kRobots };
   /// A result from the platform's thread.
   struct Outcome {
     Change change;

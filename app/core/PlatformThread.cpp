@@ -35,6 +35,11 @@ PlatformThread::~PlatformThread() {
   endWaits();
 }
 
+void PlatformThread::onRobotsChanged(LoadHandler handler) {
+  // In the thread that calls it.
+  thread_.post([this, handler = std::move(handler)]() mutable { robotsChanged_ = std::move(handler); });
+}
+
 void PlatformThread::endWaits() {
   std::shared_ptr<StopSwitch> stopSwitch;
   {
@@ -230,6 +235,10 @@ void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vec
   }
   // First, so that whoever gets the result sees the effect.
   if (feed_) feed_->publishStatus();
+  if (feed_ && feed_->takeDescriptionChange() && robotsChanged_) {
+    reportedAtEnd_.clear();
+    robotsChanged_(describe());
+  }
   for (const std::uint64_t id : ids) pushResult(id, done ? std::string() : done.error().text);
 }
 

@@ -42,6 +42,10 @@ class PlatformThread {
   /// Ends the platform; its programs that hang are waited for only a moment, all together.
   ~PlatformThread();
 
+  /// The handler is called in the platform's thread with what runs now when a request has changed which
+  /// robots there are; before its result is passed to the session. To be set before anything is opened.
+  void onRobotsChanged(LoadHandler handler);
+
   /// Opens a platform. It gets the overrides of the last one that had any, if that had the same adapter and
   /// sources.
   /// `progress` is called while its file is read; may be empty.
@@ -117,6 +121,9 @@ class PlatformThread {
   std::vector<std::string> reportedAtEnd_;
   /// PlatformContext::memory by the adapter's name. Only in the platform's thread.
   std::map<std::string, std::any> memories_;
+
+  /// See onRobotsChanged(); may be empty.
+  LoadHandler robotsChanged_;
 
   /// Protects newest_ and stopSwitch_.
   std::mutex mutex_;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <future>
+#include <limits>
 #include <set>
 #include <thread>
 
@@ -24,6 +25,7 @@
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Printable.h"
 #include "robotlink/dds/LocalAddresses.h"
 #include "robotlink/debugging/Streams.h"
@@ -115,6 +117,9 @@ class Service {
         tables_(session_, ResourceFolder(options.resources)),
         restarts_(session_, platform_) {
     session_.setRequestSink([this](const Request& request) { platform_.request(request); });
+    platform_.onRobotsChanged([this](const Loaded& loaded) {
+      if (loaded) changes_.push(*loaded);
+    });
     session_.setRefusalHandler(
         [this](const auto& what, const auto& reason) { reportOnce(what + ": " + reason); });
     // Only the workbench records on this request; clients record here with the services recordings/start.
@@ -165,6 +170,8 @@ class Service {
   /// Starts the platform, and says where it is offered.
   void begin(const LoadedPlatform& loaded);
   void tick();
+  /// Offers the robots that there are.
+  void offerRobots(const LoadedPlatform& loaded);
   /// Tells the platform what of it is read.
   void followDemand(bool isAlone);
   bool isOver();
@@ -173,6 +180,8 @@ class Service {
   std::ostream& out_;
   /// Those that were printed.
   std::set<std::string> refusals_;
+  /// From the platform's thread. Unbounded: each belongs to a request, of which there are not more.
+  robotlink::BoundedQueue<LoadedPlatform> changes_{std::numeric_limits<std::size_t>::max()};
   robotlink::Session session_{kHistory};
   PlatformThread platform_;
   SessionServer server_;
@@ -223,12 +232,17 @@ std::optional<Loaded> Service::open(PlatformOpening opening, const Interrupted& 
   return loaded.get();
 }
 
-void Service::begin(const LoadedPlatform& loaded) {
+void Service::offerRobots(const LoadedPlatform& loaded) {
   std::vector<std::string> robots;
   for (const auto& [name, robot] : loaded.robots) robots.push_back(name);
   session_.setRobots(robots);
   publishPrograms(session_, loaded);
   restarts_.setLoaded(loaded);
+  if (announcer_) announcer_->update(robotsToAnnounce(session_));
+}
+
+void Service::begin(const LoadedPlatform& loaded) {
+  offerRobots(loaded);
   if (!options_.resources.empty()) tables_.begin();
   if (!loaded.isReal()) session_.request(startOf(loaded, options_.speed));
   tick();  // who connects at once finds everything
@@ -238,6 +252,7 @@ void Service::begin(const LoadedPlatform& loaded) {
 }
 
 void Service::tick() {
+  for (const LoadedPlatform& loaded : changes_.drain()) offerRobots(loaded);
   for (const auto& error : tables_.tick()) report(error.describe());
   restarts_.tick();
   const robotlink::websocket::Server::Batch batch(*server_.server());

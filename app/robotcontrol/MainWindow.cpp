@@ -89,7 +89,8 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   if (context_.gamepad->problem()) startProblems_.push_back(*context_.gamepad->problem());
   offerSceneFiles();
   context_.bodyOf = [this](const std::string& kind, const QColor& team) { return bodies_.of(kind, team); };
-  context_.sceneLanguage = std::make_shared<SceneSpecification>();
+  context_.sceneLanguage =
+      std::make_shared<SceneSpecification>([&workbench] { return workbench.modelFolders(); });
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("RobotControl"));
   setWindowIcon(widgets::icon("app"));

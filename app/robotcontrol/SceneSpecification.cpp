@@ -17,7 +17,8 @@ widgets::SceneElement elementOf(const simcore::SdfElementHelp& help) {
 
 }  // namespace
 
-SceneSpecification::SceneSpecification() = default;
+SceneSpecification::SceneSpecification(std::function<std::vector<std::filesystem::path>()> folders)
+    : folders_(std::move(folders)) {}
 SceneSpecification::~SceneSpecification() = default;
 
 const simcore::SdfGlossary& SceneSpecification::glossary() const {
@@ -39,20 +40,21 @@ std::optional<widgets::SceneElement> SceneSpecification::element(const Path& pat
 std::vector<widgets::SceneProblem> SceneSpecification::check(const std::string& text,
                                                              const std::filesystem::path& file) const {
   std::vector<widgets::SceneProblem> problems;
-  for (const SceneTextFinding& one : checkSceneText(text, file))
+  for (const SceneTextFinding& one : checkSceneText(text, file, folders_()))
     problems.push_back({one.isWarning, one.error.text, one.error.where.file, one.error.where.line});
   return problems;
 }
 
 std::vector<widgets::SceneModelChoice> SceneSpecification::models(const std::filesystem::path& file) const {
   std::vector<widgets::SceneModelChoice> all;
-  for (const SceneModelFile& model : sceneModels(file)) all.push_back({model.name, model.uri, model.isRobot});
+  for (const SceneModelFile& model : sceneModels(file, folders_()))
+    all.push_back({model.name, model.uri, model.isRobot});
   return all;
 }
 
 std::optional<std::filesystem::path> SceneSpecification::modelFile(const std::string& uri,
                                                                    const std::filesystem::path& file) const {
-  return sceneModelFile(uri, file);
+  return sceneModelFile(uri, file, folders_());
 }
 
 robotlink::Result<std::string> SceneSpecification::newRoom(const widgets::RoomChoice& room,
@@ -63,7 +65,7 @@ robotlink::Result<std::string> SceneSpecification::newRoom(const widgets::RoomCh
                       .wallHeight = room.wallHeight,
                       .doorway = room.doorway,
                       .robot = room.robot},
-                     file);
+                     file, folders_());
 }
 
 }  // namespace app

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "widgets/sceneedit/SceneLanguage.h"
 
@@ -16,7 +19,8 @@ namespace app {
 /// for first, which takes some 50 ms.
 class SceneSpecification final : public widgets::SceneLanguage {
  public:
-  SceneSpecification();
+  /// `folders` returns those in which models are searched first; called in any thread.
+  explicit SceneSpecification(std::function<std::vector<std::filesystem::path>()> folders);
   ~SceneSpecification() override;
   std::vector<widgets::SceneElement> children(const Path& path) const override;
   std::optional<widgets::SceneElement> element(const Path& path) const override;
@@ -31,6 +35,7 @@ class SceneSpecification final : public widgets::SceneLanguage {
  private:
   const simcore::SdfGlossary& glossary() const;
 
+  const std::function<std::vector<std::filesystem::path>()> folders_;
   mutable std::once_flag once_;
   /// Made once.
   mutable std::unique_ptr<simcore::SdfGlossary> glossary_;

@@ -74,9 +74,17 @@ void define(CLI::App& app, Arguments& arguments) {
          "(robotctl platform)")
       ->check(CLI::IsMember({"there", "here"}))
       ->capture_default_str();
-  app.add_option_function<std::string>(
-      "--layout", [&arguments](const std::string& layout) { arguments.platform.values["layout"] = layout; },
-      "A process layout: a file, or the name of a shipped one");
+  app.add_option_function<std::vector<std::string>>(
+         "--layout",
+         [&arguments](const std::vector<std::string>& layouts) {
+           std::string lines;
+           for (const std::string& layout : layouts) lines += (lines.empty() ? "" : "\n") + layout;
+           arguments.platform.values["layout"] = lines;
+         },
+         "A process layout: a file, or the name of a shipped one; for a simulation also NAME=LAYOUT for one "
+         "robot or kind of robots, several times")
+      ->expected(1)
+      ->take_all();
   for (const app::PlatformAdapter& adapter : app::platformAdapters()) {
     for (const app::PlatformField& field : formOf(adapter).fields) {
       if (!field.option.empty()) arguments.platform.addTo(app, field);

@@ -10,6 +10,7 @@
 #include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/DebugKey.h"
 #include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/SceneEditRequests.h"
 #include "robotlink/debugging/WorldRequests.h"
 #include "robotlink/motions/MotionLibrary.h"
 #include "robotlink/packages/PackageTypes.h"
@@ -263,7 +264,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 31> kKinds{{
+constexpr std::array<RequestKind, 32> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -353,6 +354,11 @@ constexpr std::array<RequestKind, 31> kKinds{{
      .words = "control simulation",
      .wrong = wrongSimulationSpeed},
     {.what = Request::kPlaceModel, .doer = Doer::kSimulation, .words = "place model", .wrong = wrongPlace},
+    {.what = Request::kEditScene,
+     .doer = Doer::kSimulation,
+     .words = "edit scene",
+     .wrong = wrongSceneEdit,
+     .file = fileOfSceneEdit},
     {.what = Request::kSetLighting,
      .doer = Doer::kSimulation,
      .words = "set lighting",

@@ -219,6 +219,10 @@ ActuatorState Actuation::servoState(std::size_t index) const {
   return {std::abs(present - target) <= kReached * (servo.maximum - servo.minimum), motor.unobstructed};
 }
 
+void Actuation::takeOverGuide(std::size_t guide, const Actuation& from, std::size_t fromGuide) {
+  guides_[guide] = from.guides_[fromGuide];
+}
+
 ActuatorState Actuation::guideState(std::size_t index) const {
   const GuidedMotion& motion = ports_.guides[index].motion;
   Vector3 velocity, rate;

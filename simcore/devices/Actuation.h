@@ -30,6 +30,8 @@ class Actuation {
   /// Has a servo go on as one of another simulation does; what is requested is limited to its own range.
   void takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo);
 
+  /// The same of a guide.
+  void takeOverGuide(std::size_t guide, const Actuation& from, std::size_t fromGuide);
   /// Writes or reads what was commanded and how far it was followed.
   void transfer(StateStream& stream);
 

@@ -111,6 +111,24 @@ std::optional<fs::path> ModelSearch::findModel(const std::string& uri, const fs:
   return resolved(file);
 }
 
+std::optional<fs::path> ModelSearch::findRobot(const std::string& kind) const {
+  constexpr std::size_t kMaxModelBytes = 16U << 20U;
+  const std::string element = "<robotcontrol:robot>" + kind + "<";
+  for (const fs::path& folder : folders_) {
+    std::vector<fs::path> models;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
+      if (entry.is_directory(error)) models.push_back(modelIn(entry.path()));
+    }
+    std::ranges::sort(models);
+    for (const fs::path& model : models) {
+      const auto text = robotlink::readFile(model, kMaxModelBytes);
+      if (text && text->find(element) != std::string::npos) return resolved(model);
+    }
+  }
+  return std::nullopt;
+}
+
 std::string ModelSearch::describe() const {
   std::string text;
   for (const fs::path& folder : folders_) {

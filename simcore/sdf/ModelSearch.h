@@ -26,6 +26,10 @@ class ModelSearch {
   /// The model's file: as find(), and for a folder the file that its model.config names, or model.sdf.
   std::optional<std::filesystem::path> findModel(const std::string& uri,
                                                  const std::filesystem::path& from) const;
+  /// The file of the first model in these folders that is a robot of this kind (<robotcontrol:robot>), by the
+  /// models' names; nothing if there is none. Looks into all of them.
+  std::optional<std::filesystem::path> findRobot(const std::string& kind) const;
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
   /// The folders that are searched, for messages: "a, b, c".
   std::string describe() const;
 

@@ -107,6 +107,7 @@ SceneInclude readDetails(const XMLElement& element, const fs::path& world, Error
   include.line = element.GetLineNum();
   include.name = childText(element, "name");
   include.team = childText(element, "robotcontrol:team");
+  include.layout = layoutIn(childText(element, "robotcontrol:layout"), world);
   if (element.FirstChildElement("static") != nullptr) include.isStatic = isTrue(childText(element, "static"));
   const XMLElement* pose = element.FirstChildElement("pose");
   const std::string text = childText(element, "pose");
@@ -135,7 +136,8 @@ bool isWorld(const XMLElement& element) {
 
 }  // namespace
 
-SceneFiles::SceneFiles(const fs::path& file) : file_(file), search_(file) {}
+SceneFiles::SceneFiles(const fs::path& file, const std::vector<fs::path>& folders, Palette palette)
+    : file_(file), palette_(std::move(palette)), search_(file, folders) {}
 SceneFiles::~SceneFiles() = default;
 SceneFiles::SceneFiles(SceneFiles&&) noexcept = default;
 SceneFiles& SceneFiles::operator=(SceneFiles&&) noexcept = default;
@@ -268,6 +270,25 @@ std::optional<fs::path> SceneFiles::addModel(const std::string& name, const SdfS
     return std::nullopt;
   }
   readModel(*model, {file_.string(), 0, 0}, spec, errors);
+  return model;
+}
+
+std::optional<fs::path> SceneFiles::addModelOf(const std::string& source, const SdfSpec& spec,
+                                               Errors& errors) {
+  const bool isName = source.find_first_of("/.") == std::string::npos;
+  auto model = search_.findModel(isName ? "model://" + source : source, file_);
+  if (!model && isName) model = search_.findRobot(source);
+  if (!model) {
+    errors.push_back({"scene.unknown-model",
+                      "there is no model '" + source +
+                          "'; name the folder that contains it with --models or "
+                          "GZ_SIM_RESOURCE_PATH (searched: " +
+                          search_.describe() + ")",
+                      {source},
+                      {}});
+    return std::nullopt;
+  }
+  readModel(*model, {model->string(), 0, 0}, spec, errors);
   return model;
 }
 

@@ -35,6 +35,8 @@ struct SceneInclude {
   std::optional<bool> isStatic;
   /// A color of the palette; empty if there is no team.
   std::string team;
+  /// See SceneRobot::layout; empty: as the model says.
+  std::string layout;
   /// Line of the <include>, for error messages.
   int line = 0;
 };
@@ -54,8 +56,9 @@ class SceneFiles {
   SceneFiles(const SceneFiles&) = delete;
   SceneFiles& operator=(const SceneFiles&) = delete;
 
-  /// For scenes that are no SDFormat files, to which models are added.
-  explicit SceneFiles(const std::filesystem::path& file);
+  /// For scenes that are no SDFormat files or were read before, to which models are added.
+  explicit SceneFiles(const std::filesystem::path& file,
+                      const std::vector<std::filesystem::path>& folders = {}, Palette palette = {});
 
   const std::filesystem::path& file() const { return file_; }
   /// Null if the file describes a model alone.
@@ -75,6 +78,10 @@ class SceneFiles {
   /// after adding errors, if there is no such model.
   std::optional<std::filesystem::path> addModel(const std::string& name, const SdfSpec& spec,
                                                 robotlink::Errors& errors);
+  /// Reads a further model: a URI or a file, the name of a model's folder on the search path, or a kind of
+  /// robot of which there is a model there. Returns its file; nothing, after adding errors, if there is none.
+  std::optional<std::filesystem::path> addModelOf(const std::string& source, const SdfSpec& spec,
+                                                  robotlink::Errors& errors);
 
  private:
   /// Reads and checks a file once; null, after adding errors, if it is no sound XML.

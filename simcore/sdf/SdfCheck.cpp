@@ -112,6 +112,7 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:maximum_steering", {"robotcontrol:guided"}, 1},
     {"robotcontrol:most_incidence", {"sensor", ""}, 1},
     {"robotcontrol:team", {"include", ""}, 0},
+    {"robotcontrol:layout", {"model", "include"}, 0},
     {"robotcontrol:drive", {"model", ""}, 0},
     {"robotcontrol:left", {"robotcontrol:drive", ""}, 0},
     {"robotcontrol:right", {"robotcontrol:drive", ""}, 0},

@@ -35,4 +35,9 @@ bool isTrue(const std::string& text) {
   return text == "true" || text == "1" || text == "True" || text == "TRUE";
 }
 
+std::string layoutIn(const std::string& text, const std::filesystem::path& file) {
+  const bool isPath = text.find('/') != std::string::npos || text.ends_with(".yaml");
+  return isPath ? (file.parent_path() / text).lexically_normal().string() : text;
+}
+
 }  // namespace simcore

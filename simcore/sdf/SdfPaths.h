@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace tinyxml2 {
@@ -21,5 +22,8 @@ std::string childText(const tinyxml2::XMLElement& element, const char* name);
 std::string nameOf(const tinyxml2::XMLElement& element);
 /// Whether the text means true.
 bool isTrue(const std::string& text);
+/// A <robotcontrol:layout> of a file: names stay, paths (with a slash or .yaml) are those from the file's
+/// folder.
+std::string layoutIn(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace simcore

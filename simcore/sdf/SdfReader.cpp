@@ -84,6 +84,8 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
   model.isBall = element->HasElement("robotcontrol:ball") && element->Get<bool>("robotcontrol:ball");
   if (element->HasElement("robotcontrol:robot"))
     model.robot = element->Get<std::string>("robotcontrol:robot");
+  if (element->HasElement("robotcontrol:layout"))
+    model.layout = layoutIn(element->Get<std::string>("robotcontrol:layout"), context.file);
   if (element->HasElement("robotcontrol:field"))
     model.field = element->Get<std::string>("robotcontrol:field");
   readHomes(element, model, context);

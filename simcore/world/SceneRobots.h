@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "robotlink/base/Geometry.h"
 
 namespace simcore {
 
@@ -12,6 +15,11 @@ struct SceneRobot {
   std::string name;         ///< "red1"
   std::string description;  ///< the name of its file in resources/robots: "ers210"
   std::string team = {};    ///< the color of its team in the scene's palette; empty: the scene names none
+  /// The process layout of its program: the name of a shipped one, or a file with its whole path. Empty: that
+  /// of its description.
+  std::string layout = {};
+
+  bool operator==(const SceneRobot&) const = default;
 };
 
 /// Robots to put into a world in addition to those of its file.
@@ -29,6 +37,22 @@ struct RobotsToAdd {
   /// members. A team's name is the name of its color in the palette and the prefix of its robots' names:
   /// "red" gives red1, red2, ... Other robots ignore this. Empty: no teams.
   std::vector<std::string> teams = {};
+};
+
+/// A model to be put into a scene that runs.
+struct ModelToAdd {
+  /// model://NAME, the name of a model's folder, a kind of robot (SceneRobot::description), or a model's
+  /// file.
+  std::string model;
+  /// Its name in the scene; empty: the model's, or its team's, with the next free number if it is a robot or
+  /// the name is taken.
+  std::string name = {};
+  /// In the world.
+  robotlink::Pose2 place = {};
+  /// Of the model's frame, m; unset: it stands on the floor, or at 0 without one.
+  std::optional<double> height = {};
+  /// A color of the scene's palette; empty: none.
+  std::string team = {};
 };
 
 }  // namespace simcore

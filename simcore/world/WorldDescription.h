@@ -156,6 +156,8 @@ struct ModelDescription {
   std::string name;
   /// The kind of robot (resources/robots/<robot>.yaml); empty if it is not a robot.
   std::string robot;
+  /// See SceneRobot::layout.
+  std::string layout;
   /// The field that it shows (resources/fields/<field>.yaml); empty if it is not a field.
   std::string field;
   /// Never moves.
@@ -178,6 +180,8 @@ struct ModelInstance {
   /// Color and name of its team, if it has one.
   std::optional<Rgb> teamColor;
   std::string teamColorName;
+  /// See SceneRobot::layout; empty: that of its type.
+  std::string layout;
   /// The position of its <include> or <model> in the file.
   robotlink::FilePosition where;
 };

@@ -93,14 +93,52 @@ TEST_F(SceneReloadTest, anErrorInTheFileLeavesTheSimulationAsItWas) {
   EXPECT_TRUE(waitFor([this] { return status()->steps() == 4; }));
 }
 
-TEST_F(SceneReloadTest, withAnotherRobotTheSceneBeginsAnew) {
+TEST_F(SceneReloadTest, robotsOfTheEditedFileComeAndGo) {
   run("simulation.step");
   ASSERT_TRUE(waitFor([this] { return status()->steps() == 2; }));
   edit("<name>p3at1</name>", "<name>other</name>");
   run("scene.reload");
   ASSERT_TRUE(waitFor([this] { return loads == 2; })) << robotlink::describe(errors);
-  EXPECT_TRUE(waitFor([this] { return status() != nullptr && status()->steps() == 0; }));
+  EXPECT_EQ(status()->steps(), 2U) << "the simulation goes on";
   EXPECT_EQ(workbench.session().robots(), std::vector<std::string>{"other"});
+}
+
+TEST_F(SceneReloadTest, robotsAreAddedAndRemovedByCommands) {
+  run("simulation.step");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 2; }));
+  run("scene.add burger 2 -2 --name turtle");
+  const auto& robots = workbench.session().robots();
+  ASSERT_TRUE(waitFor([&] { return robots.size() == 2; })) << robotlink::describe(errors);
+  EXPECT_EQ(workbench.loaded()->robots.at("turtle")->name, "burger");
+  EXPECT_TRUE(waitFor([this] { return hasModel("turtle") && status()->robots_size() == 2; }));
+  EXPECT_EQ(status()->scene_undo(), "the addition of turtle");
+  run("scene.remove turtle");
+  EXPECT_TRUE(waitFor([&] { return robots.size() == 1 && !hasModel("turtle"); }));
+  run("scene.undo");
+  EXPECT_TRUE(waitFor([&] { return robots.size() == 2; }));
+  run("scene.duplicate turtle twin");
+  EXPECT_TRUE(waitFor([&] { return robots.size() == 3; })) << robotlink::describe(errors);
+  EXPECT_EQ(status()->steps(), 2U);
+  EXPECT_TRUE(errors.empty()) << robotlink::describe(errors);
+}
+
+TEST_F(SceneReloadTest, whatWasAddedByHandIsThereAfterAReload) {
+  run("scene.add burger 2 -2 --name turtle");
+  ASSERT_TRUE(waitFor([this] { return hasModel("turtle"); })) << robotlink::describe(errors);
+  edit("</world>", kCan);
+  run("scene.reload");
+  EXPECT_TRUE(waitFor([this] { return hasModel("can"); })) << robotlink::describe(errors);
+  EXPECT_TRUE(hasModel("turtle"));
+  EXPECT_EQ(workbench.session().robots().size(), 2U);
+}
+
+TEST_F(SceneReloadTest, aModelThatDoesNotExistIsRefusedWithTheFoldersThatWereSearched) {
+  run("scene.add unicorn 1 1");
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_NE(errors.front().text.find("unicorn"), std::string::npos);
+  const auto done = workbench.commands().runLine("scene.add burger 1 1 --height high");
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().id, "scene.height");
 }
 
 TEST_F(SceneReloadTest, withoutASimulationThereIsNothingToReload) {

@@ -109,6 +109,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedLayoutsTest,
                                          Shipped{"balanced", "ers210"}, Shipped{"ers210-programs", "ers210"},
                                          Shipped{"pioneer", "p3at"}, Shipped{"pioneer-parallel", "p3at"},
                                          Shipped{"pioneer-programs", "p3at"},
+                                         Shipped{"pioneer-wander", "p3at"},
                                          Shipped{"pioneer-mapping", "p3at"}, Shipped{"pioneer", "p3dx"},
                                          Shipped{"pioneer-mapping", "peoplebot"}),
                          [](const auto& shipped) {

@@ -2,7 +2,9 @@
 // A simulation that goes on after its scene was edited.
 #include <gmock/gmock.h>
 
+#include "simcore/Scene.h"
 #include "simcore/Simulation.h"
+#include "simcore/world/WorldDescription.h"
 #include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
@@ -155,6 +157,64 @@ TEST_F(SceneChangeTest, withOtherSensorsOnlyAnotherSimulationCanGoOn) {
   EXPECT_THAT(next->continueFrom(*simulation_), IsEmpty());
   EXPECT_NEAR(next->modelPose("stone")->translation().z(), position("stone").z(), 1e-9);
   EXPECT_EQ(next->steps(), 20U);
+}
+
+TEST_F(SceneChangeTest, aModelThatIsAddedHasToFitBetweenThoseThatAreThereNow) {
+  start(ball("stone", "0 0 0.05 0 0 0") + box("crate", "2 0 0.2 0 0 0"));
+  run(10);
+  const auto& stone = simulation_->scene().world().models[1];
+  ModelInstance other = stone;
+  other.name = "other";
+  const auto inside = simulation_->scene().with(other, 99);
+  ASSERT_TRUE(inside.has_value());
+  const auto refused = simulation_->continueIn(*inside, {.otherPorts = true, .fitsNow = true});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().id, "scene.no-room");
+  EXPECT_FALSE(simulation_->modelPose("other").has_value());
+  other.poseInWorld.translation().x() = 1;
+  const auto beside = simulation_->scene().with(other, 99);
+  ASSERT_TRUE(simulation_->continueIn(*beside, {.otherPorts = true, .fitsNow = true}).has_value());
+  EXPECT_EQ(simulation_->steps(), 10U);
+  EXPECT_NEAR(position("other").x(), 1, 1e-9);
+}
+
+TEST_F(SceneChangeTest, aChangeCanBeTakenBackBeforeTheNextStep) {
+  start(ball("stone", "0 0 1 0 0 0") + ball("other", "1 0 1 0 0 0"));
+  run(20);
+  const std::uint64_t before = simulation_->digest();
+  const auto motion = simulation_->motionOf("other");
+  const double height = position("other").z();
+  const auto without = simulation_->scene().without("other");
+  ASSERT_TRUE(without.has_value());
+  ASSERT_TRUE(simulation_->continueIn(*without, {.otherPorts = true, .fitsNow = true}).has_value());
+  EXPECT_NE(simulation_->digest(), before);
+  simulation_->goBack();
+  EXPECT_EQ(simulation_->digest(), before);
+  ASSERT_TRUE(simulation_->continueIn(*without, {.otherPorts = true, .fitsNow = true}).has_value());
+  run(5);
+  simulation_->goBack();
+  EXPECT_FALSE(simulation_->modelPose("other").has_value()) << "it went on meanwhile";
+  const auto again = simulation_->scene().with(ModelInstance(simulation_->scene().world().models[1]), 1);
+  EXPECT_FALSE(again.has_value()) << "its name is taken";
+  ModelInstance back = (*simulation_->sharedScene()).world().models[1];
+  back.name = "other";
+  back.poseInWorld.translation().x() = 1;
+  const auto with = simulation_->scene().with(back, 99);
+  ASSERT_TRUE(with.has_value());
+  ASSERT_TRUE(simulation_->continueIn(*with, {.fitsNow = true, .motions = {{"other", motion}}}).has_value());
+  EXPECT_NEAR(position("other").z(), height, 1e-9) << "it falls on from where it was";
+}
+
+TEST_F(SceneChangeTest, namesOfAddedModelsAreFree) {
+  start(ball("stone", "0 0 1 0 0 0") + ball("dog1", "1 0 1 0 0 0"));
+  const Scene& scene = simulation_->scene();
+  EXPECT_EQ(scene.freeName("crate", false), "crate");
+  EXPECT_EQ(scene.freeName("stone", false), "stone1");
+  EXPECT_EQ(scene.freeName("dog", true), "dog2");
+  EXPECT_FALSE(scene.without("nobody").has_value());
+  const auto unknown = scene.with(ModelToAdd{.model = "unicorn"});
+  ASSERT_FALSE(unknown.has_value());
+  EXPECT_EQ(unknown.error().front().id, "scene.unknown-model");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/game/KickOff.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "simcore/Scene.h"
@@ -52,6 +53,24 @@ void KickOff::transfer(simcore::StateStream& stream) {
   if (!stream.isReading()) return;
   outSince_.reset();
   if (isOut && stream.good()) outSince_ = robotlink::Duration(since);
+}
+
+bool KickOff::followModels() {
+  const simcore::Scene& scene = simulation_.scene();
+  if (scene.field().empty() || scene.balls().empty()) return false;
+  ball_ = scene.balls().front();
+  std::vector<Robot> robots;
+  for (const auto& robot : scene.robots()) {
+    const auto known = std::ranges::find(robots_, robot.name, &Robot::name);
+    const auto pose = simulation_.modelPose(robot.name);
+    if (known != robots_.end()) {
+      robots.push_back(*known);
+    } else if (pose) {
+      robots.push_back({robot.name, robotlink::groundPose(*pose)});
+    }
+  }
+  robots_ = std::move(robots);
+  return true;
 }
 
 std::optional<std::string> KickOff::scorer(const Vector3& ball) const {

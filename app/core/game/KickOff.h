@@ -51,6 +51,9 @@ class KickOff {
     goals_ = score.goals;
     outSince_ = score.outSince;
   }
+  /// To be called when there are other models: robots that are new start where they are now. False if there
+  /// is no game any more.
+  bool followModels();
 
   /// Goals by the name of the team that scored.
   const std::map<std::string, int>& goals() const { return goals_; }

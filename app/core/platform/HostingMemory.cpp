@@ -9,7 +9,8 @@
 namespace app {
 namespace {
 
-constexpr char kOwnKey[] = "/own-processes", kOtherwiseKey[] = "/otherwise", kThreadsKey[] = "/threads";
+constexpr char kOwnKey[] = "/own-processes", kOtherwiseKey[] = "/otherwise", kThreadsKey[] = "/threads",
+               kModelsKey[] = "models";
 
 template <typename T>
 T valueIn(const robotlink::Settings& settings, const std::string& name) {
@@ -53,6 +54,21 @@ void HostingMemory::choose(const std::string& adapter, const HostingChoices& cho
   settings_.set(adapter + kOtherwiseKey,
                 std::vector<std::string>(choices.otherwise.begin(), choices.otherwise.end()));
   settings_.set(adapter + kThreadsKey, choices.threads);
+  hasChanged_ = true;
+}
+
+std::vector<std::filesystem::path> HostingMemory::modelFolders() const {
+  const std::lock_guard lock(mutex_);
+  const auto texts = valueIn<std::vector<std::string>>(settings_, kModelsKey);
+  return {texts.begin(), texts.end()};
+}
+
+void HostingMemory::chooseModelFolders(const std::vector<std::filesystem::path>& folders) {
+  if (modelFolders() == folders) return;
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> texts;
+  for (const auto& folder : folders) texts.push_back(folder.string());
+  settings_.set(kModelsKey, texts);
   hasChanged_ = true;
 }
 

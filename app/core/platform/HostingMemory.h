@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "app/core/platform/HostingChoices.h"
 #include "robotlink/base/Error.h"
@@ -15,8 +16,8 @@ class HostProgram;
 
 namespace app {
 
-/// The HostingChoices of each kind of platform, kept in a file from one run of the workbench to the next. Any
-/// thread.
+/// The HostingChoices of each kind of platform, and the folders in which the models of scenes are searched
+/// first, kept in a file from one run of the workbench to the next. Any thread.
 class HostingMemory {
  public:
   explicit HostingMemory(std::filesystem::path file);
@@ -24,6 +25,8 @@ class HostingMemory {
   /// Keyed by the name of the PlatformAdapter; the default if nothing was chosen yet.
   HostingChoices choices(const std::string& adapter) const;
   void choose(const std::string& adapter, const HostingChoices& choices);
+  std::vector<std::filesystem::path> modelFolders() const;
+  void chooseModelFolders(const std::vector<std::filesystem::path>& folders);
   /// Writes the file if something was chosen since the last time. Fails once for each change.
   robotlink::Result<void> save();
 

@@ -117,6 +117,8 @@ class PlatformFeed {
   /// False: it has to be opened instead. Only simulations can do it. If it fails, everything continues as
   /// before.
   virtual tl::expected<bool, robotlink::Errors> reload();
+  /// Whether describe() tells of other robots since this was called last, because a request was fulfilled.
+  virtual bool takeDescriptionChange() { return false; }
   /// Describes what runs now.
   virtual LoadedPlatform describe() const = 0;
   /// The switch that stops robots from any thread, even while this one is blocked. Null for platforms without

@@ -21,7 +21,12 @@ class StopSwitch {
              std::function<void()> endWaits = {})
       : robots_(std::move(robots)), act_(std::move(act)), endWaits_(std::move(endWaits)) {}
 
-  /// Has no effect for other robots than those of the constructor.
+  /// The robots that there are from now on.
+  void setRobots(std::set<std::string> robots) {
+    const std::lock_guard lock(mutex_);
+    robots_ = std::move(robots);
+  }
+  /// Has no effect for other robots than those that there are.
   void engage(const std::string& robot, bool engaged) {
     const std::lock_guard lock(mutex_);
     if (act_ && robots_.contains(robot)) act_(engaged);
@@ -39,9 +44,9 @@ class StopSwitch {
   }
 
  private:
-  const std::set<std::string> robots_;
-  /// Protects act_ and endWaits_.
+  /// Protects the other members.
   std::mutex mutex_;
+  std::set<std::string> robots_;
   std::function<void(bool)> act_;
   std::function<void()> endWaits_;
 };

@@ -144,6 +144,10 @@ void RecordingTap::attach(const std::string& name, robotlink::Platform& platform
   robots_.push_back(std::move(robot));
 }
 
+void RecordingTap::detach(const std::string& name) {
+  std::erase_if(robots_, [&](const auto& robot) { return robot->name == name; });
+}
+
 void RecordingTap::askForPackages() {
   const std::uint64_t demand = recorder_.demand();
   if (demand == demand_) return;

@@ -36,6 +36,8 @@ class RecordingTap {
   // Only while no process runs:
   /// Forgets all robots. To be called when their programs have ended.
   void clear() { robots_.clear(); }
+  /// Forgets a robot whose program has ended or gets another platform; does nothing if there is none.
+  void detach(const std::string& robot);
   /// To be called when the platforms' clocks start anew.
   void restart() { recorder_.restart(); }
   /// Attaches the program of a robot before it runs. A robot that is attached already must have the same

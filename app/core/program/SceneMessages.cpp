@@ -95,6 +95,10 @@ std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::Groun
 std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulation& simulation,
                                                           std::optional<robotlink::Instant> at) {
   auto update = std::make_shared<foxglove::SceneUpdate>();
+  // A scene that was edited has other entities.
+  auto& before = *update->add_deletions();
+  before.set_type(foxglove::SceneEntityDeletion::ALL);
+  robotlink::assign(*before.mutable_timestamp(), now(simulation));
   const auto scene = simulation.renderScene();
   const std::vector<std::string> movable = movableModels(simulation);
   for (std::size_t i = 0; i < scene->instances.size(); ++i) {

@@ -124,9 +124,9 @@ Result<double> standingHeight(const NewRoom& room, const fs::path& model) {
   return height;
 }
 
-Result<std::string> robotText(const NewRoom& room, const fs::path& file) {
+Result<std::string> robotText(const NewRoom& room, const fs::path& file, const ModelFolders& folders) {
   if (room.robot.empty()) return std::string();
-  const auto models = sceneModels(file);
+  const auto models = sceneModels(file, folders);
   const auto model = std::ranges::find(models, room.robot, &SceneModelFile::name);
   if (model == models.end() || !model->isRobot)
     return failure("scene.no-robot", "there is no robot '" + room.robot + "'", {}, {room.robot});
@@ -153,9 +153,9 @@ Result<void> checkRoom(const NewRoom& room) {
 
 }  // namespace
 
-Result<std::string> newRoomText(const NewRoom& room, const fs::path& file) {
+Result<std::string> newRoomText(const NewRoom& room, const fs::path& file, const ModelFolders& folders) {
   if (const auto checked = checkRoom(room); !checked) return tl::unexpected(checked.error());
-  const auto robot = robotText(room, file);
+  const auto robot = robotText(room, file, folders);
   if (!robot) return robot;
   return roomText(room, *robot);
 }

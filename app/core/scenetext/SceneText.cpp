@@ -8,17 +8,14 @@
 #include <string_view>
 
 #include "robotlink/base/AtomicFile.h"
-#include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 #include "simcore/SceneFileKind.h"
 #include "simcore/Simulation.h"
+#include "simcore/sdf/ModelSearch.h"
 
 namespace app {
 namespace fs = std::filesystem;
 using robotlink::Error;
-using robotlink::Errors;
-using robotlink::failure;
-using robotlink::Result;
 
 namespace {
 
@@ -51,33 +48,19 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
     text.replace(at, from.size(), to);
 }
 
-/// The file or folder of a URI, without what is shipped.
-std::optional<fs::path> ownPlace(const std::string& uri, const fs::path& file) {
-  const fs::path folder = fs::absolute(file).parent_path();
-  std::vector<fs::path> candidates;
-  if (uri.starts_with(kModelScheme)) {
-    const fs::path name = uri.substr(kModelScheme.size());
-    if (!name.empty()) candidates = {folder / name, folder / "models" / name};
-  } else if (!uri.empty() && uri.find("://") == std::string::npos) {
-    candidates = {folder / uri};
-  }
-  std::error_code unknown;
-  for (const fs::path& candidate : candidates) {
-    if (fs::exists(candidate, unknown)) return candidate.lexically_normal();
-  }
-  return std::nullopt;
-}
-
-/// The text with each <uri> that is looked for beside its file replaced by the whole path, in the same line.
-std::string withWholePaths(const std::string& text, const fs::path& file) {
+/// The text with each <uri> replaced by the whole path that it means in its file, in the same line: what is
+/// checked lies elsewhere.
+std::string withWholePaths(const std::string& text, const fs::path& file, const ModelFolders& folders) {
   constexpr std::string_view kOpen = "<uri>", kClose = "</uri>";
+  const fs::path whole = fs::absolute(file);
+  const simcore::ModelSearch search(whole, folders);
   std::string result;
   std::size_t done = 0;
   for (std::size_t at = text.find(kOpen); at != std::string::npos; at = text.find(kOpen, done)) {
     const std::size_t begin = at + kOpen.size(), end = text.find(kClose, begin);
     if (end == std::string::npos) break;
     const std::string uri = text.substr(begin, end - begin);
-    const auto place = ownPlace(uri, file);
+    const auto place = search.find(uri, whole);
     result += text.substr(done, begin - done) + (place ? place->string() : uri);
     done = end;
   }
@@ -129,18 +112,31 @@ bool describesModel(const std::string& text) {
   return has;
 }
 
-/// The errors of a scene's file, also those that show only when it begins to run.
-Errors errorsOfScene(const fs::path& file) {
-  const auto scene = simcore::Scene::load(file);
-  if (!scene) return scene.error();
-  if (const auto simulation = simcore::Simulation::create(*scene, {}); !simulation)
-    return {simulation.error()};
-  return {};
+/// The errors of a scene's file, also those that show only when it begins to run; if there are none, what is
+/// left out of it.
+std::vector<SceneTextFinding> findingsOfScene(const fs::path& file, const ModelFolders& folders) {
+  std::vector<SceneTextFinding> findings;
+  const auto scene = simcore::Scene::load(file, {}, {}, folders);
+  if (!scene) {
+    for (const Error& error : scene.error()) findings.push_back({false, error});
+    return findings;
+  }
+  const auto simulation = simcore::Simulation::create(*scene, {});
+  if (!simulation) return {{false, simulation.error()}};
+  for (const simcore::LeftOuts* leftOut : {&(*scene)->leftOut(), &(*simulation)->overlaps()}) {
+    for (const simcore::LeftOut& one : *leftOut) {
+      const std::string object = one.object.empty() ? "" : one.object + ": ";
+      findings.push_back(
+          {true, {"scene.left-out", object + one.what + ": " + one.why, {one.what}, one.where}});
+    }
+  }
+  return findings;
 }
 
 }  // namespace
 
-std::vector<SceneTextFinding> checkSceneText(const std::string& text, const fs::path& file) {
+std::vector<SceneTextFinding> checkSceneText(const std::string& text, const fs::path& file,
+                                             const ModelFolders& folders) {
   const ScratchFolder folder;
   const fs::path copy = folder.path() / file.filename(), around = folder.path() / "around" / "world.sdf";
   std::vector<SceneTextFinding> findings;
@@ -151,7 +147,7 @@ std::vector<SceneTextFinding> checkSceneText(const std::string& text, const fs::
   }
   const bool isMap = simcore::isMapFile(file);
   const bool isAlone = !isMap && describesModel(text) && !describesWorld(text);
-  auto written = robotlink::writeFileAtomically(copy, isMap ? text : withWholePaths(text, file));
+  auto written = robotlink::writeFileAtomically(copy, isMap ? text : withWholePaths(text, file, folders));
   if (written && isAlone) {
     written =
         robotlink::writeFileAtomically(around, "<sdf version=\"1.9\"><world name=\"check\"><include><uri>" +
@@ -163,41 +159,39 @@ std::vector<SceneTextFinding> checkSceneText(const std::string& text, const fs::
   }
   std::error_code unknown;
   const std::string real = fs::weakly_canonical(copy, unknown).string();
-  for (Error error : errorsOfScene(isAlone ? around : copy)) {
-    for (std::string* part : {&error.text, &error.where.file}) {
+  findings = findingsOfScene(isAlone ? around : copy, folders);
+  const bool opens = std::ranges::all_of(findings, &SceneTextFinding::isWarning);
+  for (SceneTextFinding& one : findings) {
+    for (std::string* part : {&one.error.text, &one.error.where.file}) {
       for (const std::string& name : {real, copy.string(), around.string()})
         replaceAll(*part, name, file.string());
     }
-    fail(std::move(error));
   }
-  if (!isMap) addWarnings(text, file, findings);
+  // What is left out is known of scenes only that can be opened.
+  if (!isMap && !opens) addWarnings(text, file, findings);
   return findings;
 }
 
-std::optional<fs::path> sceneModelFile(const std::string& uri, const fs::path& file) {
-  auto place = ownPlace(uri, file);
-  std::error_code unknown;
-  if (!place && uri.starts_with(kModelScheme)) {
-    const fs::path shipped = robotlink::resource("scenes/models") / uri.substr(kModelScheme.size());
-    if (fs::exists(shipped, unknown)) place = shipped;
-  }
-  if (!place) return std::nullopt;
-  const fs::path model = fs::is_directory(*place, unknown) ? *place / "model.sdf" : *place;
-  return fs::is_regular_file(model, unknown) ? std::optional(model) : std::nullopt;
+std::optional<fs::path> sceneModelFile(const std::string& uri, const fs::path& file,
+                                       const ModelFolders& folders) {
+  const fs::path whole = fs::absolute(file);
+  return simcore::ModelSearch(whole, folders).findModel(uri, whole);
 }
 
-std::vector<SceneModelFile> sceneModels(const fs::path& file) {
+std::vector<SceneModelFile> sceneModels(const fs::path& file, const ModelFolders& folders) {
   std::map<std::string, SceneModelFile> all;
-  const fs::path folder = fs::absolute(file).parent_path();
+  const fs::path whole = fs::absolute(file);
+  const simcore::ModelSearch search(whole, folders);
   std::error_code unknown;
-  for (const fs::path& models : {folder, folder / "models", robotlink::resource("scenes/models")}) {
+  for (const fs::path& models : search.folders()) {
     for (const auto& entry : fs::directory_iterator(models, unknown)) {
-      const fs::path model = entry.path() / "model.sdf";
       const std::string name = entry.path().filename().string();
-      if (all.contains(name) || !fs::is_regular_file(model, unknown)) continue;
-      const auto text = robotlink::readFile(model, kMaxSceneBytes);
+      if (all.contains(name) || !entry.is_directory(unknown)) continue;
+      const auto model = search.findModel(entry.path().string(), whole);
+      if (!model) continue;
+      const auto text = robotlink::readFile(*model, kMaxSceneBytes);
       const bool isRobot = text && text->find("<robotcontrol:robot>") != std::string::npos;
-      all[name] = {name, std::string(kModelScheme) + name, model, isRobot};
+      all[name] = {name, std::string(kModelScheme) + name, *model, isRobot};
     }
   }
   std::vector<SceneModelFile> result;

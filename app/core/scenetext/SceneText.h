@@ -20,10 +20,15 @@ struct SceneTextFinding {
   robotlink::Error error;
 };
 
+/// Folders in which models are searched first, as for simcore::Scene::load().
+using ModelFolders = std::vector<std::filesystem::path>;
+
 /// Checks a text as if it were in a file, which need not exist: a world, a model alone, or a map (by the
 /// file's suffix). Files that it includes are read from the disk, as the world in `file` would find them;
-/// their errors are among the findings, with their files.
-std::vector<SceneTextFinding> checkSceneText(const std::string& text, const std::filesystem::path& file);
+/// their errors are among the findings, with their files. What can be opened, but not as it is described
+/// (simcore::Scene::leftOut()), gives warnings.
+std::vector<SceneTextFinding> checkSceneText(const std::string& text, const std::filesystem::path& file,
+                                             const ModelFolders& folders = {});
 
 /// A model that a world can include.
 struct SceneModelFile {
@@ -34,13 +39,13 @@ struct SceneModelFile {
   bool isRobot = false;
 };
 
-/// The models that a world in this file finds by their names: those in its folder and the folder `models`
-/// there, and the shipped ones. By name; of those with the same name the one that would be taken.
-std::vector<SceneModelFile> sceneModels(const std::filesystem::path& file);
+/// The models that a world in this file finds by their names, in all folders in which models are searched
+/// (simcore/sdf/ModelSearch.h). By name; of those with the same name the one that would be taken.
+std::vector<SceneModelFile> sceneModels(const std::filesystem::path& file, const ModelFolders& folders = {});
 
 /// The file that a URI in a scene's file means; nothing if there is none.
-std::optional<std::filesystem::path> sceneModelFile(const std::string& uri,
-                                                    const std::filesystem::path& file);
+std::optional<std::filesystem::path> sceneModelFile(const std::string& uri, const std::filesystem::path& file,
+                                                    const ModelFolders& folders = {});
 
 /// What a new room shall have. Lengths in m.
 struct NewRoom {
@@ -55,6 +60,7 @@ struct NewRoom {
 
 /// The text of a new world from the shipped template, which can be opened as it is. Fails if a value makes no
 /// sense, or if there is no such robot. `file`: where it will be, for finding the robot.
-robotlink::Result<std::string> newRoomText(const NewRoom& room, const std::filesystem::path& file);
+robotlink::Result<std::string> newRoomText(const NewRoom& room, const std::filesystem::path& file,
+                                           const ModelFolders& folders = {});
 
 }  // namespace app

@@ -13,7 +13,8 @@ constexpr std::chrono::milliseconds kAskEvery{100};
 
 tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(
     Options options, ArcosPorts::Log logger) {
-  auto scene = simcore::Scene::load(options.scene, options.robots, std::exchange(options.progress, {}));
+  auto scene = simcore::Scene::load(options.scene, options.robots, std::exchange(options.progress, {}),
+                                    options.models);
   if (!scene) return tl::unexpected(scene.error());
   return create(std::move(*scene), std::move(options), std::move(logger));
 }

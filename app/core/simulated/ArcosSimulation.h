@@ -28,6 +28,8 @@ class ArcosSimulation {
     double speed = 1;
     /// Called while the scene is loaded; can cancel that.
     simcore::LoadProgress progress = {};
+    /// Folders in which model://NAME is searched first.
+    std::vector<std::filesystem::path> models = {};
   };
   /// How well the simulation keeps up with real time.
   struct Punctuality {

@@ -11,88 +11,103 @@
 namespace app {
 namespace {
 
-using Held = HeldActuators::Held;
-
-/// The actuator of a port, without values; unset if there is none.
-std::optional<Held> actuatorAt(const simcore::Simulation& simulation, const std::string& port) {
-  const auto isIt = [&](const auto& each) { return each.info.path == port; };
-  const auto servos = simulation.servos();
-  if (const auto servo = std::ranges::find_if(servos, isIt); servo != servos.end())
-    return Held{servo->info.robot, false, static_cast<std::size_t>(servo - servos.begin()), {}};
-  const auto drives = simulation.drives();
-  if (const auto drive = std::ranges::find_if(drives, isIt); drive != drives.end())
-    return Held{drive->info.robot, true, static_cast<std::size_t>(drive - drives.begin()), {}};
-  return std::nullopt;
-}
+using simcore::Port;
 
 std::vector<std::string> actuatorNames(const simcore::Simulation& simulation) {
   std::vector<std::string> names;
-  for (const auto& servo : simulation.servos()) names.push_back(servo.info.path);
-  for (const auto& drive : simulation.drives()) names.push_back(drive.info.path);
+  for (const Port& port : simulation.ports()) {
+    if (port.isActuator()) names.push_back(port.info.path);
+  }
   return names;
 }
 
-void stopWheels(simcore::Simulation& simulation, const Held& held) {
-  if (held.isDrive) simulation.requestWheelSpeeds(held.index, 0, 0);
+std::size_t valuesOf(const Port& port) {
+  return port.info.shape.empty() ? 1 : static_cast<std::size_t>(port.info.shape.front());
+}
+
+/// The range of each value; unset if it is not known.
+std::optional<std::pair<double, double>> rangeOf(const simcore::Simulation& simulation, const Port& port) {
+  std::pair<double, double> range{port.info.minimum, port.info.maximum};
+  if (port.kind == Port::Kind::kDrive) {
+    range.second = simulation.drives()[port.index].maximumSpeed;
+    range.first = -range.second;
+  } else if (port.kind == Port::Kind::kServo) {
+    range = {simulation.servos()[port.index].minimum, simulation.servos()[port.index].maximum};
+  } else if (port.kind == Port::Kind::kDoor) {
+    range = {0, 1};
+  }
+  return range.first < range.second ? std::optional(range) : std::nullopt;
+}
+
+/// Ends the motion of what was held.
+void stopMoving(simcore::Simulation& simulation, const std::string& path) {
+  const Port* port = simulation.port(path);
+  if (port == nullptr) return;
+  using Control = simcore::MotorControl::Kind;
+  const bool isMotor =
+      port->kind == Port::Kind::kServo && simulation.servos()[port->index].control.kind != Control::kPosition;
+  if (port->kind != Port::Kind::kDrive && port->kind != Port::Kind::kGuide && !isMotor) return;
+  const std::vector<double> nothing(valuesOf(*port));
+  static_cast<void>(simulation.write(path, nothing));
 }
 
 }  // namespace
 
-robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulation, const std::string& port,
+robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulation, const std::string& path,
                                             const std::vector<double>& values) {
-  auto held = actuatorAt(simulation, port);
-  if (!held) {
+  const Port* port = simulation.port(path);
+  if (port == nullptr || !port->isActuator()) {
     return robotlink::failure(
         "simulation.actuator",
-        "there is no actuator " + port + robotlink::suggestion(port, actuatorNames(simulation)), {}, {port});
+        "there is no actuator " + path + robotlink::suggestion(path, actuatorNames(simulation)), {}, {path});
   }
-  const std::size_t size = held->isDrive ? 2 : 1;
+  const std::size_t size = valuesOf(*port);
   if (values.size() != size) {
     return robotlink::failure("simulation.actuator",
-                              "the actuator " + port + " takes " + std::to_string(size) +
+                              "the actuator " + path + " takes " + std::to_string(size) +
                                   (size == 1 ? " value" : " values") + ", not " +
                                   std::to_string(values.size()),
-                              {}, {port});
+                              {}, {path});
   }
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
-    return robotlink::failure("simulation.actuator", "the values of " + port + " are not all numbers", {},
-                              {port});
-  double low = 0, high = 0;
-  if (held->isDrive) {
-    high = simulation.drives()[held->index].maximumSpeed;
-    low = -high;
-  } else {
-    low = simulation.servos()[held->index].minimum;
-    high = simulation.servos()[held->index].maximum;
+    return robotlink::failure("simulation.actuator", "the values of " + path + " are not all numbers", {},
+                              {path});
+  Held held{port->info.robot, values};
+  if (const auto range = rangeOf(simulation, *port)) {
+    for (double& value : held.values) value = std::clamp(value, range->first, range->second);
   }
-  for (const double value : values) held->values.push_back(std::clamp(value, low, std::max(low, high)));
-  held_[port] = *std::move(held);
+  held_[path] = std::move(held);
   return {};
 }
 
 void HeldActuators::release(simcore::Simulation& simulation, const std::string& port) {
   const auto found = held_.find(port);
   if (found == held_.end()) return;
-  stopWheels(simulation, found->second);
+  stopMoving(simulation, port);
   held_.erase(found);
 }
 
 void HeldActuators::releaseModel(simcore::Simulation& simulation, const std::string& model) {
   std::erase_if(held_, [&](const auto& entry) {
     const bool isMeant = model.empty() || entry.second.model == model;
-    if (isMeant) stopWheels(simulation, entry.second);
+    if (isMeant) stopMoving(simulation, entry.first);
     return isMeant;
   });
 }
 
+void HeldActuators::forgetMissing(const simcore::Simulation& simulation) {
+  std::erase_if(held_, [&](const auto& entry) {
+    const Port* port = simulation.port(entry.first);
+    return port == nullptr || !port->isActuator() || valuesOf(*port) != entry.second.values.size();
+  });
+}
+
 void HeldActuators::apply(simcore::Simulation& simulation) const {
-  for (const auto& [port, held] : held_) {
-    if (held.isDrive) {
-      simulation.requestWheelSpeeds(held.index, held.values[0], held.values[1]);
-    } else {
-      simulation.setTorqueLimit(held.index, 1);
-      simulation.requestAngle(held.index, held.values[0]);
-    }
+  for (const auto& [path, held] : held_) {
+    const Port* port = simulation.port(path);
+    if (port == nullptr) continue;
+    if (port->kind == Port::Kind::kServo) simulation.setTorqueLimit(port->index, 1);
+    static_cast<void>(simulation.write(path, held.values));
   }
 }
 

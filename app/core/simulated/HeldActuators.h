@@ -14,21 +14,24 @@ class Simulation;
 namespace app {
 
 /// The actuators of a simulation that a person holds at values of their own, whatever robots' programs ask of
-/// them: servos (rad) and drives (speeds of the left and the right rims, m/s), by the paths of their ports.
-/// A held servo has all of its torque. A drive whose motors are off does not turn its wheels.
+/// them, by the paths of their ports: servos and motors (rad, rad/s or N m), drives (speeds of the left and
+/// the right rims, m/s), models that are guided (the values of their port) and doors (from 0.5 on open). A
+/// held servo has all of its torque. A drive whose motors are off does not turn its wheels.
 class HeldActuators {
  public:
   /// Holds an actuator at these values, which are clamped to its range. Fails, changing nothing, if there is
   /// no such actuator, if it takes another number of values, or if one is not finite.
   robotlink::Result<void> hold(const simcore::Simulation& simulation, const std::string& port,
                                const std::vector<double>& values);
-  /// Releases one actuator; does nothing if it is not held. Wheels stop turning, servos hold their angle
-  /// until a program asks for another one.
+  /// Releases one actuator; does nothing if it is not held. Wheels and guided models stop, motors exert
+  /// nothing, servos hold their angle until a program asks for another one, doors close in their time.
   void release(simcore::Simulation& simulation, const std::string& port);
   /// Releases all actuators of a model, or with an empty name all that there are.
   void releaseModel(simcore::Simulation& simulation, const std::string& model);
   /// Forgets all of them, since the simulation begins anew.
   void forget() { held_.clear(); }
+  /// Forgets those that do not exist any more.
+  void forgetMissing(const simcore::Simulation& simulation);
 
   /// Sets the actuators again; to be called before each step of the simulation.
   void apply(simcore::Simulation& simulation) const;
@@ -37,9 +40,6 @@ class HeldActuators {
   struct Held {
     /// The model that it is part of.
     std::string model;
-    bool isDrive = false;
-    /// Index among the servos or the drives.
-    std::size_t index = 0;
     std::vector<double> values;
   };
   /// All that are held, by port.

@@ -2,6 +2,7 @@
 #include "app/core/simulated/SimulatedJointPlatform.h"
 
 #include <cmath>
+#include <tuple>
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
@@ -77,6 +78,25 @@ void SimulatedJointPlatform::bindSensors() {
   for (std::size_t i = 0; i < simulation.cameras().size(); ++i) {
     if (simulation.cameras()[i].info.robot == robot()) cameras_.push_back(i);
   }
+}
+
+bool SimulatedJointPlatform::rebind() {
+  const simcore::Simulation& simulation = world().simulation();
+  std::vector<Joint> joints = joints_;
+  for (Joint& joint : joints) {
+    const int sensor = indexOf(simulation.sensors(), robot() + "/" + joint.name + "/position");
+    const int servo = indexOf(simulation.servos(), robot() + "/" + joint.name + "/request");
+    if (sensor < 0 || servo < 0) return false;
+    joint.sensor = static_cast<std::size_t>(sensor);
+    joint.servo = static_cast<std::size_t>(servo);
+  }
+  joints_ = std::move(joints);
+  const auto had = std::tuple(cameras_.size(), contacts_.size(), accelerometer_ >= 0, distance_ >= 0);
+  cameras_.clear();
+  contacts_.clear();
+  accelerometer_ = distance_ = -1;
+  bindSensors();
+  return had == std::tuple(cameras_.size(), contacts_.size(), accelerometer_ >= 0, distance_ >= 0);
 }
 
 void SimulatedJointPlatform::holdStill() {

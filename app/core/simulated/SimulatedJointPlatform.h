@@ -25,6 +25,7 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
+  bool rebind() override;
   void alwaysSendClasses(LabeledListener listener) override;
 
   /// Sets the servos to the latest request, or holds still while STOP is engaged.

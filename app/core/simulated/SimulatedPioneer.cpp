@@ -42,9 +42,8 @@ std::optional<std::size_t> find(const List& list, const std::string& path) {
 
 }  // namespace
 
-robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(simcore::Simulation& simulation,
-                                                                              std::string robot,
-                                                                              Options options) {
+robotlink::Result<SimulatedPioneer::Ports> SimulatedPioneer::findPorts(const simcore::Simulation& simulation,
+                                                                       const std::string& robot, int sonars) {
   Ports ports;
   const auto drives = simulation.drives();
   const auto drive =
@@ -65,7 +64,6 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
       ports.frontBumpers.push_back(*found);
     if (const auto found = find(sensors, robot + "/rearBumper" + number)) ports.rearBumpers.push_back(*found);
   }
-  auto& settings = options.settings;
   const auto ranges = simulation.rangeSensors();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (ranges[i].info.robot != robot) continue;
@@ -73,20 +71,44 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
     if (ranges[i].kind == simcore::RangeSensor::Kind::kLaser && !ports.laser) ports.laser = i;
   }
   // The numbers of the sonars are those of the model; missing ones are unset.
-  ports.sonars.resize(static_cast<std::size_t>(settings.sonars));
+  ports.sonars.resize(static_cast<std::size_t>(sonars));
+  return ports;
+}
+
+robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(simcore::Simulation& simulation,
+                                                                              std::string robot,
+                                                                              Options options) {
+  auto& settings = options.settings;
+  auto found = findPorts(simulation, robot, settings.sonars);
+  if (!found) return tl::unexpected(found.error());
+  Ports& ports = *found;
   // The microcontroller reports the sensors that the model has.
-  settings.motion.track = drive->track;
+  settings.motion.track = simulation.drives()[ports.drive].track;
   settings.frontBumpers = static_cast<int>(ports.frontBumpers.size());
   settings.rearBumpers = static_cast<int>(ports.rearBumpers.size());
   if (!ports.gyroscope) settings.gyroscope = robotlink::arcos::ServerSettings::Gyroscope::kNone;
   if (!ports.laser) {
     settings.laser.reset();
   } else {
-    const auto& laser = ranges[*ports.laser];
+    const auto& laser = simulation.rangeSensors()[*ports.laser];
     settings.laser = {laser.startAngle, laser.endAngle, laser.maximum};
   }
   return std::unique_ptr<SimulatedPioneer>(
       new SimulatedPioneer(simulation, std::move(robot), std::move(options), std::move(ports)));
+}
+
+bool SimulatedPioneer::rebind() {
+  auto found = findPorts(simulation_, robot_, options_.settings.sonars);
+  const auto kept = [](const auto& one, const auto& other) { return one.has_value() == other.has_value(); };
+  if (!found || !kept(found->gyroscope, ports_.gyroscope) || !kept(found->laser, ports_.laser) ||
+      found->frontBumpers.size() != ports_.frontBumpers.size() ||
+      found->rearBumpers.size() != ports_.rearBumpers.size() ||
+      !std::ranges::equal(found->sonars, ports_.sonars, kept))
+    return false;
+  const auto ranges = simulation_.rangeSensors();
+  if (found->laser && static_cast<std::size_t>(ranges[*found->laser].readings) != scan_.size()) return false;
+  ports_ = std::move(*found);
+  return true;
 }
 
 SimulatedPioneer::SimulatedPioneer(simcore::Simulation& simulation, std::string robot, Options options,

@@ -41,6 +41,9 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   static robotlink::Result<std::unique_ptr<SimulatedPioneer>> create(simcore::Simulation& simulation,
                                                                      std::string robot, Options options);
   const std::string& robot() const { return robot_; }
+  /// Finds its wheels and sensors again after the simulation went on in another scene, where they have other
+  /// numbers. False, changing nothing, if they are others than before.
+  bool rebind();
 
   /// To be called after each step of the physics; sets the wheels' speeds for the next one.
   void step(robotlink::Instant now);
@@ -111,11 +114,14 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
     std::vector<std::optional<std::size_t>> sonars;
     std::optional<std::size_t> laser;
   };
+  /// Fails if the robot has no drive.
+  static robotlink::Result<Ports> findPorts(const simcore::Simulation& simulation, const std::string& robot,
+                                            int sonars);
 
   simcore::Simulation& simulation_;
   const std::string robot_;
   Options options_;
-  const Ports ports_;
+  Ports ports_;
   robotlink::arcos::ServerSession session_;
   PioneerBattery battery_;
   /// Where the robot was at the start; a client can put it back there.

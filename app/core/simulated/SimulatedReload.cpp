@@ -1,104 +1,189 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SimulatedRun: going on in a scene whose file was edited, or with programs in another layout.
+// SimulatedRun: going on in a scene with other models, whether its file was edited or they were added and
+// removed by hand.
 #include <algorithm>
 #include <set>
 #include <utility>
 
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RecordingTap.h"
+#include "app/core/simulated/SimulatedPlatform.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/config/FieldDescription.h"
 #include "simcore/Scene.h"
 
 namespace app {
 
 using robotlink::Errors;
 
-bool SimulatedRun::hasSameRobots(const simcore::Scene& scene) const {
-  const simcore::Scene& before = world_->simulation().scene();
-  const auto same = [](const auto& one, const auto& other) {
-    return one.name == other.name && one.description == other.description && one.team == other.team;
-  };
-  // Robots have the map, so one that was read anew is not theirs.
-  return std::ranges::equal(before.robots(), scene.robots(), same) && before.field() == scene.field() &&
-         before.balls() == scene.balls() && before.groundMap() == nullptr && scene.groundMap() == nullptr;
+namespace {
+
+bool containsName(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
 }
+
+}  // namespace
 
 tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::reload() {
   auto scene = readScene();
   if (!scene) return tl::unexpected(std::move(scene.error()));
-  if (!hasSameRobots(**scene)) return Reloaded{};
-  // Threads of programs must not see a world that is exchanged; in lockstep nothing runs now.
-  if (options_.executor() != ExecutorKind::kLockstep) return exchangeWorld(std::move(*scene));
-  auto change = world_->continueIn(*scene);
-  if (!change) return tl::unexpected(Errors{change.error()});
-  // Platforms know sensors and motors by their numbers.
-  if (!change->hasSamePorts) return exchangeWorld(std::move(*scene));
-  spoilJournal("the scene was edited");
-  if (tap_) recordWorld();
-  return Reloaded{.inPlace = true, .startedPrograms = false, .putBack = std::move(change->putBack)};
+  const simcore::Scene& before = world_->simulation().scene();
+  // Robots have field and map, so others than before are not theirs.
+  const bool isOther = before.field() != (*scene)->field() || before.groundMap() != nullptr ||
+                       (*scene)->groundMap() != nullptr;
+  if (isOther) return Reloaded{};
+  auto done = goOnIn(withEdits(*scene), {});
+  if (done) read_ = *scene;
+  return done;
 }
 
-tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::exchangeWorld(
-    std::shared_ptr<const simcore::Scene> scene) {
-  auto other = SimulatedWorld::create(std::move(scene), world_->options());
-  if (!other) return tl::unexpected(Errors{other.error()});
-  // Made before anything is given up: a file may have been broken meanwhile.
-  auto before = makePrograms(options_.layouts);
-  if (!before) return tl::unexpected(std::move(before.error()));
-  stopPrograms();
-  std::vector<std::string> putBack = (*other)->continueFrom(*world_);
-  std::swap(world_, *other);
-  auto programs = makePrograms(options_.layouts);
-  if (!programs) {
-    std::swap(world_, *other);
-    startPrograms(std::move(*before));
-    return tl::unexpected(std::move(programs.error()));
-  }
-  before->clear();
-  spoilJournal("the scene was edited");
-  ports_.reset();
-  kickOff_ = options_.kickOffs ? KickOff::create(field_, world_->simulation()) : nullptr;
-  startPrograms(std::move(*programs));
-  if (!hasEnded()) leftOverWorlds_.push_back(std::move(*other));
-  if (auto opened = openPorts(); !opened && listeners_.ports) listeners_.ports(opened.error().text);
-  return Reloaded{.inPlace = true, .startedPrograms = true, .putBack = std::move(putBack)};
-}
-
-Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
-  auto read = readLayoutWith(layout, options_.solutions);
-  if (!read) return read.error();
-  for (const auto& robot : robots_) {
-    if (robot->description().name != kind) continue;
-    auto made = makeProgram(*robot, layout, *read);
-    if (!made) return made.error();
-    made->program->stop();
-    return {};
-  }
-  return {};
-}
-
-Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
-  Errors errors;
-  std::set<std::string> kinds, changed;
-  for (const auto& robot : robots_) kinds.insert(robot->description().name);
-  for (const std::string& kind : kinds) {
-    if (Errors reasons = whyNot(kind, file); reasons.empty()) {
-      changed.insert(kind);
-    } else if (errors.empty()) {
-      errors = std::move(reasons);
+tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOnIn(std::shared_ptr<const simcore::Scene> scene,
+                                                                  simcore::Continuation how) {
+  auto fresh = newHosts(*scene);
+  if (!fresh) return tl::unexpected(std::move(fresh.error()));
+  const bool isSame = fresh->empty() && scene->robots().size() == robots_.size();
+  if (isSame && options_.executor() == ExecutorKind::kLockstep) {
+    // Nothing runs now, so programs need not notice.
+    auto change = world_->continueIn(scene, how);
+    if (!change) return tl::unexpected(Errors{change.error()});
+    if (change->hasSamePorts) {
+      spoilJournal("the scene was edited");
+      if (kickOff_ && !kickOff_->followModels()) kickOff_.reset();
+      if (tap_) recordWorld();
+      return Reloaded{.inPlace = true, .started = {}, .ended = {}, .putBack = std::move(change->putBack)};
     }
   }
-  if (changed.empty()) return errors;
-  Layouts layouts = options_.layouts;
-  for (const std::string& kind : changed) layouts[kind] = file;
-  auto programs = makePrograms(layouts);
-  if (!programs) return programs.error();
-  options_.layouts = std::move(layouts);
-  spoilJournal("the layout was changed");
-  startPrograms(std::move(*programs));
-  return {};
+  how.otherPorts = true;
+  const std::vector<std::string> stopped = stoppedRobots(), pioneers = pioneerNames();
+  std::vector<RobotHost*> all;
+  for (const auto& robot : robots_) all.push_back(robot.get());
+  leftOver_.end(std::move(executor_), all, LeftOverPrograms::Platforms::kReplaced);
+  auto change = world_->continueIn(scene, how);
+  if (!change) {
+    resumePrograms();
+    return tl::unexpected(Errors{change.error()});
+  }
+  auto next = makeSuccessors(*fresh, change->changedPorts);
+  if (!next) {
+    world_->goBack();
+    resumePrograms();
+    return tl::unexpected(std::move(next.error()));
+  }
+  spoilJournal("the scene was edited");
+  Reloaded done{.inPlace = true, .started = {}, .ended = {}, .putBack = std::move(change->putBack)};
+  done.ended = exchangeHosts(std::move(*fresh));
+  for (std::size_t i = 0; i < next->robots.size(); ++i) {
+    RobotHost& robot = *next->robots[i];
+    done.started.push_back(robot.name());
+    robot.stop();
+    if (tap_) tap_->detach(robot.name());
+    robot.adopt(std::move(next->candidates[i]));
+    if (containsName(stopped, robot.name())) robot.platform()->engageStop(true);
+  }
+  followRobots(pioneers);
+  if (tap_) recordWorld();
+  beginPrograms(next->robots);
+  return done;
+}
+
+bool SimulatedRun::stays(const RobotHost& robot, const Hosts& fresh) const {
+  const auto& placed = world_->simulation().scene().robots();
+  return std::ranges::find(placed, robot.name(), &simcore::SceneRobot::name) != placed.end() &&
+         std::ranges::none_of(fresh, [&](const auto& host) { return host->name() == robot.name(); });
+}
+
+tl::expected<SimulatedRun::Successors, Errors> SimulatedRun::makeSuccessors(
+    const Hosts& fresh, const std::vector<std::string>& changed) {
+  Successors next;
+  for (const auto& robot : robots_) {
+    if (!stays(*robot, fresh)) continue;
+    // All platforms of a simulation are such ones. A program that does not return is started again.
+    auto* platform = static_cast<SimulatedPlatform*>(robot->platform());
+    const bool goesOn = robot->program() != nullptr && platform != nullptr && !robot->isStuck() &&
+                        !containsName(changed, robot->name()) && platform->rebind();
+    if (!goesOn) next.robots.push_back(robot.get());
+  }
+  for (const auto& robot : fresh) next.robots.push_back(robot.get());
+  for (RobotHost* robot : next.robots) {
+    const std::filesystem::path file = layoutOf(*robot, options_.layouts);
+    auto layout = readLayoutWith(file, options_.solutions);
+    if (!layout) return tl::unexpected(std::move(layout.error()));
+    auto made = makeProgram(*robot, file, *layout);
+    if (!made) return tl::unexpected(std::move(made.error()));
+    next.candidates.push_back(std::move(*made));
+  }
+  return next;
+}
+
+std::vector<std::string> SimulatedRun::exchangeHosts(Hosts fresh) {
+  Hosts next;
+  const auto take = [&](Hosts& from, const std::string& name) {
+    const auto found =
+        std::ranges::find_if(from, [&](const auto& host) { return host && host->name() == name; });
+    if (found == from.end()) return false;
+    next.push_back(std::move(*found));
+    return true;
+  };
+  for (const auto& robot : world_->simulation().scene().robots()) {
+    if (!take(fresh, robot.name)) take(robots_, robot.name);
+  }
+  std::vector<std::string> gone;
+  for (auto& host : robots_) {
+    if (!host) continue;
+    host->stop();
+    if (tap_) tap_->detach(host->name());
+    if (host->platform() != nullptr) host->endPlatform();
+    const bool isReplaced =
+        std::ranges::any_of(next, [&](const auto& other) { return other->name() == host->name(); });
+    if (!isReplaced) gone.push_back(host->name());
+  }
+  robots_ = std::move(next);
+  return gone;
+}
+
+void SimulatedRun::resumePrograms() {
+  std::vector<RobotHost*> starting;
+  for (const auto& robot : robots_) {
+    auto* platform = static_cast<SimulatedPlatform*>(robot->platform());
+    if (platform != nullptr) platform->rebind();
+    if (robot->program() != nullptr && platform != nullptr) continue;
+    const std::filesystem::path file = layoutOf(*robot, options_.layouts);
+    auto layout = readLayoutWith(file, options_.solutions);
+    auto made = layout ? makeProgram(*robot, file, *layout) : tl::unexpected(layout.error());
+    if (!made) continue;
+    if (tap_) tap_->detach(robot->name());
+    robot->adopt(std::move(*made));
+    starting.push_back(robot.get());
+  }
+  // A program that did not return and whose files are broken now cannot go on.
+  std::erase_if(robots_, [this](const auto& robot) {
+    const bool isLost = robot->program() == nullptr || robot->platform() == nullptr;
+    if (isLost && tap_) tap_->detach(robot->name());
+    return isLost;
+  });
+  beginPrograms(starting);
+}
+
+std::vector<std::string> SimulatedRun::pioneerNames() const {
+  std::vector<std::string> names;
+  for (const auto& pioneer : world_->pioneers()) names.push_back(pioneer->robot());
+  return names;
+}
+
+void SimulatedRun::followRobots(const std::vector<std::string>& pioneersBefore) {
+  const std::vector<std::string> names = robots();
+  stopSwitch_->setRobots({names.begin(), names.end()});
+  // The ports count the Pioneers.
+  const bool hasOtherPioneers = pioneerNames() != pioneersBefore;
+  if (hasOtherPioneers) ports_.reset();
+  world_->forgetGone();
+  if (hasOtherPioneers && !world_->pioneers().empty()) {
+    if (auto opened = openPorts(); !opened && listeners_.ports) listeners_.ports(opened.error().text);
+  }
+  if (kickOff_ && !kickOff_->followModels()) kickOff_.reset();
+  if (!kickOff_ && options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
 }
 
 }  // namespace app

@@ -66,12 +66,13 @@ tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOpti
 tl::expected<std::shared_ptr<const simcore::Scene>, Errors> SimulatedRun::readScene() {
   simcore::RobotsToAdd added = options_.robots.value_or(simcore::RobotsToAdd{});
   if (!options_.robots && simcore::isMapFile(options_.scene)) added.count = 1;
-  return simcore::Scene::load(options_.scene, added, std::exchange(options_.progress, {}));
+  return simcore::Scene::load(options_.scene, added, std::exchange(options_.progress, {}), options_.models);
 }
 
 Errors SimulatedRun::load() {
   auto scene = readScene();
   if (!scene) return scene.error();
+  read_ = *scene;
   auto world = SimulatedWorld::create(std::move(*scene), options_.world);
   if (!world) return {world.error()};
   world_ = std::move(*world);
@@ -93,10 +94,7 @@ Errors SimulatedRun::load() {
   std::erase_if(options_.hosting.otherwise,
                 [this](const std::string& name) { return find(name) == nullptr; });
   if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
-  if (!options_.layout.empty()) {
-    for (const auto& robot : robots_) options_.layouts[robot->description().name] = options_.layout;
-    options_.layout.clear();
-  }
+  if (Errors errors = distributeLayout(); !errors.empty()) return errors;
   if (Errors errors = checkChosenSolutions(); !errors.empty()) return errors;
   auto programs = makePrograms(options_.layouts);
   if (!programs) return programs.error();
@@ -106,78 +104,12 @@ Errors SimulatedRun::load() {
   return {};
 }
 
-Errors SimulatedRun::checkChosenSolutions() const {
-  if (options_.solutions.empty()) return {};
-  std::vector<robotlink::Layout> layouts;
-  for (const auto& robot : robots_) {
-    auto layout = robotlink::readLayout(layoutOf(*robot, options_.layouts));
-    // The error is reported when its program is made.
-    if (!layout) return {};
-    layouts.push_back(std::move(*layout));
-  }
-  std::vector<const robotlink::Layout*> known;
-  for (const auto& layout : layouts) known.push_back(&layout);
-  return checkSolutions(options_.solutions, robotlink::registeredTasks(), known);
-}
-
 robotlink::Result<void> SimulatedRun::openPorts() {
   if (!options_.ports || ports_) return {};
   auto ports = ArcosPorts::open(*world_, *options_.ports, listeners_.ports);
   if (!ports) return tl::unexpected(ports.error());
   ports_ = std::move(*ports);
   return {};
-}
-
-Errors SimulatedRun::describeRobots() {
-  const simcore::Scene& scene = world_->simulation().scene();
-  struct Kind {
-    std::shared_ptr<const robotlink::RobotDescription> description;
-    robotlink::RobotUse use;
-  };
-  std::map<std::string, Kind> kinds;
-  // Without a field in the scene, the first one that a robot's description names.
-  std::string field = scene.field();
-  for (const auto& robot : scene.robots()) {
-    if (kinds.contains(robot.description)) continue;
-    auto description = readRobot(robot.description);
-    if (!description) return description.error();
-    auto use = readUse(robot.description);
-    if (!use) return use.error();
-    if (field.empty()) field = use->field;
-    kinds[robot.description] = {std::move(*description), std::move(*use)};
-  }
-  auto read = readField(fieldFile(field));
-  if (!read) return read.error();
-  field_ = std::move(*read);
-  for (const auto& robot : scene.robots()) {
-    const Kind& kind = kinds[robot.description];
-    const std::string team = robot.team.empty() ? kind.use.teamOf(robot.name) : robot.team;
-    robots_.push_back(std::make_unique<RobotHost>(
-        HostedRobot{robot.name, team, kind.description, field_, map(), fieldFile(field),
-                    map() ? scene.file() : std::filesystem::path(), options_.preset},
-        RobotHost::Listeners{
-            listeners_.queue, listeners_.trouble, listeners_.platform, {}, listeners_.hosting},
-        tap_.get()));
-  }
-  return {};
-}
-
-std::filesystem::path SimulatedRun::layoutOf(const RobotHost& robot, const Layouts& chosen) const {
-  const auto found = chosen.find(robot.description().name);
-  return found != chosen.end() ? found->second : layoutFile(robot.description());
-}
-
-std::filesystem::path SimulatedRun::layout() const {
-  return robots_.empty() ? std::filesystem::path() : layoutOf(*robots_.front(), options_.layouts);
-}
-
-std::map<std::string, std::filesystem::path> SimulatedRun::otherLayouts() const {
-  std::map<std::string, std::filesystem::path> others;
-  for (const auto& robot : robots_) {
-    const auto file = layoutOf(*robot, options_.layouts);
-    if (file != layout()) others[robot->name()] = file;
-  }
-  return others;
 }
 
 tl::expected<SimulatedRun::Candidates, Errors> SimulatedRun::makePrograms(const Layouts& layouts) {
@@ -424,22 +356,6 @@ Errors SimulatedRun::restart(std::uint64_t seed, const std::map<std::string, Pro
   startPrograms(std::move(programs ? *programs : *before));
   beginJournal();
   return {};
-}
-
-std::vector<std::string> SimulatedRun::robots() const {
-  std::vector<std::string> names;
-  for (const auto& robot : robots_) names.push_back(robot->name());
-  return names;
-}
-
-RobotHost* SimulatedRun::find(const std::string& name) const {
-  const auto found = std::ranges::find_if(robots_, [&](const auto& robot) { return robot->name() == name; });
-  return found == robots_.end() ? nullptr : found->get();
-}
-
-std::shared_ptr<const robotlink::RobotDescription> SimulatedRun::description(const std::string& name) const {
-  const RobotHost* robot = find(name);
-  return robot != nullptr ? robot->robot().description : nullptr;
 }
 
 std::shared_ptr<const robotlink::GroundMap> SimulatedRun::map() const {

@@ -39,6 +39,10 @@ struct Layout;
 struct Preset;
 }  // namespace robotlink
 
+namespace simcore {
+struct ModelInstance;
+}
+
 namespace app {
 
 class RecordingTap;
@@ -51,6 +55,10 @@ struct RunOptions {
   std::filesystem::path layout;
   /// Layouts by kind of robot ("ers210"); kinds without one have the layout of their description.
   std::map<std::string, std::filesystem::path> layouts = {};
+  /// Layouts of single robots, by name; they go before those of kinds, and both before those of the scene.
+  std::map<std::string, std::filesystem::path> robotLayouts = {};
+  /// Folders in which model://NAME is searched first.
+  std::vector<std::filesystem::path> models = {};
   SimulatedWorld::Options world;
   /// Robots in addition to those of the scene. Unset: one for a map, otherwise none.
   std::optional<simcore::RobotsToAdd> robots = {};
@@ -80,6 +88,10 @@ struct RunOptions {
 
 /// The simulation that is opened by default: the shipped soccer field.
 RunOptions defaultSimulation();
+
+/// Applies what a user has chosen, LAYOUT for all robots that can be run in it or NAME=LAYOUT for one robot
+/// or kind of robots; layouts are files or names of shipped ones. Fails if a text is neither.
+robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, RunOptions& options);
 
 /// A simulated world with the programs of all its robots, stepped by the caller. It is made as a whole or
 /// refused with all reasons.
@@ -160,18 +172,34 @@ class SimulatedRun {
 
   /// What reload() has done.
   struct Reloaded {
-    /// False: the robots, their field or the map are others, so the scene has to be opened instead; nothing
-    /// was changed.
+    /// False: the field or the map are others, so the scene has to be opened instead; nothing was changed.
     bool inPlace = false;
-    /// Whether the programs were started again, since sensors or motors of robots have changed.
-    bool startedPrograms = false;
+    /// Robots whose programs were started, since they are new or have other sensors or motors.
+    std::vector<std::string> started = {};
+    /// Robots that are gone, whose programs have ended.
+    std::vector<std::string> ended = {};
     /// Models that could not keep their state, see simcore::SceneChange.
     std::vector<std::string> putBack = {};
   };
   /// Reads the scene's file again and goes on in it: time, poses, joint angles and velocities of models that
-  /// have not changed stay, and so do the programs with all that they know. Fails with all errors of the
-  /// file; then everything continues as before.
+  /// have not changed stay, and so do the programs with all that they know. What was added, removed or
+  /// duplicated since it was opened is so in it, too. Fails with all errors of the file; then everything
+  /// continues as before.
   tl::expected<Reloaded, robotlink::Errors> reload();
+
+  // Changes of the models that there are, between two steps; the file of the scene stays as it is. The
+  // program of a robot starts and ends with it, all others go on. The same change at the same step gives the
+  // same bytes. Each returns a sentence about what was done, or fails with all reasons; then everything
+  // continues as before.
+  tl::expected<std::string, robotlink::Errors> addModel(const simcore::ModelToAdd& model);
+  tl::expected<std::string, robotlink::Errors> removeModel(const std::string& model);
+  /// The copy stands beside the model, where there is room; an empty name chooses one.
+  tl::expected<std::string, robotlink::Errors> duplicateModel(const std::string& model,
+                                                              const std::string& name);
+  /// Takes back the last of these changes. What was removed stands and moves as it did.
+  tl::expected<std::string, robotlink::Errors> undoEdit();
+  /// What undoEdit() would take back: "the removal of red1"; empty: nothing.
+  std::string undoable() const;
   /// Restarts the programs of all kinds of robots that can be run in a layout; the world continues. If there
   /// is no such kind, everything continues as before. The user's overrides are kept as far as the layout
   /// permits.
@@ -218,13 +246,19 @@ class SimulatedRun {
   robotlink::Errors load();
   /// Reads descriptions and field, and makes the hosts.
   robotlink::Errors describeRobots();
+  using Hosts = std::vector<std::unique_ptr<RobotHost>>;
+  /// Makes hosts of all robots of a scene that do not go on in it as they are.
+  tl::expected<Hosts, robotlink::Errors> newHosts(const simcore::Scene& scene) const;
+  /// Distributes the layout that was chosen for all to those kinds that can be run in it.
+  robotlink::Errors distributeLayout();
   /// Checks the solutions of the options against the layouts.
   robotlink::Errors checkChosenSolutions() const;
   /// Layout files by kind of robot.
   using Layouts = std::map<std::string, std::filesystem::path>;
   /// One program for each robot.
   using Candidates = std::vector<RobotHost::Candidate>;
-  /// The layout file for a robot: the chosen one of its kind, otherwise the default.
+  /// The layout file for a robot: the chosen one of it or of its kind, otherwise that of the scene, otherwise
+  /// that of its description.
   std::filesystem::path layoutOf(const RobotHost& robot, const Layouts& chosen) const;
   /// Makes programs for all robots without touching those that run.
   tl::expected<Candidates, robotlink::Errors> makePrograms(const Layouts& layouts);
@@ -258,11 +292,39 @@ class SimulatedRun {
   robotlink::Errors checkHosting(const std::string& robot) const;
   /// Reads the scene of the options, with the robots that are added to it.
   tl::expected<std::shared_ptr<const simcore::Scene>, robotlink::Errors> readScene();
-  /// Replaces the world by one of this scene, which goes on where the present one is, and starts the programs
-  /// again.
-  tl::expected<Reloaded, robotlink::Errors> exchangeWorld(std::shared_ptr<const simcore::Scene> scene);
-  /// Whether the hosts of the robots can go on in this scene.
-  bool hasSameRobots(const simcore::Scene& scene) const;
+  /// Goes on in another scene with the same field and map, with the robots that it has.
+  tl::expected<Reloaded, robotlink::Errors> goOnIn(std::shared_ptr<const simcore::Scene> scene,
+                                                   simcore::Continuation how);
+  /// Programs that are to be started in a scene that the world is in already.
+  struct Successors {
+    std::vector<RobotHost*> robots;
+    Candidates candidates;
+  };
+  tl::expected<Successors, robotlink::Errors> makeSuccessors(const Hosts& fresh,
+                                                             const std::vector<std::string>& changed);
+  /// Whether the present host of a robot stays in the present scene.
+  bool stays(const RobotHost& robot, const Hosts& fresh) const;
+  /// Replaces the hosts by those of the present scene; returns the names of those that are gone.
+  std::vector<std::string> exchangeHosts(Hosts fresh);
+  /// Starts the executor again after a change that failed.
+  void resumePrograms();
+  /// Lets referee, STOP and ports follow the robots that there are.
+  void followRobots(const std::vector<std::string>& pioneersBefore);
+  std::vector<std::string> pioneerNames() const;
+  /// A change of the models, with what takes it back.
+  struct Edit {
+    enum class Kind : std::uint8_t { kAddition, kRemoval };
+    Kind kind = Kind::kAddition;
+    std::string model;
+    /// Only of a removal: what was removed, where it was in the list of models, and how it moved.
+    std::shared_ptr<const simcore::ModelInstance> instance = nullptr;
+    std::size_t index = 0;
+    std::shared_ptr<const simcore::ModelMotion> motion = nullptr;
+  };
+  void noteEdit(Edit edit);
+  tl::expected<void, robotlink::Errors> takeOut(const std::string& model);
+  /// The scene that was read, with what was changed by hand since.
+  std::shared_ptr<const simcore::Scene> withEdits(std::shared_ptr<const simcore::Scene> scene) const;
   /// Passes a problem of a process to the robot that owns it.
   void reportTrouble(const robotlink::Process& process, const std::string& text);
   /// World and programs begin anew; the programs with these overrides by robot, unless that is null.
@@ -285,8 +347,10 @@ class SimulatedRun {
   Listeners listeners_;
   std::shared_ptr<const robotlink::FieldDescription> field_;
   std::unique_ptr<SimulatedWorld> world_;
-  /// Worlds that modules which do not return may still use.
-  std::vector<std::unique_ptr<SimulatedWorld>> leftOverWorlds_;
+  /// The scene as its file described it when it was read last.
+  std::shared_ptr<const simcore::Scene> read_;
+  /// The newest last.
+  std::vector<Edit> edits_;
   /// Null if there is none; see game().
   std::unique_ptr<KickOff> kickOff_;
   /// Null if they are closed. Declared after the world, which it uses.

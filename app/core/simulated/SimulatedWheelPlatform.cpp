@@ -77,6 +77,34 @@ robotlink::Result<void> SimulatedWheelPlatform::bind() {
   return {};
 }
 
+bool SimulatedWheelPlatform::rebind() {
+  const simcore::Simulation& simulation = world().simulation();
+  const auto own = [this](const auto& port) { return port.info.robot == robot(); };
+  const auto drive = std::ranges::find_if(simulation.drives(), own);
+  if (drive == simulation.drives().end()) return false;
+  drive_ = static_cast<std::size_t>(drive - simulation.drives().begin());
+  const auto ranges = simulation.rangeSensors();
+  std::size_t sonars = 0;
+  bool hasLaser = false;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!own(ranges[i])) continue;
+    if (ranges[i].kind == RangeSensor::Kind::kSonar && sonars < sonarRangers_.size())
+      sonarRangers_[sonars++].port = i;
+    if (ranges[i].kind != RangeSensor::Kind::kLaser || hasLaser) continue;
+    hasLaser = true;
+    if (!laserRanger_ || scan_.size() != static_cast<std::size_t>(ranges[i].readings)) return false;
+    laserRanger_->port = i;
+  }
+  const bool hadGyroscope = gyroscope_.has_value();
+  gyroscope_.reset();
+  const auto sensors = simulation.sensors();
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    if (own(sensors[i]) && sensors[i].info.type == "angular_velocity") gyroscope_ = i;
+  }
+  return hasLaser == laserRanger_.has_value() && sonars == sonarRangers_.size() &&
+         hadGyroscope == gyroscope_.has_value();
+}
+
 SimulatedWheelPlatform::Ranger SimulatedWheelPlatform::rangerAt(std::size_t port) const {
   const robotlink::Duration period = world().simulation().rangeSensors()[port].period;
   return {port, period > robotlink::Duration::zero() ? period : kCycle, clock().now()};

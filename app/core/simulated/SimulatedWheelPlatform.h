@@ -30,6 +30,7 @@ class SimulatedWheelPlatform final : public SimulatedPlatform {
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
+  bool rebind() override;
   /// Sets the wheels' speeds as requested.
   void actuate() override;
   std::vector<robotlink::AnySender*> onRequest() override { return {&state_, &sonar_, &laser_}; }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/SimulatedWorld.h"
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "app/core/program/RobotFiles.h"
 #include "robotlink/base/Random.h"
@@ -105,38 +107,84 @@ void SimulatedWorld::makeRenderer() {
                                                         simcore::CameraRenderer::Options{options_.shadows});
 }
 
-robotlink::Result<simcore::SceneChange> SimulatedWorld::continueIn(
-    std::shared_ptr<const simcore::Scene> scene) {
-  auto change = simulation_->continueIn(std::move(scene));
-  if (!change || !change->hasSamePorts) return change;
+void SimulatedWorld::keepCameras() {
+  const auto cameras = simulation_->cameras();
+  // The errors of sensors that are gone are those of the scene again.
+  for (auto& [path, kept] : keptCameras_) kept.errorsChosen = false;
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+    keptCameras_[cameras[i].info.path] = {cameraSettings_[i], cameraErrorsChosen_[i]};
+}
+
+void SimulatedWorld::findCameras() {
+  cameraSettings_.clear();
+  cameraErrorsChosen_.clear();
+  for (const auto& camera : simulation_->cameras()) {
+    const KeptCamera& kept = keptCameras_[camera.info.path];
+    cameraSettings_.push_back(kept.setting);
+    cameraErrorsChosen_.push_back(kept.errorsChosen);
+  }
+  optics_.clear();
+  lastCamera_ = 0;
   trueClasses_ = TrueClasses(*simulation_->renderScene());
   makeRenderer();
+  held_.forgetMissing(*simulation_);
+}
+
+robotlink::Result<simcore::SceneChange> SimulatedWorld::continueIn(
+    std::shared_ptr<const simcore::Scene> scene, const simcore::Continuation& how) {
+  keepCameras();
+  auto change = simulation_->continueIn(std::move(scene), how);
+  if (!change || !(change->hasSamePorts || how.otherPorts)) return change;
+  findCameras();
+  if (auto made = makePioneers(); !made) {
+    goBack();
+    return tl::unexpected(made.error());
+  }
   return change;
 }
 
-std::vector<std::string> SimulatedWorld::continueFrom(const SimulatedWorld& before) {
-  std::vector<std::string> putBack = simulation_->continueFrom(*before.simulation_);
-  clock_.set(before.clock_.now());
-  clockAhead_ = before.clockAhead_;
-  costs_ = before.costs_;
-  digest_ = before.digest_;
-  return putBack;
+void SimulatedWorld::goBack() {
+  simulation_->goBack();
+  findCameras();
+  // They exist, so none has to be made.
+  static_cast<void>(makePioneers());
 }
 
-robotlink::Result<void> SimulatedWorld::makePioneers() {
+SimulatedPioneer::Options SimulatedWorld::pioneerOptions(const std::string& robot) const {
   SimulatedPioneer::Options options = options_.pioneers;
   options.seed = options_.seed;
   if (!options_.noise) options.tireError = 0;
+  if (const auto description = descriptionOf(simulation_->scene(), robot))
+    describe(*description, options.settings);
+  return options;
+}
+
+robotlink::Result<void> SimulatedWorld::makePioneers() {
+  std::vector<std::unique_ptr<SimulatedPioneer>> before = std::move(pioneers_);
+  std::ranges::move(gone_, std::back_inserter(before));
+  pioneers_.clear();
+  gone_.clear();
+  robotlink::Result<void> result;
   for (const auto& drive : simulation_->drives()) {
     if (drive.controller != SimulatedPioneer::kController) continue;
-    SimulatedPioneer::Options own = options;
-    if (const auto description = descriptionOf(simulation_->scene(), drive.info.robot))
-      describe(*description, own.settings);
-    auto pioneer = SimulatedPioneer::create(*simulation_, drive.info.robot, std::move(own));
-    if (!pioneer) return tl::unexpected(pioneer.error());
-    pioneers_.push_back(std::move(*pioneer));
+    const auto known = std::ranges::find_if(before, [&](const auto& pioneer) {
+      return pioneer && pioneer->robot() == drive.info.robot && pioneer->rebind();
+    });
+    if (known != before.end()) {
+      pioneers_.push_back(std::move(*known));
+      continue;
+    }
+    auto made = SimulatedPioneer::create(*simulation_, drive.info.robot, pioneerOptions(drive.info.robot));
+    if (made) {
+      pioneers_.push_back(std::move(*made));
+    } else if (result) {
+      result = tl::unexpected(made.error());
+    }
   }
-  return {};
+  for (auto& pioneer : before) {
+    if (pioneer) gone_.push_back(std::move(pioneer));
+  }
+  return result;
 }
 
 SimulatedPioneer* SimulatedWorld::pioneer(const std::string& robot) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -72,11 +73,14 @@ class SimulatedWorld {
   /// Puts everything back to the start, with another seed. The clock starts at 0 again; the lighting stays.
   void reset(std::uint64_t seed);
 
-  /// See simcore::Simulation::continueIn().
-  robotlink::Result<simcore::SceneChange> continueIn(std::shared_ptr<const simcore::Scene> scene);
-  /// Goes on where another world is, before the first step; see simcore::Simulation::continueFrom().
-  /// Microcontrollers begin anew.
-  std::vector<std::string> continueFrom(const SimulatedWorld& before);
+  /// See simcore::Simulation::continueIn(). What was set for cameras is kept by their paths. Microcontrollers
+  /// go on, unless their robots have other sensors; those of robots that are gone exist until forgetGone().
+  robotlink::Result<simcore::SceneChange> continueIn(std::shared_ptr<const simcore::Scene> scene,
+                                                     const simcore::Continuation& how = {});
+  /// Takes back the last continueIn(), before the next step and before forgetGone().
+  void goBack();
+  /// Destroys the microcontrollers of robots that are gone, which no platform may use any more.
+  void forgetGone() { gone_.clear(); }
 
   /// Keeps everything of the world that changes: the simulation, what is held, light, cameras, the digest.
   simcore::Snapshot snapshot() const;
@@ -146,8 +150,13 @@ class SimulatedWorld {
   void take(std::size_t camera, const simcore::CameraModel& model, const simcore::ImageNoise& noise);
   /// Makes what renders the scene, if there are cameras.
   void makeRenderer();
-  /// Makes the microcontrollers.
+  /// Makes the microcontrollers, or goes on with those that there are.
   robotlink::Result<void> makePioneers();
+  /// Settings of a microcontroller.
+  SimulatedPioneer::Options pioneerOptions(const std::string& robot) const;
+  /// Keeps what was set for cameras, and finds it again in another scene.
+  void keepCameras();
+  void findCameras();
   /// Renders a camera's image into image_.
   void draw(std::size_t camera);
   void mixIntoDigest(std::uint64_t value);
@@ -161,10 +170,19 @@ class SimulatedWorld {
   robotlink::Duration clockAhead_{};
   std::unique_ptr<simcore::Simulation> simulation_;
   std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
+  /// Those of robots that are gone.
+  std::vector<std::unique_ptr<SimulatedPioneer>> gone_;
   HeldActuators held_;
   /// Null if there are no cameras.
   std::unique_ptr<simcore::CameraRenderer> renderer_;
   std::vector<CameraSetting> cameraSettings_;
+  /// What was set for a camera.
+  struct KeptCamera {
+    CameraSetting setting;
+    bool errorsChosen = false;
+  };
+  /// By path, also of cameras that are gone, whose robots may come back.
+  std::map<std::string, KeptCamera> keptCameras_;
   /// Keyed by camera: whether somebody chose its errors, instead of the scene.
   std::vector<bool> cameraErrorsChosen_;
   /// Keyed by camera.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <sstream>
 
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/ShippedFiles.h"
@@ -39,6 +40,16 @@ std::optional<simcore::RobotsToAdd> robotsToAdd(const FormValues& values, std::u
                               .teams = teamsNamed(textOf(values, "teams", kBothTeams))};
 }
 
+/// Folders with colons between them, as in PATH.
+std::vector<std::filesystem::path> foldersIn(const std::string& text) {
+  std::vector<std::filesystem::path> folders;
+  std::istringstream stream(text);
+  for (std::string folder; std::getline(stream, folder, ':');) {
+    if (!folder.empty()) folders.push_back(std::filesystem::absolute(folder));
+  }
+  return folders;
+}
+
 std::optional<ArcosPorts::Options> portsToOpen(const FormValues& values) {
   const double port = numberOf(values, "port");
   if (port <= 0) return std::nullopt;
@@ -62,8 +73,7 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   const bool isOwnChosen = flagOf(values, "own");
   if (isOwnChosen && executor.empty()) options.hosting.threads = false;
   if (!isOwnChosen && !executor.empty() && options.hosting.threads) options.hosting.choose({}, false);
-  if (const std::string layout = textOf(values, "layout"); !layout.empty())
-    options.layout = layoutNamed(layout);
+  if (values.contains("models")) options.models = foldersIn(textOf(values, "models"));
 }
 
 Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
@@ -72,8 +82,18 @@ Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
     return robotlink::failure("simulation.setup",
                               "there are not so many ports above the first one; choose a lower first port");
   }
-  return SimulationFeed::opening(sceneNamed(choices.sources.front()),
-                                 [values](RunOptions& options) { applySimulationChoices(values, options); });
+  // One on each line.
+  std::vector<std::string> layouts;
+  std::istringstream lines(textOf(values, "layout"));
+  for (std::string line; std::getline(lines, line);) layouts.push_back(line);
+  RunOptions chosen;
+  if (const auto done = chooseLayouts(layouts, chosen); !done) return tl::unexpected(done.error());
+  return SimulationFeed::opening(sceneNamed(choices.sources.front()), [values, chosen](RunOptions& options) {
+    applySimulationChoices(values, options);
+    if (!chosen.layout.empty()) options.layout = chosen.layout;
+    for (const auto& [kind, layout] : chosen.layouts) options.layouts[kind] = layout;
+    for (const auto& [robot, layout] : chosen.robotLayouts) options.robotLayouts[robot] = layout;
+  });
 }
 
 // ---- The form
@@ -274,6 +294,16 @@ PlatformForm simulationForm() {
                          .initial = true,
                          .group = "Robots",
                          .remembered = "simulation_setup/7"});
+  form.fields.push_back({.name = "models",
+                         .label = "Models in:",
+                         .help =
+                             "Folders in which model://NAME is searched first, with colons between them; the "
+                             "scene editor finds models there, too",
+                         .noun = "folders of models",
+                         .emptyText = "the scene's folder and the usual ones",
+                         .group = "World",
+                         .option = "--models",
+                         .remembered = "simulation_setup/8"});
   for (auto& field : hiddenFields()) form.fields.push_back(std::move(field));
   form.follow = followSimulation;
   return form;

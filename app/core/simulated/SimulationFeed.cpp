@@ -29,7 +29,10 @@ std::shared_ptr<RunOptions> lastSimulation(const PlatformContext& context) {
   std::any& memory = context.memory;
   if (!memory.has_value()) {
     const auto first = std::make_shared<RunOptions>(defaultSimulation());
-    if (context.hosting != nullptr) first->hosting = context.hosting->choices(SimulationFeed::kAdapter);
+    if (context.hosting != nullptr) {
+      first->hosting = context.hosting->choices(SimulationFeed::kAdapter);
+      first->models = context.hosting->modelFolders();
+    }
     memory = first;
   }
   return std::any_cast<std::shared_ptr<RunOptions>>(memory);
@@ -42,6 +45,7 @@ SimulationFeed::Choices keeperOf(std::shared_ptr<RunOptions> last, HostingMemory
           known = std::optional<HostingChoices>()](const RunOptions& running) mutable {
     *last = running;
     const HostingChoices& now = running.hosting;
+    if (hosting != nullptr) hosting->chooseModelFolders(running.models);
     if (hosting != nullptr && known && *known != now) hosting->choose(SimulationFeed::kAdapter, now);
     known = now;
   };
@@ -222,6 +226,7 @@ struct SimulationFeed::Handlers {
       {Request::kSetSensorErrors, &SimulationFeed::changeWorld},
       {Request::kMoveDoor, &SimulationFeed::changeWorld},
       {Request::kSetActuator, &SimulationFeed::changeWorld},
+      {Request::kEditScene, &SimulationFeed::editScene},
       {Request::kHostProgram, &SimulationFeed::hostProgram},
       {Request::kReadPorts, &SimulationFeed::readPorts},
       {Request::kReadForces, &SimulationFeed::readForces},
@@ -251,6 +256,43 @@ robotlink::Result<void> SimulationFeed::changeWorld(const robotcontrol::Request&
     publishStatus();
   }
   return done;
+}
+
+robotlink::Result<void> SimulationFeed::editScene(const robotcontrol::Request& request) {
+  using Edit = robotcontrol::EditScene;
+  const Edit& edit = request.edit_scene();
+  tl::expected<std::string, robotlink::Errors> done;
+  switch (edit.what_case()) {
+    case Edit::kAdd: {
+      const auto& add = edit.add();
+      simcore::ModelToAdd model{
+          .model = add.model(), .name = add.name(), .place = robotlink::pose2(add.pose_in_field())};
+      if (add.has_height()) model.height = add.height();
+      model.team = add.team();
+      done = run_->addModel(model);
+      break;
+    }
+    case Edit::kRemove:
+      done = run_->removeModel(edit.remove().model());
+      break;
+    case Edit::kDuplicate:
+      done = run_->duplicateModel(edit.duplicate().model(), edit.duplicate().name());
+      break;
+    default:
+      done = run_->undoEdit();
+  }
+  if (!done) {
+    robotlink::Error error = done.error().front();
+    // A request is answered by one text.
+    if (done.error().size() > 1) error.text = robotlink::describe(done.error());
+    return tl::unexpected(std::move(error));
+  }
+  descriptionChanged_ = true;
+  restartPace();
+  publishScene();
+  say(*done);
+  publishLostOverrides();
+  return {};
 }
 
 robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request& request) {
@@ -308,18 +350,21 @@ tl::expected<bool, robotlink::Errors> SimulationFeed::reload() {
   if (!done->inPlace) return false;
   restartPace();
   publishScene();
-  if (run_->robots().empty()) return true;
-  const auto say = [this](const std::string& text) {
-    gate_.publishText(run_->robots().front(), "simulation", now(), foxglove::Log::INFO, text);
-  };
   say("The scene was loaded again; the simulation goes on in it.");
   for (const std::string& model : done->putBack) say(model + " is where the scene's file puts it.");
-  if (done->startedPrograms) say("The programs were started again, since sensors or motors have changed.");
+  for (const std::string& robot : done->started) say("The program of " + robot + " was started.");
+  for (const std::string& robot : done->ended) say("The program of " + robot + " has ended.");
   publishAnswers();
   return true;
 }
 
+void SimulationFeed::say(const std::string& text) {
+  if (run_->robots().empty()) return;
+  gate_.publishText(run_->robots().front(), "simulation", now(), foxglove::Log::INFO, text);
+}
+
 void SimulationFeed::publishLostOverrides() {
+  if (run_->robots().empty()) return;
   for (const std::string& lost : run_->lostChoices()) {
     gate_.publishText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);
   }
@@ -395,6 +440,7 @@ void SimulationFeed::publishStatus() {
   status->set_brightness(world.options().lighting.brightness);
   status->set_warmth(world.options().lighting.warmth);
   status->set_scene(run_->options().scene.string());
+  status->set_scene_undo(run_->undoable());
   for (const auto& robot : run_->robots()) status->add_robots(robot);
   for (const auto& robot : run_->stoppedRobots()) status->add_stopped_robots(robot);
   for (const auto& model : movableModels(world.simulation())) status->add_models(model);

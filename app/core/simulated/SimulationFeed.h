@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "app/core/platform/Pace.h"
 #include "app/core/platform/PlatformFeed.h"
@@ -56,6 +57,7 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   /// Also publishes the scene, and which models could not keep their state.
   tl::expected<bool, robotlink::Errors> reload() override;
+  bool takeDescriptionChange() override { return std::exchange(descriptionChanged_, false); }
   LoadedPlatform describe() const override;
   void publishStatus() override;
   void setDemand(const Demand& demand) override;
@@ -88,6 +90,7 @@ class SimulationFeed final : public PlatformFeed {
   /// Starts, pauses, steps or resets the simulation, or sets its speed.
   robotlink::Result<void> controlSimulation(const robotcontrol::Request& request);
   robotlink::Result<void> changeWorld(const robotcontrol::Request& request);
+  robotlink::Result<void> editScene(const robotcontrol::Request& request);
   robotlink::Result<void> hostProgram(const robotcontrol::Request& request);
   robotlink::Result<void> readPorts(const robotcontrol::Request& request);
   robotlink::Result<void> readForces(const robotcontrol::Request& request);
@@ -103,6 +106,8 @@ class SimulationFeed final : public PlatformFeed {
   void publishLostOverrides();
   /// Publishes map, scene, transforms and status.
   void publishScene();
+  /// Publishes a sentence about the simulation in the log of the first robot.
+  void say(const std::string& text);
   /// Unless nobody reads them.
   void publishTransforms();
   /// What is read or held of ports, if there is something.
@@ -137,6 +142,8 @@ class SimulationFeed final : public PlatformFeed {
   std::unique_ptr<SimulatedRun> run_;
   /// Null before the run is made.
   std::unique_ptr<WorldPorts> ports_;
+  /// Whether there are other robots since takeDescriptionChange().
+  bool descriptionChanged_ = false;
   bool running_ = false;
   /// Single steps that were requested and not made yet.
   int stepsWanted_ = 0;

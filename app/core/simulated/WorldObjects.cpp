@@ -267,6 +267,9 @@ class PortWriter {
       addNumbers(object, "track", {drive.track}, "m");
       addNumbers(object, "wheel_radius", {drive.wheelRadius}, "m");
     }
+    for (const auto& guide : simulation.guides())
+      addActuator(guide.info, guide.info.minimum, guide.info.maximum);
+    for (const auto& door : simulation.doors()) addActuator(door.info, 0, 1);
   }
 
  private:

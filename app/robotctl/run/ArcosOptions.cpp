@@ -70,6 +70,7 @@ void ArcosOptions::applyTo(RunOptions& run) const {
 int runArcos(const ArcosOptions& options, const ArcosRun& run) {
   ArcosSimulation::Options wanted;
   wanted.scene = run.scene;
+  wanted.models = run.models;
   wanted.robots = options.robotsFor(run.scene, run.world.seed);
   wanted.world = run.world;
   wanted.world.kinematic = options.kinematic;

@@ -58,6 +58,8 @@ struct ArcosRun {
   double speed = 1;
   /// Whether the figures are printed as JSON.
   bool asJson = false;
+  /// Folders in which model://NAME is searched first.
+  std::vector<std::filesystem::path> models = {};
 };
 
 /// Simulates until the time is over, a client ends the simulation, or the user interrupts it; prints figures.

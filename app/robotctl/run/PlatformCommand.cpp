@@ -23,6 +23,7 @@ constexpr std::chrono::milliseconds kBodyPeriod{5};
 struct PlatformArguments {
   std::string platform;
   std::string robot = pioneerOptions({}).robot;
+  std::vector<std::string> models;
   std::uint64_t seed = 1;
   double seconds = 0;
   double watchdog = 0.5;
@@ -45,6 +46,7 @@ robotlink::Result<PlatformOpening> bodiesOf(const PlatformArguments& arguments,
   if (adapter != nullptr && adapter->time == TimeKind::kSimulated) {
     RunOptions run = defaultSimulation();
     run.scene = source;
+    run.models.assign(arguments.models.begin(), arguments.models.end());
     run.world.seed = arguments.seed;
     run.world.noise = !arguments.noNoise;
     run.instead = BodyProgram::maker(std::move(options));
@@ -98,6 +100,13 @@ void addPlatformCommand(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_flag("--motors", arguments->motors,
                     "Switches the motors of a real robot on as soon as it is connected");
+  command
+      ->add_option("--models", arguments->models,
+                   "Folders in which model://NAME is searched first, with colons between them")
+      ->expected(1)
+      ->take_all()
+      ->delimiter(':')
+      ->type_name("FOLDER");
   command->add_option("--seed", arguments->seed, "Seed of a simulation's noise")->capture_default_str();
   command->add_flag("--no-noise", arguments->noNoise, "Simulated sensors without noise");
   command->add_option("--seconds", arguments->seconds, "How long it runs (until Ctrl-C)")

@@ -36,6 +36,7 @@
 #include "app/robotctl/run/CameraOptions.h"
 #include "app/robotctl/run/ListenOptions.h"
 #include "app/robotctl/run/SimFigures.h"
+#include "app/robotctl/run/SimScript.h"
 #include "app/robotctl/run/SnapshotOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
@@ -56,9 +57,11 @@ using nlohmann::json;
 
 struct SimArguments {
   RunOptions run = defaultSimulation();
-  std::string layout;
+  std::vector<std::string> layouts;
+  std::vector<std::string> models;
   std::vector<std::string> solutions;
   std::string preset;
+  std::string script;
   std::string executor = "lockstep";
   std::vector<std::string> ownProcesses;
   std::uint64_t programMemory = 2048;                                        ///< MiB
@@ -258,6 +261,15 @@ int runOnce(const SimArguments& arguments) {
     if (robot == kAllRobots || run.description(robot)) continue;
     return printErrors({{"sim.no-robot", "there is no robot " + robot + " in this scene", {robot}, {}}});
   }
+  for (const auto& [robot, layout] : arguments.run.robotLayouts) {
+    if (run.description(robot)) continue;
+    return printErrors({{"sim.no-robot",
+                         "there is no robot or kind of robots " + robot +
+                             " in this scene, for which --layout "
+                             "chooses one",
+                         {robot},
+                         {}}});
+  }
   printMapNotes(std::cerr, run.map().get());
   unfinished.reset();
   return playGame(run, arguments, outputs, *troubles);
@@ -306,14 +318,18 @@ int runTrials(const SimArguments& arguments) {
 
 /// Runs a simulation whose robots are driven by other programs.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
-  if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() ||
+  if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layouts.empty() ||
       arguments.snapshots.given() || !arguments.solutions.empty() || !arguments.preset.empty()) {
     std::cerr << "robotctl sim: with --arcos robots have no programs here; omit --trials, --record, "
                  "--layout, --solution, --preset, --snapshot-at and --restore\n";
     return kUsage;
   }
-  ArcosRun run{
-      arguments.run.scene, arguments.run.world, {}, speedGiven ? arguments.speed : 1, arguments.asJson};
+  ArcosRun run{.scene = arguments.run.scene,
+               .world = arguments.run.world,
+               .seconds = {},
+               .speed = speedGiven ? arguments.speed : 1,
+               .asJson = arguments.asJson,
+               .models = arguments.run.models};
   run.world.noise = !arguments.noNoise;
   if (secondsGiven) run.seconds = arguments.seconds;
   return runArcos(arguments.arcos, run);
@@ -330,6 +346,17 @@ int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiv
   if (secondsGiven) options.seconds = arguments.seconds;
   options.troubles = std::make_shared<ProgramTroubles>(std::cerr);
   return arguments.listen.serve(SimulationFeed::opening(arguments.run), options, arguments.record);
+}
+
+/// Runs a simulation that a script steps and changes.
+int runScripted(const SimArguments& arguments) {
+  if (arguments.trials > 0 || !arguments.camera.labeledFolder.empty() || arguments.digest ||
+      arguments.asJson || !arguments.record.file.empty()) {
+    std::cerr << "robotctl sim: a script says itself what is done and recorded; omit --trials, "
+                 "--labelled-images, --digest, --json and --record\n";
+    return kUsage;
+  }
+  return runSimScript(arguments.run, arguments.script);
 }
 
 /// Finds a shipped scene by its name. A path that leads nowhere is reported when it is read.
@@ -369,6 +396,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
         << "robotctl sim: with --arcos robots have no programs here that could be watched; omit --listen\n";
     return kUsage;
   }
+  arguments.run.models.assign(arguments.models.begin(), arguments.models.end());
   if (arguments.arcos.given()) return runForClients(arguments, secondsGiven, speedGiven);
   if (const auto wanted = arguments.snapshots.wanted(); !wanted) {
     std::cerr << "robotctl sim: " << wanted.error().text << "\n";
@@ -409,11 +437,15 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   }
   arguments.camera.applyTo(arguments.run);
   arguments.arcos.applyTo(arguments.run);
-  if (!arguments.layout.empty()) arguments.run.layout = layoutNamed(arguments.layout);
+  if (const auto chosen = chooseLayouts(arguments.layouts, arguments.run); !chosen) {
+    std::cerr << "robotctl sim: " << chosen.error().text << "\n";
+    return kUsage;
+  }
   arguments.run.world.noise = !arguments.noNoise;
   applyHosting(arguments, threads);
   // Threads run in real time: nothing waits for them.
   if (threads && !speedGiven) arguments.speed = 1;
+  if (!arguments.script.empty()) return runScripted(arguments);
   if (arguments.listen.given()) return runListening(arguments, secondsGiven, speedGiven);
   if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
   return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
@@ -458,13 +490,26 @@ void addSimCommand(CLI::App& app, int& status) {
           ->check(numberFrom(0, 1e6));
   sim->add_option("--seed", arguments->run.world.seed, "Seed of all noise and of the trials' places")
       ->capture_default_str();
-  sim->add_option("--layout", arguments->layout,
-                  "A process layout: a file, or the name of a shipped one (that of the robots' kind)");
+  sim->add_option("--layout", arguments->layouts,
+                  "A process layout: a file, or the name of a shipped one, for all robots that can be run in "
+                  "it; or NAME=LAYOUT for one robot or kind of robots; may be given several times")
+      ->expected(1)
+      ->take_all();
+  sim->add_option("--models", arguments->models,
+                  "Folders in which model://NAME is searched first, with colons between them")
+      ->expected(1)
+      ->take_all()
+      ->delimiter(':')
+      ->type_name("FOLDER");
   sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
   sim->add_option(
       "--preset", arguments->preset,
       "A preset (a file, or a name of one of yours) with the keys, solutions and parameters that all "
       "programs start with");
+  sim->add_option("--script", arguments->script,
+                  "Runs a script of commands, such as simulation.step and scene.add, and ends with it; the "
+                  "simulation is paused at first")
+      ->check(CLI::ExistingFile);
   addProgramOptions(*sim, *arguments);
   sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
   sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see only black");

@@ -101,6 +101,45 @@ TEST(Robotctl, robotsAreAddedToAGame) {
   EXPECT_EQ(house.status, 0) << house.text;
 }
 
+TEST(Robotctl, layoutsAreChosenForSingleRobotsAndModelsSearchedInFolders) {
+  const PrintedOutcome outcome =
+      robotctl("sim mixed --layout p3at1=pioneer --layout parallel --seconds 0.1 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_EQ(nlohmann::json::parse(outcome.text).at("robots"), 3);
+  const PrintedOutcome nobody = robotctl("sim mixed --layout nobody=pioneer --seconds 0.1");
+  EXPECT_EQ(nobody.status, 1);
+  EXPECT_THAT(nobody.text, testing::HasSubstr("nobody"));
+  EXPECT_EQ(robotctl("sim mixed --layout =pioneer --seconds 0.1").status, 2);
+  const auto folder = std::filesystem::path(testing::TempDir()) / "search";
+  std::filesystem::create_directories(folder / "mine" / "crate");
+  std::ofstream(folder / "mine" / "crate" / "model.sdf")
+      << "<sdf version='1.9'><model name='crate'><static>true</static><link name='l'/></model></sdf>";
+  std::ofstream(folder / "world.sdf")
+      << "<sdf version='1.9'><world name='w'><include><uri>model://crate</uri>"
+         "</include></world></sdf>";
+  const std::string world = "sim " + (folder / "world.sdf").string() + " --seconds 0.1 --json";
+  EXPECT_EQ(robotctl(world).status, 1);
+  const PrintedOutcome found = robotctl(world + " --models /nowhere:" + (folder / "mine").string());
+  EXPECT_EQ(found.status, 0) << found.text;
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Robotctl, aScriptAddsAndRemovesRobotsWithoutAWindow) {
+  const auto script = std::filesystem::path(testing::TempDir()) / "robots.script";
+  std::ofstream(script) << "simulation.step\nscene.add burger 1 0.6 --name turtle\nsimulation.step\n"
+                           "print simulation.robots\nscene.remove turtle\nscene.undo\nscene.undo\n"
+                           "print simulation.steps\n";
+  const PrintedOutcome outcome = robotctl("sim " + kScene + " --script " + script.string());
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, testing::HasSubstr("turtle"));
+  EXPECT_THAT(outcome.text, testing::HasSubstr("4"));
+  std::ofstream(script) << "scene.add unicorn 1 0.6\n";
+  const PrintedOutcome wrong = robotctl("sim " + kScene + " --script " + script.string());
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_THAT(wrong.text, testing::HasSubstr("unicorn"));
+  std::filesystem::remove(script);
+}
+
 TEST(Robotctl, aMapInCapitalsHasARobotAsAnyMap) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "capitals";
   std::filesystem::create_directories(folder);

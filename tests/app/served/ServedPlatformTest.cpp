@@ -65,6 +65,24 @@ TEST_F(ServedPlatformTest, theProgramOfARobotIsStartedAgain) {
   }
 }
 
+TEST_F(ServedPlatformTest, aRobotThatIsAddedIsOfferedUntilItIsRemoved) {
+  while (!services_.contains("edit_scene")) hear();
+  const auto edit = [this](const std::string& change) {
+    client_->send(ServiceCallRequest{services_["edit_scene"], 8, "json", change});
+  };
+  edit(R"({"add": {"model": "burger", "pose_in_field": {"x": 1, "y": 0.6}}})");
+  while (!services_.contains("burger1/stop") || !channels_.contains("burger1/log")) hear();
+  edit(R"({"remove": {"model": "burger1"}})");
+  const std::uint64_t log = channels_["burger1/log"];
+  expect<robotlink::websocket::Unadvertise>(
+      [log](const auto& gone) { return std::ranges::find(gone.channelIds, log) != gone.channelIds.end(); });
+  edit(R"({"add": {"model": "/etc/passwd", "pose_in_field": {"x": 1}}})");
+  const auto refused = expect<ServiceCallResponse>([](const auto& answer) {
+    return !nlohmann::json::parse(answer.payload)["accepted"].template get<bool>();
+  });
+  EXPECT_THAT(std::string(refused.payload), HasSubstr("file"));
+}
+
 TEST_F(ServedPlatformTest, whatCannotBeDoneHereIsRefusedWithTheReason) {
   client_->send(ServiceCallRequest{services_["control_replay"], 6, "json", R"({"action": "PLAY"})"});
   const auto answer = nlohmann::json::parse(expect<ServiceCallResponse>().payload);

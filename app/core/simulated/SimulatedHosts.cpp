@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SimulatedRun: what its robots are, each with its own kind, field and layout.
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "app/core/program/ProgramSetups.h"
+#include "app/core/program/RobotFiles.h"
+#include "app/core/program/ShippedFiles.h"
+#include "app/core/program/SolutionChoices.h"
+#include "app/core/simulated/SimulatedRun.h"
+#include "robotlink/base/GroundMap.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotUse.h"
+#include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/program/RobotProgram.h"
+#include "simcore/Scene.h"
+
+namespace app {
+
+using robotlink::Errors;
+
+robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, RunOptions& options) {
+  std::error_code ignored;
+  for (const std::string& text : texts) {
+    const auto choice = assignmentOf(text);
+    // A file may be called so.
+    if (!choice || std::filesystem::exists(text, ignored)) {
+      if (text.find('=') == text.size() - 1 || text.starts_with('='))
+        return robotlink::failure("usage", "--layout takes LAYOUT or NAME=LAYOUT, not '" + text + "'");
+      options.layout = layoutNamed(text);
+    } else if (std::filesystem::exists(descriptionFile(choice->first), ignored)) {
+      options.layouts[choice->first] = layoutNamed(choice->second);
+    } else {
+      options.robotLayouts[choice->first] = layoutNamed(choice->second);
+    }
+  }
+  return {};
+}
+
+tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::Scene& scene) const {
+  struct Kind {
+    std::shared_ptr<const robotlink::RobotDescription> description;
+    robotlink::RobotUse use;
+    std::shared_ptr<const robotlink::FieldDescription> field;
+    std::filesystem::path fieldFile;
+  };
+  std::map<std::string, Kind> kinds;
+  const auto kindOf = [&](const std::string& name) -> tl::expected<const Kind*, Errors> {
+    if (const auto known = kinds.find(name); known != kinds.end()) return &known->second;
+    auto description = readRobot(name);
+    if (!description) return tl::unexpected(description.error());
+    auto use = readUse(name);
+    if (!use) return tl::unexpected(use.error());
+    // Without a field in the scene, a robot has the one that its description names.
+    const auto file = fieldFile(scene.field().empty() ? use->field : scene.field());
+    auto field = readField(file);
+    if (!field) return tl::unexpected(field.error());
+    return &(kinds[name] = {std::move(*description), std::move(*use), std::move(*field), file});
+  };
+  const auto& present = world_->simulation().scene().robots();
+  Hosts hosts;
+  for (const auto& robot : scene.robots()) {
+    if (find(robot.name) != nullptr && std::ranges::find(present, robot) != present.end()) continue;
+    const auto kind = kindOf(robot.description);
+    if (!kind) return tl::unexpected(kind.error());
+    const Kind& its = **kind;
+    const std::string team = robot.team.empty() ? its.use.teamOf(robot.name) : robot.team;
+    hosts.push_back(std::make_unique<RobotHost>(
+        HostedRobot{robot.name, team, its.description, its.field, map(), its.fieldFile,
+                    map() ? scene.file() : std::filesystem::path(), options_.preset},
+        RobotHost::Listeners{
+            listeners_.queue, listeners_.trouble, listeners_.platform, {}, listeners_.hosting},
+        tap_.get()));
+  }
+  return hosts;
+}
+
+Errors SimulatedRun::describeRobots() {
+  const simcore::Scene& scene = world_->simulation().scene();
+  auto hosts = newHosts(scene);
+  if (!hosts) return hosts.error();
+  robots_ = std::move(*hosts);
+  // Without a field in the scene, that of the first robot which knows one.
+  const auto knows =
+      std::ranges::find_if(robots_, [](const auto& robot) { return !robot->robot().field->name.empty(); });
+  if (knows != robots_.end()) {
+    field_ = (*knows)->robot().field;
+    return {};
+  }
+  auto read = readField(fieldFile(scene.field()));
+  if (!read) return read.error();
+  field_ = std::move(*read);
+  return {};
+}
+
+Errors SimulatedRun::distributeLayout() {
+  if (options_.layout.empty()) return {};
+  const std::filesystem::path file = std::exchange(options_.layout, {});
+  std::set<std::string> kinds;
+  for (const auto& robot : robots_) kinds.insert(robot->description().name);
+  Errors reasons;
+  bool isUsed = false;
+  for (const std::string& kind : kinds) {
+    Errors why = kinds.size() > 1 ? whyNot(kind, file) : Errors{};
+    if (why.empty()) {
+      options_.layouts[kind] = file;
+      isUsed = true;
+    } else if (reasons.empty()) {
+      reasons = std::move(why);
+    }
+  }
+  return isUsed ? Errors{} : reasons;
+}
+
+std::filesystem::path SimulatedRun::layoutOf(const RobotHost& robot, const Layouts& chosen) const {
+  const auto own = options_.robotLayouts.find(robot.name());
+  if (own != options_.robotLayouts.end()) return own->second;
+  const auto ofTeam = options_.robotLayouts.find(robot.robot().team);
+  if (!robot.robot().team.empty() && ofTeam != options_.robotLayouts.end()) return ofTeam->second;
+  const auto found = chosen.find(robot.description().name);
+  if (found != chosen.end()) return found->second;
+  const auto& placed = world_->simulation().scene().robots();
+  const auto here = std::ranges::find(placed, robot.name(), &simcore::SceneRobot::name);
+  return here != placed.end() && !here->layout.empty() ? layoutNamed(here->layout)
+                                                       : layoutFile(robot.description());
+}
+
+std::filesystem::path SimulatedRun::layout() const {
+  return robots_.empty() ? std::filesystem::path() : layoutOf(*robots_.front(), options_.layouts);
+}
+
+std::map<std::string, std::filesystem::path> SimulatedRun::otherLayouts() const {
+  std::map<std::string, std::filesystem::path> others;
+  for (const auto& robot : robots_) {
+    const auto file = layoutOf(*robot, options_.layouts);
+    if (file != layout()) others[robot->name()] = file;
+  }
+  return others;
+}
+
+Errors SimulatedRun::checkChosenSolutions() const {
+  if (options_.solutions.empty()) return {};
+  std::vector<robotlink::Layout> layouts;
+  for (const auto& robot : robots_) {
+    auto layout = robotlink::readLayout(layoutOf(*robot, options_.layouts));
+    // The error is reported when its program is made.
+    if (!layout) return {};
+    layouts.push_back(std::move(*layout));
+  }
+  std::vector<const robotlink::Layout*> known;
+  for (const auto& layout : layouts) known.push_back(&layout);
+  return checkSolutions(options_.solutions, robotlink::registeredTasks(), known);
+}
+
+Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
+  auto read = readLayoutWith(layout, options_.solutions);
+  if (!read) return read.error();
+  for (const auto& robot : robots_) {
+    if (robot->description().name != kind) continue;
+    auto made = makeProgram(*robot, layout, *read);
+    if (!made) return made.error();
+    made->program->stop();
+    return {};
+  }
+  return {};
+}
+
+Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
+  Errors errors;
+  std::set<std::string> kinds, changed;
+  for (const auto& robot : robots_) kinds.insert(robot->description().name);
+  for (const std::string& kind : kinds) {
+    if (Errors reasons = whyNot(kind, file); reasons.empty()) {
+      changed.insert(kind);
+    } else if (errors.empty()) {
+      errors = std::move(reasons);
+    }
+  }
+  if (changed.empty()) return errors;
+  Layouts layouts = options_.layouts;
+  for (const std::string& kind : changed) layouts[kind] = file;
+  // It is chosen for each of them, also for those that had one of their own.
+  const auto own = options_.robotLayouts;
+  for (const auto& robot : robots_) {
+    if (changed.contains(robot->description().name)) options_.robotLayouts.erase(robot->name());
+  }
+  auto programs = makePrograms(layouts);
+  if (!programs) {
+    options_.robotLayouts = own;
+    return programs.error();
+  }
+  options_.layouts = std::move(layouts);
+  spoilJournal("the layout was changed");
+  startPrograms(std::move(*programs));
+  return {};
+}
+
+std::vector<std::string> SimulatedRun::robots() const {
+  std::vector<std::string> names;
+  for (const auto& robot : robots_) names.push_back(robot->name());
+  return names;
+}
+
+RobotHost* SimulatedRun::find(const std::string& name) const {
+  const auto found = std::ranges::find_if(robots_, [&](const auto& robot) { return robot->name() == name; });
+  return found == robots_.end() ? nullptr : found->get();
+}
+
+std::shared_ptr<const robotlink::RobotDescription> SimulatedRun::description(const std::string& name) const {
+  const RobotHost* robot = find(name);
+  return robot != nullptr ? robot->robot().description : nullptr;
+}
+
+}  // namespace app

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shipped scene with robots of different kinds, each with its own platform, program, layout and field.
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "app/core/program/ShippedFiles.h"
+#include "robotlink/config/FieldDescription.h"
+#include "tests/app/SimulatedRuns.h"
+
+using namespace app;
+using testing::UnorderedElementsAre;
+
+namespace {
+
+RunOptions mixedScene() {
+  RunOptions options = test::simulationOptions();
+  options.scene = sceneNamed("mixed");
+  return options;
+}
+
+robotlink::Vector3 placeOf(const SimulatedRun& run, const std::string& robot) {
+  return run.world().simulation().modelPose(robot)->translation();
+}
+
+std::uint64_t digestOfMixed(double seconds) {
+  const auto run = test::makeRun(mixedScene());
+  if (!run) return 0;
+  test::play(*run, seconds);
+  return run->world().digest();
+}
+
+}  // namespace
+
+TEST(MixedScene, theProgramsOfAllKindsRunAndTheRobotsMove) {
+  std::string troubles;
+  std::map<std::string, int> queues;
+  const auto run = test::makeRun(
+      mixedScene(), {[&](const std::string& robot, const auto&) { ++queues[robot]; },
+                     [&](const std::string&, const auto&, const std::string& text) { troubles += text; }});
+  ASSERT_NE(run, nullptr);
+  ASSERT_THAT(run->robots(), UnorderedElementsAre("red1", "p3at1", "burger1"));
+  std::map<std::string, robotlink::Vector3> starts;
+  for (const std::string& robot : run->robots()) starts[robot] = placeOf(*run, robot);
+  test::play(*run, 6);
+  for (const std::string& robot : run->robots()) {
+    EXPECT_GT(queues[robot], 50) << robot;
+    EXPECT_GT((placeOf(*run, robot) - starts[robot]).head<2>().norm(), 0.05) << robot;
+  }
+  EXPECT_EQ(troubles, "");
+}
+
+TEST(MixedScene, eachRobotHasItsKindAndTheLayoutThatTheSceneOrItsDescriptionNames) {
+  const auto run = test::makeRun(mixedScene());
+  ASSERT_NE(run, nullptr);
+  EXPECT_EQ(run->description("red1")->name, "ers210");
+  EXPECT_EQ(run->description("p3at1")->name, "p3at");
+  EXPECT_EQ(run->description("burger1")->name, "burger");
+  EXPECT_EQ(run->layout().stem(), "compact");
+  EXPECT_EQ(run->otherLayouts().at("p3at1").stem(), "pioneer-wander");
+  EXPECT_EQ(run->field()->name, "2002") << "that of the robot that plays soccer";
+}
+
+TEST(MixedScene, aLayoutCanBeChosenForOneRobotAndForThoseThatCanRunIt) {
+  RunOptions options = mixedScene();
+  options.robotLayouts["burger1"] = layoutNamed("pioneer");
+  options.layout = layoutNamed("parallel");
+  const auto run = test::makeRun(options);
+  ASSERT_NE(run, nullptr);
+  EXPECT_EQ(run->layout().stem(), "parallel");
+  EXPECT_EQ(run->otherLayouts().at("p3at1").stem(), "pioneer-wander");
+  EXPECT_EQ(run->otherLayouts().at("burger1").stem(), "pioneer");
+}
+
+TEST(MixedScene, itIsTheSameInEachRun) {
+  const std::uint64_t first = digestOfMixed(1);
+  EXPECT_EQ(digestOfMixed(1), first);
+}
