@@ -13,8 +13,8 @@
 #include "robotlink/packages/Conversions.h"
 #include "widgets/color/space/ColorSpaceRenderer.h"
 #include "widgets/color/space/ColorSurface.h"
-#include "widgets/scene/MeshBuilder.h"
-#include "widgets/scene/SceneRenderer.h"
+#include "widgets/scene/render/MeshBuilder.h"
+#include "widgets/scene/render/SceneRenderer.h"
 
 namespace {
 

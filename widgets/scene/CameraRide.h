@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "widgets/scene/SceneCamera.h"
+#include "widgets/scene/render/SceneCamera.h"
 
 namespace widgets {
 

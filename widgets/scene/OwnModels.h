@@ -12,7 +12,7 @@
 #include "robotlink/process/Link.h"
 #include "widgets/PackageSubscription.h"
 #include "widgets/View.h"
-#include "widgets/scene/SceneFrame.h"
+#include "widgets/scene/render/SceneFrame.h"
 #include "widgets/world/RobotBeliefs.h"
 #include "widgets/world/RobotBody.h"
 

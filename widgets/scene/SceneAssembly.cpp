@@ -4,7 +4,7 @@
 #include "foxglove/Scene.pb.h"
 #include "widgets/drawings/CurrentDrawings.h"
 #include "widgets/field/GroundProbe.h"
-#include "widgets/scene/SceneShapes.h"
+#include "widgets/scene/render/SceneShapes.h"
 
 namespace widgets {
 

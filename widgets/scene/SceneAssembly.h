@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robotlink/process/Link.h"
-#include "widgets/scene/SceneFrame.h"
+#include "widgets/scene/render/SceneFrame.h"
 #include "widgets/world/SceneState.h"
 #include "widgets/world/WorldDrawings.h"
 

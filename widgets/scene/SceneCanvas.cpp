@@ -12,7 +12,7 @@
 #include "widgets/Sentence.h"
 #include "widgets/Theme.h"
 #include "widgets/scene/SceneAssembly.h"
-#include "widgets/scene/SceneOverlay.h"
+#include "widgets/scene/render/SceneOverlay.h"
 #include "widgets/scene/SceneProbe.h"
 
 namespace widgets {

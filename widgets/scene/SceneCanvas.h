@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "widgets/scene/RenderThread.h"
+#include "widgets/scene/render/RenderThread.h"
 
 namespace widgets {
 

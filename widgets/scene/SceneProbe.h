@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "widgets/drawings/DrawingTip.h"
-#include "widgets/scene/SceneFrame.h"
+#include "widgets/scene/render/SceneFrame.h"
 
 namespace widgets {
 

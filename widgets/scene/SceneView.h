@@ -8,7 +8,7 @@
 #include "widgets/scene/CameraRide.h"
 #include "widgets/scene/OwnModels.h"
 #include "widgets/scene/SceneAssembly.h"
-#include "widgets/scene/SceneCamera.h"
+#include "widgets/scene/render/SceneCamera.h"
 #include "widgets/world/ModelDrag.h"
 #include "widgets/world/RobotBeliefs.h"
 #include "widgets/world/SceneState.h"

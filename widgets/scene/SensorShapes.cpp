@@ -11,7 +11,7 @@
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/StreamStore.h"
 #include "widgets/drive/RadarReadings.h"
-#include "widgets/scene/MeshBuilder.h"
+#include "widgets/scene/render/MeshBuilder.h"
 
 namespace widgets {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "robotlink/base/Clock.h"
-#include "widgets/scene/SceneMesh.h"
+#include "widgets/scene/render/SceneMesh.h"
 
 namespace robotlink {
 class StreamStore;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "robotlink/base/Error.h"
-#include "widgets/scene/SceneFrame.h"
+#include "widgets/scene/render/SceneFrame.h"
 
 namespace widgets {
 

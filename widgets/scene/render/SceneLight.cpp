@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/SceneLight.h"
+#include "widgets/scene/render/SceneLight.h"
 
 #include <algorithm>
 #include <cmath>

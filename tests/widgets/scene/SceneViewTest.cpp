@@ -18,9 +18,9 @@
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "tests/widgets/ShownScene.h"
+#include "tests/widgets/scene/ShownScene.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/scene/EdgeSmoothing.h"
+#include "widgets/scene/render/EdgeSmoothing.h"
 #include "widgets/world/RobotBody.h"
 
 namespace widgets::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/SceneCamera.h"
+#include "widgets/scene/render/SceneCamera.h"
 
 #include <QJsonArray>
 #include <QRectF>

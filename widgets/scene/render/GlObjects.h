@@ -8,7 +8,7 @@
 #include <string>
 
 #include "robotlink/base/Error.h"
-#include "widgets/scene/SceneMesh.h"
+#include "widgets/scene/render/SceneMesh.h"
 
 // OpenGL objects that delete themselves. All of them belong to the thread in which their context is current,
 // and must be destroyed before it. OpenGL's names are plain unsigned integers here, so that its header is

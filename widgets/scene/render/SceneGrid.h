@@ -3,7 +3,7 @@
 
 #include <QColor>
 
-#include "widgets/scene/SceneMesh.h"
+#include "widgets/scene/render/SceneMesh.h"
 
 namespace widgets {
 

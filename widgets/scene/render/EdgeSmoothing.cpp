@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/EdgeSmoothing.h"
+#include "widgets/scene/render/EdgeSmoothing.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/scene/SceneMesh.h"
+#include "widgets/scene/render/SceneMesh.h"
 
 namespace foxglove {
 class SceneEntity;

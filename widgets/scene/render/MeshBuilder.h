@@ -4,7 +4,7 @@
 #include <span>
 
 #include "robotlink/base/Geometry.h"
-#include "widgets/scene/SceneMesh.h"
+#include "widgets/scene/render/SceneMesh.h"
 
 namespace widgets {
 

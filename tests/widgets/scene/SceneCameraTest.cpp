@@ -4,7 +4,7 @@
 #include <QMenu>
 #include <QTest>
 
-#include "tests/widgets/ShownScene.h"
+#include "tests/widgets/scene/ShownScene.h"
 
 namespace widgets::test {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/SceneShapes.h"
+#include "widgets/scene/render/SceneShapes.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "foxglove/Scene.pb.h"
 #include "robotlink/packages/Conversions.h"
-#include "widgets/scene/MeshBuilder.h"
+#include "widgets/scene/render/MeshBuilder.h"
 
 namespace widgets {
 namespace {

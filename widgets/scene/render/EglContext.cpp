@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/EglContext.h"
+#include "widgets/scene/render/EglContext.h"
 
 #include <epoxy/egl.h>
 // epoxy/egl.h must come first.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/SceneMesh.h"
+#include "widgets/scene/render/SceneMesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "widgets/scene/SceneCamera.h"
+#include "widgets/scene/render/SceneCamera.h"
 
 namespace widgets {
 namespace {

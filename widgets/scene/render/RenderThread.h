@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "robotlink/base/Worker.h"
-#include "widgets/scene/SceneFrame.h"
-#include "widgets/scene/SceneRenderer.h"
+#include "widgets/scene/render/SceneFrame.h"
+#include "widgets/scene/render/SceneRenderer.h"
 
 namespace widgets {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/GlObjects.h"
+#include "widgets/scene/render/GlObjects.h"
 
 #include <epoxy/gl.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/RenderThread.h"
+#include "widgets/scene/render/RenderThread.h"
 
 #include <pthread.h>
 

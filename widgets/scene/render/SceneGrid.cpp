@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/SceneGrid.h"
+#include "widgets/scene/render/SceneGrid.h"
 
 #include <cmath>
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/SceneRenderer.h"
+#include "widgets/scene/render/SceneRenderer.h"
 
 #include <epoxy/gl.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/scene/EdgeSmoothing.h"
-#include "widgets/scene/EglContext.h"
-#include "widgets/scene/GlObjects.h"
-#include "widgets/scene/SceneGrid.h"
-#include "widgets/scene/SceneShaders.h"
+#include "widgets/scene/render/EdgeSmoothing.h"
+#include "widgets/scene/render/EglContext.h"
+#include "widgets/scene/render/GlObjects.h"
+#include "widgets/scene/render/SceneGrid.h"
+#include "widgets/scene/render/SceneShaders.h"
 
 namespace widgets {
 namespace {

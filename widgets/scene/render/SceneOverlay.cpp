@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/SceneOverlay.h"
+#include "widgets/scene/render/SceneOverlay.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "widgets/drawings/MessageFonts.h"
-#include "widgets/scene/SceneFrame.h"
+#include "widgets/scene/render/SceneFrame.h"
 
 namespace widgets {
 namespace {

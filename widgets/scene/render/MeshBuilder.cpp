@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/MeshBuilder.h"
+#include "widgets/scene/render/MeshBuilder.h"
 
 #include <algorithm>
 #include <cmath>

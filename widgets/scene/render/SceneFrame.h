@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "widgets/drawings/DrawingTip.h"
-#include "widgets/scene/SceneCamera.h"
-#include "widgets/scene/SceneLight.h"
-#include "widgets/scene/SceneMesh.h"
+#include "widgets/scene/render/SceneCamera.h"
+#include "widgets/scene/render/SceneLight.h"
+#include "widgets/scene/render/SceneMesh.h"
 
 namespace widgets {
 
