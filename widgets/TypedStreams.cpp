@@ -53,9 +53,9 @@ std::string robotPart(const std::string& path) {
 
 bool hasForeignStreams(const robotlink::StreamStore& store) {
   namespace streams = robotlink::streams;
-  constexpr std::array<std::string_view, 9> kOfWorld{
+  constexpr std::array<std::string_view, 10> kOfWorld{
       streams::kScene, streams::kTransforms, streams::kSimulation, streams::kRecording, streams::kReplay,
-      streams::kMap,   streams::kBookmarks,  streams::kObjects,    streams::kPorts};
+      streams::kMap,   streams::kBookmarks,  streams::kObjects,    streams::kPorts,     streams::kSolids};
   return std::ranges::any_of(store.streams(), [&](const auto* stream) {
     return robotPart(stream->path).empty() && std::ranges::find(kOfWorld, stream->path) == kOfWorld.end();
   });

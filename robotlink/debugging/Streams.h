@@ -38,6 +38,7 @@ inline constexpr char kLogged[] = "logged/";
 
 // Streams of the whole world, without a robot's name.
 inline constexpr char kScene[] = "scene";            ///< foxglove.SceneUpdate
+inline constexpr char kSolids[] = "solids";          ///< foxglove.SceneUpdate: what collides
 inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransforms
 inline constexpr char kObjects[] = "objects";        ///< WorldObjects
 inline constexpr char kPorts[] = "ports";            ///< PortReadings

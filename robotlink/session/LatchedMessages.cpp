@@ -17,7 +17,7 @@ bool isLatched(std::string_view path, std::string_view type) {
       "robotcontrol.ParameterValues", "robotcontrol.ProcessTable",  "robotcontrol.ProgramSetup",
       "robotcontrol.SolutionTable",   "robotcontrol.SteeringStatus"};
   return path == streams::kScene || path == streams::kMap || path == streams::kObjects ||
-         std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+         path == streams::kSolids || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
 bool isLatched(const StreamMessage& message) {

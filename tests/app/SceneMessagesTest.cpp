@@ -3,10 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
+#include "app/core/simulated/WorldObjects.h"
 #include "foxglove/Scene.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
@@ -14,6 +17,12 @@
 
 namespace app {
 namespace {
+
+std::string metadata(const foxglove::SceneEntity& entity, const std::string& key) {
+  for (const auto& pair : entity.metadata())
+    if (pair.key() == key) return pair.value();
+  return {};
+}
 
 class SceneMessagesTest : public testing::Test {
  protected:
@@ -51,11 +60,39 @@ TEST_F(SceneMessagesTest, onlyShapesOfModelsThatMoveNameTheirModel) {
   const auto scene = sceneMessage(simulation());
   for (const auto& entity : scene->entities()) {
     const bool isFixed = entity.frame_id() == "field";
-    EXPECT_EQ(entity.metadata_size(), isFixed ? 0 : 1) << entity.id();
-    if (entity.metadata_size() == 1) models.insert(entity.metadata(0).value());
+    const std::string model = metadata(entity, "model");
+    EXPECT_EQ(model.empty(), isFixed) << entity.id();
+    if (!model.empty()) models.insert(model);
   }
   EXPECT_THAT(models, testing::ElementsAre("ball", "red1"));
   EXPECT_THAT(movableModels(simulation()), testing::UnorderedElementsAre("ball", "red1"));
+}
+
+TEST_F(SceneMessagesTest, shapesAndSolidsNameTheirObjects) {
+  std::map<std::string, robotcontrol::WorldObject> objects;
+  const auto all = worldObjects(simulation());
+  for (const auto& object : all->objects()) objects[object.path()] = object;
+  const auto frames = transforms();
+  const auto scene = sceneMessage(simulation()), solids = solidsMessage(simulation());
+  for (const auto& entity : scene->entities()) {
+    const auto object = objects.find(metadata(entity, "object"));
+    ASSERT_NE(object, objects.end()) << entity.id();
+    EXPECT_EQ(object->second.kind(), robotcontrol::WorldObject::SHAPE);
+    EXPECT_EQ(object->second.frame(), entity.frame_id());
+  }
+  std::set<std::string> known;
+  for (const auto& entity : solids->entities()) {
+    const auto object = objects.find(metadata(entity, "object"));
+    ASSERT_NE(object, objects.end()) << entity.id();
+    EXPECT_EQ(object->second.kind(), robotcontrol::WorldObject::SOLID);
+    EXPECT_TRUE(entity.frame_id() == "field" || frames.contains(entity.frame_id())) << entity.frame_id();
+    EXPECT_EQ(entity.cubes_size() + entity.spheres_size() + entity.cylinders_size() + entity.triangles_size(),
+              1);
+    known.insert(object->first);
+  }
+  const auto isSolid = [](const auto& object) { return object.kind() == robotcontrol::WorldObject::SOLID; };
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(known.size()), std::ranges::count_if(all->objects(), isSolid));
+  EXPECT_GT(known.size(), 10U);
 }
 
 TEST_F(SceneMessagesTest, theFrameOfARobotIsOnTheGroundBelowIt) {

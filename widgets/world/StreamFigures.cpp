@@ -59,7 +59,9 @@ const FigureType* figureType(std::string_view type) {
 /// Whether views show a stream in another way; the map that a robot makes is a figure like those of others.
 bool isOwn(const std::string& path, const std::string& type) {
   if (type == kGridType) return false;
-  if (path == robotlink::streams::kScene || path == robotlink::streams::kTransforms) return true;
+  if (path == robotlink::streams::kScene || path == robotlink::streams::kSolids ||
+      path == robotlink::streams::kTransforms)
+    return true;
   const std::string rest = path.substr(path.find('/') + 1);
   return rest.starts_with("drawings/") || robotlink::typeOfPackage(rest) != nullptr;
 }

@@ -10,6 +10,7 @@
 #include "simcore/ModelParts.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace app {
 namespace {
@@ -52,6 +53,67 @@ void addShape(foxglove::SceneEntity& to, const simcore::RenderInstance& instance
   robotlink::assign(*triangles.mutable_pose(), instance.meshInBody);
   robotlink::assign(*triangles.mutable_color(), instance.color);
   assignMesh(triangles, scene.meshes[static_cast<std::size_t>(instance.mesh)]);
+}
+
+void addMetadata(foxglove::SceneEntity& to, const char* key, const std::string& value) {
+  auto& pair = *to.add_metadata();
+  pair.set_key(key);
+  pair.set_value(value);
+}
+
+std::string linkPath(const simcore::ModelInstance& model, const simcore::LinkDescription& link) {
+  return model.name + "/link:" + link.name;
+}
+
+/// The paths of all visible parts, in the order of the instances of the render scene.
+std::vector<std::string> visualPaths(const simcore::Simulation& simulation) {
+  std::vector<std::string> paths;
+  for (const simcore::ModelInstance& model : simulation.scene().world().models) {
+    for (const simcore::LinkDescription& link : model.type->links) {
+      for (const simcore::VisualDescription& visual : link.visuals)
+        paths.push_back(linkPath(model, link) + "/visual:" + visual.name);
+    }
+  }
+  return paths;
+}
+
+/// Adds what collides in one of the simple shapes of the message, or as triangles.
+void addSolid(foxglove::SceneEntity& to, const simcore::Shape& shape, const robotlink::Pose3& pose) {
+  using Kind = simcore::Shape::Kind;
+  const robotlink::Rgb color{250, 150, 40};
+  const auto add = [&](auto& primitive, const robotlink::Vector3& size) {
+    robotlink::assign(*primitive.mutable_pose(), pose);
+    robotlink::assign(*primitive.mutable_color(), color);
+    primitive.mutable_size()->set_x(size.x());
+    primitive.mutable_size()->set_y(size.y());
+    primitive.mutable_size()->set_z(size.z());
+  };
+  const double width = 2 * shape.radius;
+  switch (shape.kind) {
+    case Kind::kBox:
+      return add(*to.add_cubes(), shape.size);
+    case Kind::kPlane:
+      return add(*to.add_cubes(), {shape.size.x(), shape.size.y(), 0});
+    case Kind::kSphere:
+      return add(*to.add_spheres(), {width, width, width});
+    case Kind::kCylinder: {
+      auto& cylinder = *to.add_cylinders();
+      cylinder.set_bottom_scale(1);
+      cylinder.set_top_scale(1);
+      return add(cylinder, {width, width, shape.length});
+    }
+    case Kind::kCapsule:
+    case Kind::kMesh: {
+      auto& triangles = *to.add_triangles();
+      robotlink::assign(*triangles.mutable_pose(), pose);
+      robotlink::assign(*triangles.mutable_color(), color);
+      if (shape.kind == Kind::kMesh && shape.mesh == nullptr) return;
+      return assignMesh(triangles, shape.kind == Kind::kMesh
+                                       ? *shape.mesh
+                                       : simcore::capsuleMesh(static_cast<float>(shape.radius),
+                                                              static_cast<float>(shape.length)));
+    }
+  }
 }
 
 void addTransform(foxglove::FrameTransforms& to, const std::string& child, const robotlink::Pose3& pose,
@@ -101,6 +163,7 @@ std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulat
   robotlink::assign(*before.mutable_timestamp(), now(simulation));
   const auto scene = simulation.renderScene();
   const std::vector<std::string> movable = movableModels(simulation);
+  const std::vector<std::string> objects = visualPaths(simulation);
   for (std::size_t i = 0; i < scene->instances.size(); ++i) {
     const simcore::RenderInstance& instance = scene->instances[i];
     const std::string& body = scene->bodies[static_cast<std::size_t>(instance.body)];
@@ -108,12 +171,31 @@ std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulat
     robotlink::assign(*entity.mutable_timestamp(), at.value_or(now(simulation)));
     entity.set_frame_id(frameOf(body));
     entity.set_id(std::to_string(i) + ":" + instance.name);
-    if (const std::string model = modelOf(body, movable); !model.empty()) {
-      auto& pair = *entity.add_metadata();
-      pair.set_key("model");
-      pair.set_value(model);
-    }
+    if (i < objects.size()) addMetadata(entity, "object", objects[i]);
+    if (const std::string model = modelOf(body, movable); !model.empty()) addMetadata(entity, "model", model);
     addShape(entity, instance, *scene);
+  }
+  return update;
+}
+
+std::shared_ptr<const foxglove::SceneUpdate> solidsMessage(const simcore::Simulation& simulation,
+                                                           std::optional<robotlink::Instant> at) {
+  auto update = std::make_shared<foxglove::SceneUpdate>();
+  for (const simcore::ModelInstance& model : simulation.scene().world().models) {
+    for (const simcore::LinkDescription& link : model.type->links) {
+      const bool isStatic = model.type->isStatic;
+      const robotlink::Pose3 linkInBody =
+          isStatic ? robotlink::Pose3(model.poseInWorld * link.poseInModel) : robotlink::Pose3::Identity();
+      for (const simcore::CollisionDescription& solid : link.collisions) {
+        auto& entity = *update->add_entities();
+        robotlink::assign(*entity.mutable_timestamp(), at.value_or(now(simulation)));
+        entity.set_frame_id(isStatic ? kFieldFrame : frameOf(model.name + "/" + link.name));
+        const std::string path = linkPath(model, link) + "/solid:" + solid.name;
+        entity.set_id(std::to_string(update->entities_size()) + ":" + path);
+        addMetadata(entity, "object", path);
+        addSolid(entity, solid.shape, linkInBody * solid.poseInLink);
+      }
+    }
   }
   return update;
 }

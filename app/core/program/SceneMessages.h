@@ -27,10 +27,17 @@ struct ModelParts;
 namespace app {
 
 /// Returns the message of the stream "scene": the shapes of a simulated world, one entity for each visual, in
-/// the frame of its body. Its time is `at`, by default that of the simulation. Entities of a model that can
-/// be moved name it in their metadata ("model").
+/// the frame of its body. Its time is `at`, by default that of the simulation. Entities name their objects in
+/// their metadata ("object": the path in the stream "objects"), and those of a model that can be moved name
+/// that ("model").
 std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulation& simulation,
                                                           std::optional<robotlink::Instant> at = {});
+
+/// Returns the message of the stream "solids": what collides in a simulated world, one entity for each solid,
+/// in the frame of its body, with the path of its object in its metadata ("object"). Planes are as large as
+/// the file says, though they collide everywhere.
+std::shared_ptr<const foxglove::SceneUpdate> solidsMessage(const simcore::Simulation& simulation,
+                                                           std::optional<robotlink::Instant> at = {});
 
 /// The shapes of a robot's model, one entity for each link, in the link's frame.
 std::shared_ptr<const foxglove::SceneUpdate> modelMessage(const simcore::ModelParts& model);

@@ -386,6 +386,7 @@ void SimulationFeed::publishScene() {
   lastStatus_ = Clock::now();
   if (const auto map = run_->map()) gate_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
   gate_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation(), now())});
+  gate_.publish({robotlink::streams::kSolids, now(), solidsMessage(run_->world().simulation(), now())});
   gate_.publish({robotlink::streams::kObjects, now(), worldObjects(run_->world().simulation(), now())});
   // Whoever wants to read forces finds their stream.
   gate_.publish({robotlink::streams::kForces, now(), std::make_shared<robotcontrol::WorldForces>()});

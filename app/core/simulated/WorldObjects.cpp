@@ -40,13 +40,17 @@ std::size_t shapesOf(const ModelDescription& type) {
   return count;
 }
 
-robotcontrol::WorldProperty& addNumbers(WorldObject& to, const char* name,
-                                        std::initializer_list<double> values, const char* unit = "") {
+robotcontrol::WorldProperty& addNumbers(WorldObject& to, const char* name, const std::vector<double>& values,
+                                        const char* unit = "") {
   auto& property = *to.add_properties();
   property.set_name(name);
   property.set_unit(unit);
   for (const double value : values) property.add_values(value);
   return property;
+}
+
+std::vector<double> valuesOf(const robotlink::Vector3& vector) {
+  return {vector.x(), vector.y(), vector.z()};
 }
 
 void addText(WorldObject& to, const char* name, const std::string& text) {
@@ -226,10 +230,15 @@ class ModelWriter {
     using Kind = simcore::JointDescription::Kind;
     const bool slides = joint.kind == Kind::kSlider;
     addText(object, "type", jointKind(joint.kind));
-    if (!slides && joint.kind != Kind::kHinge) return;
+    const bool hasAxis = slides || joint.kind == Kind::kHinge || joint.kind == Kind::kUniversal;
+    if (!hasAxis) return;
     const char* unit = slides ? "m" : "rad";
-    const auto& axis = joint.axisInModel;
-    addNumbers(object, "axis", {axis.x(), axis.y(), axis.z()});
+    addNumbers(object, "axis", valuesOf(joint.axisInModel));
+    const Eigen::Matrix3d modelInLink = type_.links[child].poseInModel.linear().transpose();
+    const bool isUniversal = joint.kind == Kind::kUniversal;
+    addNumbers(object, "axis_in_link",
+               valuesOf(modelInLink * (isUniversal ? joint.secondAxisInModel : joint.axisInModel)));
+    if (isUniversal) return;
     if (joint.upper > joint.lower && std::isfinite(joint.upper - joint.lower))
       addNumbers(object, "range", {joint.lower, joint.upper}, unit);
     if (!joint.servo) return;
@@ -317,7 +326,12 @@ class PortWriter {
     if (sensor == sensors.end()) return;
     const std::string& link = model->type->links[static_cast<std::size_t>(sensor->link)].name;
     object.set_parent(object.model() + "/link:" + link);
-    if (!model->type->isStatic) {
+    if (model->type->isStatic) {
+      const auto& inModel = model->type->links[static_cast<std::size_t>(sensor->link)].poseInModel;
+      object.set_frame("field");
+      robotlink::assign(*object.mutable_pose_in_frame(),
+                        Pose3(model->poseInWorld * inModel * sensor->poseInLink));
+    } else {
       object.set_frame("body:" + object.model() + "/" + link);
       robotlink::assign(*object.mutable_pose_in_frame(), sensor->poseInLink);
     }
@@ -327,6 +341,10 @@ class PortWriter {
       addNumbers(object, "size", {double(sensor->width), double(sensor->height)}, "px");
       addNumbers(object, "opening_angles", {sensor->horizontalAngle, sensor->verticalAngle}, "rad");
     }
+    if (sensor->kind == Kind::kSonar)
+      addNumbers(object, "opening_angle", {sensor->range.openingAngle}, "rad");
+    if (sensor->kind == Kind::kLaser)
+      addNumbers(object, "angles", {sensor->range.startAngle, sensor->range.endAngle}, "rad");
     if (sensor->rate > 0) addNumbers(object, "rate", {sensor->rate}, "Hz");
     if (sensor->kind == Kind::kContact) return;
     auto& noise = addNumbers(object, "noise", {whiteNoise(sensor->errors)},
