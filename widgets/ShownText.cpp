@@ -116,6 +116,20 @@ std::optional<QString> shownNumbers(const QWidget& view) {
   return tableOf(view, QLatin1Char('\t'));
 }
 
+QString csvOfTabs(const QString& table) {
+  QString csv;
+  csv.reserve(table.size());
+  for (const QString& line : table.split(QLatin1Char('\n'))) {
+    if (line.isEmpty()) continue;
+    QStringList cells = line.split(QLatin1Char('\t'));
+    for (QString& cell : cells)
+      if (cell.contains(QLatin1Char(',')) || cell.contains(QLatin1Char('"')))
+        cell = QLatin1Char('"') + cell.replace(QLatin1String("\""), QLatin1String("\"\"")) + QLatin1Char('"');
+    csv += cells.join(QLatin1Char(',')) + QLatin1Char('\n');
+  }
+  return csv;
+}
+
 QString tabsOfCsv(const QString& csv) {
   QString text;
   bool isQuoted = false;

@@ -21,6 +21,9 @@ std::optional<QString> shownNumbers(const QWidget& view);
 /// spaces.
 QString tabsOfCsv(const QString& csv);
 
+/// A table with tabs between the columns as CSV after RFC 4180.
+QString csvOfTabs(const QString& table);
+
 /// The text of the largest text that a view shows, such as a console's; else its table with tabs between the
 /// columns. Unset if there is neither.
 std::optional<QString> shownText(const QWidget& view);

@@ -46,11 +46,14 @@ void View::restoreState(const QJsonObject& state) {
 
 robotlink::Result<void> View::saveTo(const QString& file) {
   const std::string path = file.toStdString(), suffix = robotlink::fileSuffix(path);
+  if (suffix == ".svg") return writeVectorPicture(*this, file);
   if (suffix != ".csv" && suffix != ".txt") return writePicture(grab().toImage(), file);
-  const auto shown = suffix == ".csv" ? shownTable(*this) : shownText(*this);
+  auto shown = suffix == ".csv" ? shownTable(*this) : shownText(*this);
+  if (!shown) shown = numbers();
   if (!shown)
-    return robotlink::failure("view.save", "this view shows no table and no text; save it as .png",
+    return robotlink::failure("view.save", "this view shows no table and no text; save it as .png or .svg",
                               {path, 0, 0});
+  if (suffix == ".csv" && !shownTable(*this)) shown = csvOfTabs(*shown);
   return robotlink::writeFileAtomically(path, shown->toStdString());
 }
 

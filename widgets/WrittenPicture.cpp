@@ -3,7 +3,10 @@
 
 #include <QCoreApplication>
 #include <QImage>
+#include <QPainter>
 #include <QSaveFile>
+#include <QSvgGenerator>
+#include <QWidget>
 
 namespace widgets {
 
@@ -17,6 +20,22 @@ robotlink::Result<void> writePicture(const QImage& picture, const QString& file)
                              ? QCoreApplication::translate("widgets::PictureFile", "there is no picture yet")
                              : out.errorString();
   return robotlink::failure("picture.save", reason.toStdString(), {file.toStdString(), 0, 0});
+}
+
+robotlink::Result<void> writeVectorPicture(QWidget& shown, const QString& file) {
+  QSaveFile out(file);
+  if (out.open(QIODevice::WriteOnly)) {
+    QSvgGenerator svg;
+    svg.setOutputDevice(&out);
+    svg.setSize(shown.size());
+    svg.setViewBox(shown.rect());
+    QPainter painter;
+    if (painter.begin(&svg)) {
+      shown.render(&painter);
+      if (painter.end() && out.commit()) return {};
+    }
+  }
+  return robotlink::failure("picture.save", out.errorString().toStdString(), {file.toStdString(), 0, 0});
 }
 
 }  // namespace widgets

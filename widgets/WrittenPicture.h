@@ -6,6 +6,7 @@
 #include "robotlink/base/Error.h"
 
 class QImage;
+class QWidget;
 
 namespace widgets {
 
@@ -13,5 +14,9 @@ namespace widgets {
 /// .png, or it cannot be written. GUI
 /// thread.
 robotlink::Result<void> writePicture(const QImage& picture, const QString& file);
+
+/// Writes what a widget shows as SVG, whole or not at all: what it paints as lines and texts stays so, images
+/// are in it as pixels. Fails if it cannot be written. GUI thread.
+robotlink::Result<void> writeVectorPicture(QWidget& shown, const QString& file);
 
 }  // namespace widgets

@@ -125,6 +125,20 @@ class ImageStreamViewTest : public QObject {
     QVERIFY(isNear(s.colorAt(100.5, 50.5), qColor(kOrange), 2));
   }
 
+  void thePixelsAreCopiedAsNumbers() {
+    ShownImage s;
+    QVERIFY(!s.view.numbers());
+    s.world.pushImage("red1/camera/image", kImage, kGrass, {1, 2}, kOrange);
+    s.step();
+    const QStringList rows = s.view.numbers()->split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QCOMPARE(rows.size(), kImage.height());
+    const QStringList cells = rows[2].split(QLatin1Char('\t'));
+    QCOMPARE(cells.size(), 3 * kImage.width());
+    const Rgb orange = toRgb(kOrange);
+    QCOMPARE(cells[3].toInt(), int(orange.r));
+    QCOMPARE(cells[5].toInt(), int(orange.b));
+  }
+
   void tellsThePixelUnderTheCursor() {
     ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);

@@ -42,6 +42,12 @@ class ImageStreamView final : public PictureView {
   explicit ImageStreamView(ViewContext& context, QWidget* parent = nullptr);
   ~ImageStreamView() override;
 
+  /// The values of the pixels, a line for each row: depths in m, gray values or class numbers; of colors
+  /// three columns for each pixel, red, green, blue. Unset without an image, or if it is larger than
+  /// kMaxPixels.
+  std::optional<QString> numbers() override;
+  static constexpr int kMaxPixels = 2 << 20;
+
   /// Shows the newest image not later than the shown instant, and its drawings.
   void tick() override;
   /// Chooses the stream by its path or "*/camera/image". Fails if there are no such images (yet).

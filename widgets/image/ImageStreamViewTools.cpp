@@ -268,4 +268,24 @@ MeasureText ImageStreamView::measured(const std::vector<QPointF>& points) const 
   return text;
 }
 
+std::optional<QString> ImageStreamView::numbers() {
+  if (!image_ || image_->width() == 0 || image_->height() > kMaxPixels / image_->width()) return std::nullopt;
+  QString table;
+  for (int y = 0; y < static_cast<int>(image_->height()); ++y) {
+    for (int x = 0; x < static_cast<int>(image_->width()); ++x) {
+      const auto pixel = rawPixel(*image_, x, y);
+      if (!pixel) return std::nullopt;
+      if (x > 0) table += QLatin1Char('\t');
+      if (pixel->depth)
+        table += std::isfinite(*pixel->depth) ? QString::number(*pixel->depth, 'g', 7) : QString();
+      else if (pixel->value)
+        table += QString::number(*pixel->value);
+      else
+        table += QStringLiteral("%1\t%2\t%3").arg(pixel->rgb.r).arg(pixel->rgb.g).arg(pixel->rgb.b);
+    }
+    table += QLatin1Char('\n');
+  }
+  return table;
+}
+
 }  // namespace widgets

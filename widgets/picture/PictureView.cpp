@@ -11,9 +11,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
 #include "robotlink/base/Spelling.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
+#include "widgets/ShownText.h"
 #include "widgets/SplitterState.h"
 #include "widgets/WrittenPicture.h"
 #include "widgets/drawings/DrawingPose.h"
@@ -173,6 +176,16 @@ QSize PictureView::shownPictureSize() const {
 }
 
 robotlink::Result<void> PictureView::saveTo(const QString& file) {
+  const std::string suffix = robotlink::fileSuffix(file.toStdString());
+  if (suffix == ".svg") return writeVectorPicture(*canvas_, file);
+  if (suffix == ".csv" || suffix == ".txt") {
+    const auto table = numbers();
+    if (!table)
+      return robotlink::failure("view.save", "this view shows no numbers; save it as .png or .svg",
+                                {file.toStdString(), 0, 0});
+    const QString text = suffix == ".csv" ? csvOfTabs(*table) : *table;
+    return robotlink::writeFileAtomically(file.toStdString(), text.toStdString());
+  }
   return writePicture(rendered_(), file);
 }
 

@@ -33,7 +33,7 @@ class PictureView : public View {
  public:
   /// Writes the picture as PNG. False, with a message box that names the file, if that fails.
   bool savePicture(const QString& file);
-  /// Writes the picture as PNG, without a message box.
+  /// Writes the picture as PNG or SVG, or the view's numbers() as .csv or .txt, without a message box.
   robotlink::Result<void> saveTo(const QString& file) override;
   /// The canvas, without what is beside it.
   QImage shownPicture() override { return rendered_(); }
