@@ -26,6 +26,7 @@ class EmptyHint;
 class ExportBar;
 class ParameterEdits;
 class ParameterSweep;
+class SceneView;
 class ViewExport;
 }  // namespace widgets
 
@@ -162,6 +163,11 @@ class MainWindow : public QMainWindow {
   void attachToolCommands();
   /// What the views of a scene show, copies of views, and the scene's files (MainWindowScene.cpp).
   void attachSceneCommands();
+  void attachSceneViewCommands();
+  /// Runs something for a view of the scene, or for all that are open, one of which is opened if there is
+  /// none.
+  robotlink::Result<void> inSceneViews(
+      const std::string& name, const std::function<robotlink::Result<void>(widgets::SceneView&)>& run);
   /// Copies what a view shows, which is opened if need be; an empty name is the view in focus.
   robotlink::Result<void> copyView(const std::string& id, bool asNumbers);
   void addCopying(QMenu& menu);
@@ -269,6 +275,9 @@ class MainWindow : public QMainWindow {
   void showEnded(const std::vector<std::string>& reported);
   /// Changes to the perspective for what was loaded, unless the user has chosen another one.
   void showWhatBelongsTo(const LoadedPlatform& loaded);
+  /// Keeps the views of the scene before, and shows those with which this one was left. False: it is the same
+  /// one, or none that was left.
+  bool showViewsOfScene(const LoadedPlatform& loaded);
 
   Workbench& workbench_;
   /// Refers to the session; destroyed before the widgets that are children of the window, see the destructor.
@@ -278,6 +287,8 @@ class MainWindow : public QMainWindow {
   Perspectives perspectives_;
   /// The default perspective for what was loaded last; empty: nothing was loaded.
   QString beginning_;
+  /// The file of the simulated scene whose views are shown; empty: none.
+  std::string shownScene_;
   /// Whether a perspective was chosen for what is opened next.
   bool isPerspectiveWanted_ = false;
   /// Whether the window closes, so that nothing that is open was left so by a crash.

@@ -101,6 +101,7 @@ void MainWindow::attachCommands() {
   attachDataCommands();
   attachToolCommands();
   attachSceneCommands();
+  attachSceneViewCommands();
 }
 
 void MainWindow::createPresets(widgets::ParameterEdits& parameters) {

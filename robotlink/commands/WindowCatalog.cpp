@@ -114,6 +114,63 @@ Rows pictureRows() {
   };
 }
 
+Rows sceneViewRows() {
+  const CommandTable::Argument view{"view", Type::kText,
+                                    "scene; the second one is scene#2; '': all that are open", std::string()};
+  const CommandTable::Argument object{"object", Type::kText, "its path: red1, or red1/link:head"};
+  return {
+      {"scene.view",
+       "Chooses how the surfaces of a view of the scene are drawn",
+       {{"mode",
+         Type::kText,
+         "of all objects without a mode of their own",
+         {},
+         {"shaded", "flat", "hidden-lines", "wire"}},
+        view}},
+      {"scene.draw",
+       "Chooses how an object is drawn, with all that belongs to it",
+       {object,
+        {"mode", Type::kText, "view: as the view is", {}, {"view", "shaded", "flat", "hidden-lines", "wire"}},
+        view}},
+      {"scene.opacity",
+       "Lets an object be seen through",
+       {object, {"opacity", Type::kNumber, "0 (hardly to be seen) to 1"}, view}},
+      {"scene.hide", "Hides an object of the scene, with all that belongs to it", {object, view}},
+      {"scene.show",
+       "Shows an object again that was hidden",
+       {{"object", Type::kText, "its path; '': all", std::string()}, view}},
+      {"scene.layer",
+       "Shows or leaves out something in views of the scene",
+       {{"layer",
+         Type::kText,
+         "solids: what collides; visuals: what cameras see",
+         {},
+         {"visuals", "solids", "forces", "joints", "frames", "centers", "sensors", "names", "shadows"}},
+        {"on", Type::kBool, "", true},
+        view}},
+      {"scene.follow",
+       "Lets the camera of a view follow an object",
+       {{"object", Type::kText, "its path; '': the robot of the view", std::string()},
+        {"how",
+         Type::kText,
+         "first-person: out of its camera, or of itself",
+         std::string("position"),
+         {"position", "heading", "first-person", "off"}},
+        view}},
+      {"scene.only",
+       "Limits a view to an object, with all that belongs to it",
+       {{"object", Type::kText, "its path; '': the whole scene", std::string()}, view}},
+      {"scene.open",
+       "Opens a view of an object of the scene",
+       {object,
+        {"surroundings",
+         Type::kText,
+         "whether the rest of the scene is shown, too",
+         std::string("alone"),
+         {"alone", "around"}}}},
+  };
+}
+
 Rows dataRows() {
   return {
       {"columns.show",
@@ -141,7 +198,7 @@ Rows dataRows() {
 
 Rows windowCatalog() {
   Rows rows = exportRows();
-  for (Rows& more : std::vector<Rows>{pictureRows(), dataRows()})
+  for (Rows& more : std::vector<Rows>{pictureRows(), sceneViewRows(), dataRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   const Rows others{
       {"view.show",
@@ -149,7 +206,8 @@ Rows windowCatalog() {
        {{"view", Type::kText, "its name: image, field, packets, ..."}}},
       {"view.screenshot",
        "Saves a picture of a view, which is opened if needed, or of the whole window",
-       {{"view", Type::kText, "its name, or window"}, {"file", Type::kFile, "a PNG file"}}},
+       {{"view", Type::kText, "its name, or window"},
+        {"file", Type::kFile, ".png, .svg, or its numbers as .csv or .txt; of the window .png"}}},
       {"view.copy",
        "Copies what a view shows to the clipboard",
        {{"view", Type::kText, "its name: plots, joints, ...; the second one is plots#2"},

@@ -57,6 +57,7 @@ SceneTreeView::SceneTreeView(ViewContext& context, QWidget* parent)
     : View(context, parent), selection_(sceneSelection(context)), filtered_(new QSortFilterProxyModel(this)) {
   setObjectName(QStringLiteral("sceneTreeView"));
   createActions();
+  createSceneActions();
   createViews();
   connectSignals();
   keep("search", search_);
@@ -102,6 +103,77 @@ void SceneTreeView::createActions() {
       {"sceneTreeCopyPath", tr("Copy path"), tr("Copies the path of the object"), QKeySequence::Copy});
 }
 
+void SceneTreeView::createSceneActions() {
+  alone_ = makeAction(
+      this, "scene",
+      {"sceneTreeAlone", tr("Show in 3-D"),
+       tr("Opens a view that shows this object alone, with all that belongs to it"), tr("Ctrl+Alt+3")});
+  around_ = makeAction(this, "scene",
+                       {"sceneTreeAround", tr("Show in 3-D with surroundings"),
+                        tr("Opens a view of the scene that looks at this object and follows it")});
+  hide_ = makeAction(
+      this, "clear",
+      {"sceneTreeHide", tr("Hide in 3-D"),
+       tr("Leaves out the object, with all that belongs to it, in views of the scene"), tr("Ctrl+Alt+H")});
+  showAgain_ = makeAction(this, "eye",
+                          {"sceneTreeShowAgain", tr("Show again in 3-D"),
+                           tr("Shows the object again in views of the scene"), tr("Ctrl+Alt+Shift+H")});
+  follow_ = makeAction(
+      this, "follow", {"sceneTreeFollow", tr("Follow"), tr("The camera of the scene moves with the object")});
+  turnWith_ = makeAction(this, "behind",
+                         {"sceneTreeTurnWith", tr("Follow and turn with it"),
+                          tr("The camera of the scene moves and turns with the object")});
+  lookOut_ = makeAction(this, "eye",
+                        {"sceneTreeLookOut", tr("First person"),
+                         tr("The scene is seen out of the camera of the object, or out of the object")});
+  const auto runs = [this](QAction* action, const char* command, std::vector<std::string> words) {
+    connect(action, &QAction::triggered, this, [=, this] { runForObject(command, words); });
+  };
+  runs(alone_, "scene.open", {"alone"});
+  runs(around_, "scene.open", {"around"});
+  runs(hide_, "scene.hide", {""});
+  runs(showAgain_, "scene.show", {""});
+  runs(follow_, "scene.follow", {"position", ""});
+  runs(turnWith_, "scene.follow", {"heading", ""});
+  runs(lookOut_, "scene.follow", {"first-person", ""});
+}
+
+void SceneTreeView::addSceneEntries(QMenu& menu) {
+  menu.addActions({alone_, around_, hide_, showAgain_});
+  QMenu* drawn = menu.addMenu(tr("Drawn"));
+  const std::pair<const char*, QString> kinds[] = {{"view", tr("As the view")},
+                                                   {"shaded", tr("Shaded")},
+                                                   {"flat", tr("Flat")},
+                                                   {"hidden-lines", tr("Edges, hidden ones left out")},
+                                                   {"wire", tr("Wire frame")}};
+  for (const auto& [kind, text] : kinds)
+    drawn->addAction(text, this,
+                     [this, kind = kind] {
+                       runForObject("scene.draw", {kind, ""});
+                     })
+        ->setObjectName(QStringLiteral("sceneTreeDrawn-") + QLatin1String(kind));
+  QMenu* through = menu.addMenu(tr("Seen through"));
+  for (const int percent : {0, 25, 50, 75, 90}) {
+    const QString text = percent == 0 ? tr("Not at all") : tr("%1 %").arg(percent);
+    through->addAction(text, this, [this, percent] { showOpacity(1 - percent / 100.0); })
+        ->setObjectName(QStringLiteral("sceneTreeThrough-%1").arg(percent));
+  }
+  menu.addActions({follow_, turnWith_, lookOut_});
+}
+
+void SceneTreeView::showOpacity(double opacity) {
+  const auto* object = selected();
+  if (object == nullptr) return;
+  report(context().commands.run("scene.opacity", {object->path(), opacity, std::string()}));
+}
+
+void SceneTreeView::runForObject(const char* command, std::vector<std::string> words) {
+  const auto* object = selected();
+  if (object == nullptr) return;
+  words.insert(words.begin(), object->path());
+  run(command, words);
+}
+
 void SceneTreeView::createViews() {
   filtered_->setSourceModel(&model_);
   filtered_->setRecursiveFilteringEnabled(true);
@@ -120,7 +192,8 @@ void SceneTreeView::createViews() {
   actuators_ = new ActuatorPanel(session(), model_, this);
   auto* row = new QHBoxLayout;
   row->addWidget(search_, 1);
-  for (QAction* action : {plot_, columns_, image_, properties_}) row->addWidget(makeButton(this, action));
+  for (QAction* action : {alone_, plot_, columns_, image_, properties_})
+    row->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {4, 4, 4, 0}, 4);
   layout->addLayout(row);
   layout->addWidget(tree_, 1);
@@ -219,7 +292,8 @@ void SceneTreeView::showSelected() {
   plot_->setEnabled(hasValues && valueCount(object->port()) <= kMaxCurves);
   columns_->setEnabled(hasValues);
   for (QAction* action : {image_, gray_, stereogram_}) action->setEnabled(hasImages);
-  properties_->setEnabled(object != nullptr);
+  for (QAction* action : {alone_, around_, hide_, showAgain_, follow_, turnWith_, lookOut_, properties_})
+    action->setEnabled(object != nullptr);
   copyPath_->setEnabled(object != nullptr);
   std::vector<std::string> actuators;
   for (const auto* actuator :
@@ -232,6 +306,8 @@ void SceneTreeView::showMenu(const QPoint& at) {
   QMenu menu(this);
   menu.setObjectName(QStringLiteral("sceneTreeMenu"));
   menu.addActions({plot_, columns_, image_, gray_, stereogram_});
+  menu.addSeparator();
+  if (selected() != nullptr) addSceneEntries(menu);
   menu.addSeparator();
   menu.addActions({properties_, copyPath_});
   menu.exec(tree_->viewport()->mapToGlobal(at));
@@ -260,8 +336,10 @@ void SceneTreeView::showImage(const char* mode) {
 }
 
 bool SceneTreeView::run(const char* command, const std::vector<std::string>& words) {
-  const auto done =
-      context().commands.run(command, robotlink::CommandTable::Values(words.begin(), words.end()));
+  return report(context().commands.run(command, robotlink::CommandTable::Values(words.begin(), words.end())));
+}
+
+bool SceneTreeView::report(const robotlink::Result<void>& done) {
   outcome_->setVisible(!done);
   if (!done) showOutcome(*outcome_, QString::fromStdString(done.error().describe()), true);
   return done.has_value();

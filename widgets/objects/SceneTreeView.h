@@ -11,6 +11,7 @@
 class QAction;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QSortFilterProxyModel;
 class QTreeView;
 
@@ -52,8 +53,17 @@ class SceneTreeView final : public View {
   void plot();
   void showColumns();
   void showImage(const char* mode);
+  void createSceneActions();
+  /// Adds to a menu how views of the scene show the object.
+  void addSceneEntries(QMenu& menu);
+  /// Runs a command with the path of the selected object and more words.
+  void runForObject(const char* command, std::vector<std::string> words);
   /// Runs a command, and says what went wrong; whether it was done.
   bool run(const char* command, const std::vector<std::string>& words);
+  /// Says what went wrong; whether it was done.
+  bool report(const robotlink::Result<void>& done);
+  /// How much of the selected object hides what is behind it.
+  void showOpacity(double opacity);
   /// The paths of unfolded objects.
   std::set<std::string> unfolded() const;
   void unfold(const std::set<std::string>& paths);
@@ -63,6 +73,8 @@ class SceneTreeView final : public View {
   QSortFilterProxyModel* filtered_;
   PortSubscription subscription_;
   QAction *plot_ = nullptr, *columns_ = nullptr, *image_ = nullptr, *gray_ = nullptr;
+  QAction *alone_ = nullptr, *around_ = nullptr, *hide_ = nullptr, *showAgain_ = nullptr;
+  QAction *follow_ = nullptr, *turnWith_ = nullptr, *lookOut_ = nullptr;
   QAction *stereogram_ = nullptr, *properties_ = nullptr, *copyPath_ = nullptr;
   QLineEdit* search_ = nullptr;
   QTreeView* tree_ = nullptr;

@@ -53,18 +53,24 @@ SceneCamera CameraRide::step(const SceneCamera& camera, const Subject& subject, 
   const Pose2 place = wanted(subject);
   if (!at_) {
     at_ = place;
-    return boarded(camera, subject, far);
+    height_ = subject.height.value_or(0);
+    SceneCamera near = boarded(camera, subject, far);
+    if (subject.height) near.target.z() = *subject.height;
+    return near;
   }
   const Vector2 missing = place.translation() - at_->translation();
   const double turn = normalizedAngle(place.heading - at_->heading);
-  const bool jumped = missing.norm() > kJump;
-  if (missing.norm() < kStill && std::abs(turn) < kStill) return camera;
+  const double rise = subject.height ? *subject.height - height_ : 0;
+  const bool jumped = missing.norm() > kJump || std::abs(rise) > kJump;
+  if (missing.norm() < kStill && std::abs(turn) < kStill && std::abs(rise) < kStill) return camera;
   const double share = jumped ? 1 : kShare;
   const Pose2 next{at_->x + share * missing.x(), at_->y + share * missing.y(),
                    normalizedAngle(at_->heading + share * turn)};
   // Keeps the camera's pose relative to the place that it follows, including what the user has changed.
   SceneCamera moved = camera;
   moved.target.head<2>() = next * (at_->inverse() * Vector2(camera.target.head<2>()));
+  moved.target.z() += share * rise;
+  height_ += share * rise;
   moved.azimuth = normalizedAngle(camera.azimuth + normalizedAngle(next.heading - at_->heading));
   at_ = next;
   return moved;

@@ -22,6 +22,8 @@ class CameraRide {
     robotlink::Pose2 robot;
     /// Unset: unknown.
     std::optional<robotlink::Vector2> ball;
+    /// Its height above the ground, m, which the camera follows; unset: it stays as high as it is.
+    std::optional<double> height = {};
     /// Distance of the camera from which the robot is seen well, m.
     double distance = 2.4;
   };
@@ -45,6 +47,8 @@ class CameraRide {
   Mode mode_ = Mode::kOff;
   /// The smoothed place that is followed; unset before the first step.
   std::optional<robotlink::Pose2> at_;
+  /// The smoothed height of what is followed, if it has one.
+  double height_ = 0;
 };
 
 }  // namespace widgets

@@ -9,9 +9,9 @@
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
+#include "widgets/scene/SensorShapes.h"
 #include "widgets/scene/render/MeshBuilder.h"
 #include "widgets/scene/render/SceneShapes.h"
-#include "widgets/scene/SensorShapes.h"
 #include "widgets/world/SceneState.h"
 #include "widgets/world/WorldDrawings.h"
 

@@ -12,9 +12,32 @@ std::vector<SceneBody> SceneAssembly::bodies(const SceneState& scene) {
   std::vector<SceneBody> bodies;
   for (const auto& [id, item] : scene.items()) {
     const auto pose = scene.framePose(item.entity->frame_id());
-    if (pose) bodies.push_back({shape(sceneShapes_, item.entity, item.keep), *pose, item.model});
+    if (!pose) continue;
+    bodies.push_back({shape(sceneShapes_, item.entity, item.keep), *pose, item.model});
+    bodies.back().object = item.object;
   }
   forgetUnused(sceneShapes_);
+  return bodies;
+}
+
+std::vector<SceneBody> SceneAssembly::solids(const robotlink::PackagePtr& message, const SceneState& scene) {
+  std::vector<SceneBody> bodies;
+  const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(message.get());
+  if (message != solidsMessage_) {
+    solidsMessage_ = message;
+    solidShapes_.clear();
+    solidObjects_.clear();
+  }
+  if (update == nullptr) return bodies;
+  for (const auto& entity : update->entities()) {
+    const auto pose = scene.framePose(entity.frame_id());
+    if (!pose) continue;
+    bodies.push_back({shape(solidShapes_, &entity, message), *pose, {}});
+    auto& object = solidObjects_[&entity];
+    const std::string* path = metadataOf(entity, "object");
+    if (!object && path != nullptr) object = std::make_shared<const std::string>(*path);
+    bodies.back().object = object;
+  }
   return bodies;
 }
 
@@ -69,7 +92,7 @@ std::optional<SceneHit> firstHit(const std::vector<SceneBody>& bodies, const Ray
         distanceTo(body.shape->opaque, {fieldInBody * ray.origin, fieldInBody.linear() * ray.direction});
     if (!distance || *distance >= nearest) continue;
     nearest = *distance;
-    hit = SceneHit{body.model, ray.at(nearest)};
+    hit = SceneHit{body.model, ray.at(nearest), body.object};
   }
   return hit;
 }

@@ -20,6 +20,8 @@ class SceneAssembly {
  public:
   /// The entities of the scene at their poses; those in unknown frames are left out.
   std::vector<SceneBody> bodies(const SceneState& scene);
+  /// What collides, of a message of the stream "solids", at its poses; null: nothing.
+  std::vector<SceneBody> solids(const robotlink::PackagePtr& message, const SceneState& scene);
   /// The drawings at their poses, lowest first.
   std::vector<SceneBody> drawings(const std::vector<WorldDrawing>& drawings);
   /// The texts of the drawings.
@@ -41,7 +43,10 @@ class SceneAssembly {
   /// Drops the shapes that were not used in this call.
   static void forgetUnused(Shapes& shapes);
 
-  Shapes sceneShapes_, drawingShapes_;
+  Shapes sceneShapes_, drawingShapes_, solidShapes_;
+  /// The message of which solidShapes_ are, and the paths of its entities.
+  robotlink::PackagePtr solidsMessage_;
+  std::map<const foxglove::SceneEntity*, std::shared_ptr<const std::string>> solidObjects_;
 };
 
 /// The first thing on a ray.
@@ -50,6 +55,8 @@ struct SceneHit {
   std::string model;
   /// In the field's frame.
   robotlink::Vector3 point;
+  /// The path of the object that is hit; null: not known.
+  std::shared_ptr<const std::string> object = {};
 };
 /// Unset if the ray, which is in the field's frame, hits nothing.
 std::optional<SceneHit> firstHit(const std::vector<SceneBody>& bodies, const Ray& ray);

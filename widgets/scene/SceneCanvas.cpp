@@ -12,8 +12,8 @@
 #include "widgets/Sentence.h"
 #include "widgets/Theme.h"
 #include "widgets/scene/SceneAssembly.h"
-#include "widgets/scene/render/SceneOverlay.h"
 #include "widgets/scene/SceneProbe.h"
+#include "widgets/scene/render/SceneOverlay.h"
 
 namespace widgets {
 namespace {
@@ -94,9 +94,8 @@ void SceneCanvas::zoomBy(double factor) {
   setCamera(camera);
 }
 
-void SceneCanvas::setWireFrame(bool wireFrame) {
-  wireFrame_ = wireFrame;
-  request();
+std::optional<SceneHit> SceneCanvas::hitAt(const QPointF& at) const {
+  return firstHit(contents_.bodies, camera_.ray(size(), at));
 }
 
 void SceneCanvas::setGrid(bool grid) {
@@ -124,7 +123,6 @@ void SceneCanvas::request(bool smooth) {
   frame->pixels = (QSizeF(size()) * frame->pixelRatio).toSize();
   frame->camera = camera_;
   frame->colors = colors();
-  frame->wireFrame = wireFrame_;
   frame->grid = grid_;
   frame->contents = contents_;
   frame->highlighted = highlighted_.empty() ? selected_ : highlighted_;

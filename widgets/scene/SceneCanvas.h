@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/render/RenderThread.h"
 
 namespace widgets {
@@ -48,13 +49,15 @@ class SceneCanvas final : public QWidget {
   bool overview() const { return overview_.has_value(); }
   /// Zooms around the middle.
   void zoomBy(double factor);
-  bool wireFrame() const { return wireFrame_; }
-  void setWireFrame(bool wireFrame);
   void setGrid(bool grid);
   void setLabels(bool labels);
 
   /// What is shown, with labels but without axes and sentences; null until the first picture.
   QImage rendered() const;
+  /// The first body at a place of the widget; unset: there is none.
+  std::optional<SceneHit> hitAt(const QPointF& at) const;
+  /// What was set last.
+  const VisibleScene& contents() const { return contents_; }
   /// Whether the newest picture shows everything that was set.
   bool upToDate() const { return shown_.frame && shown_.frame == requested_; }
   /// Whether nothing can be drawn at all on this machine.
@@ -114,7 +117,7 @@ class SceneCanvas final : public QWidget {
 
   VisibleScene contents_;
   std::vector<std::string> movable_;
-  bool moveAlways_ = true, wireFrame_ = false, grid_ = true, labels_ = true;
+  bool moveAlways_ = true, grid_ = true, labels_ = true;
   QString notice_, hint_;
   SceneCamera camera_;
   /// Unset: the camera was moved.

@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QMenu>
+#include <QToolButton>
 #include <algorithm>
 #include <iterator>
 
@@ -20,11 +21,13 @@
 #include "robotlink/packages/MapConversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
+#include "widgets/Icon.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/field/FieldPainter.h"
 #include "widgets/picture/PoseMenu.h"
 #include "widgets/scene/SceneCanvas.h"
+#include "widgets/scene/SceneModes.h"
 #include "widgets/world/SceneSelection.h"
 #include "widgets/world/ShownMap.h"
 #include "widgets/world/WorldDrawings.h"
@@ -36,8 +39,6 @@ const ViewRegistration kSceneViewRegistration{
     {"scene", QT_TRANSLATE_NOOP("View", "Scene"),
      QT_TRANSLATE_NOOP("View", "The world in three dimensions, with the robots' drawings"), "scene", true,
      create<SceneView>}};
-
-constexpr double kWheelsDistance = 4.5;  // m; distance from which a robot on wheels is seen well
 
 }  // namespace
 
@@ -57,9 +58,7 @@ SceneView::SceneView(ViewContext& context, QWidget* parent)
 SceneView::~SceneView() = default;
 
 void SceneView::createActions() {
-  wireFrame_ =
-      makeToggle(this, "wireframe",
-                 {"sceneWireFrame", tr("Wire frame"), tr("Shows the edges of all triangles"), Qt::Key_W});
+  modes_ = new SceneModes(this);
   grid_ = makeToggle(
       this, "grid", {"sceneGrid", tr("Grid"), tr("Shows lines every half meter beside the field"), Qt::Key_G},
       true);
@@ -92,6 +91,10 @@ void SceneView::createCameraActions() {
   follow_ = makeToggle(
       this, "follow",
       {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_F}, true);
+  firstPerson_ =
+      makeToggle(this, "eye",
+                 {"sceneFirstPerson", tr("First person"),
+                  tr("Looks out of the camera of what is followed, or out of the object itself"), Qt::Key_P});
   ride_.setMode(CameraRide::Mode::kBeside);
 }
 
@@ -108,15 +111,23 @@ QWidget* SceneView::createToolRow(QAction* showDrawings) {
   robots_->setToolTip(tr("Whose drawings are shown, and which robot the camera follows"));
   row->addWidget(robots_);
   row->addSpacing(6);
-  addButtons(row, {reset_, fromAbove_, behind_, follow_});
+  addButtons(row, {reset_, fromAbove_, behind_, follow_, firstPerson_});
   state_ = addWideLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
   addPoses(row);
-  addButtons(row, {move_, wireFrame_, grid_, labels_, sensors_, zoomOut(), zoomIn(), showDrawings});
+  addButtons(row, {move_, modes_->wireFrame()});
+  row->addWidget(makeMenuButton(row->parentWidget(),
+                                {"sceneSurfacesButton", tr("Surfaces"), tr("How surfaces are drawn")},
+                                modes_->surfaces()));
+  row->addWidget(makeMenuButton(
+      row->parentWidget(),
+      {"sceneLayersButton", tr("Layers"), tr("What is shown: shapes, solids, forces, joints, sensors, ...")},
+      modes_->layers()));
+  addButtons(row, {grid_, labels_, sensors_, zoomOut(), zoomIn(), showDrawings});
   return row->parentWidget();
 }
 
 void SceneView::connectSignals() {
-  connect(wireFrame_, &QAction::toggled, canvas_, &SceneCanvas::setWireFrame);
+  connect(modes_, &SceneModes::changed, this, &SceneView::tick);
   connect(grid_, &QAction::toggled, canvas_, &SceneCanvas::setGrid);
   connect(labels_, &QAction::toggled, canvas_, &SceneCanvas::setLabels);
   connect(move_, &QAction::toggled, this, &SceneView::tick);
@@ -124,6 +135,8 @@ void SceneView::connectSignals() {
   drawings()->listStreams(&StreamFigures::canShow);
   connect(drawings(), &DrawingsModel::shownChanged, this, &SceneView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, [this] {
+    followed_.clear();
+    extent_.reset();
     ride_.forget();
     tick();
   });
@@ -145,15 +158,14 @@ void SceneView::connectCamera() {
     letGo();
     canvas_->setCamera(SceneCamera::fromAbove(canvas_->size(), box()));
   });
-  // At most one of the two is checked.
-  connect(behind_, &QAction::toggled, this, [this](bool on) {
-    if (on) follow_->setChecked(false);
-    ride();
-  });
-  connect(follow_, &QAction::toggled, this, [this](bool on) {
-    if (on) behind_->setChecked(false);
-    ride();
-  });
+  // At most one of the three is checked.
+  for (QAction* chosen : {behind_, follow_, firstPerson_}) {
+    connect(chosen, &QAction::toggled, this, [this, chosen](bool on) {
+      for (QAction* other : {behind_, follow_, firstPerson_})
+        if (on && other != chosen) other->setChecked(false);
+      ride();
+    });
+  }
 }
 
 void SceneView::connectDrag() {
@@ -176,6 +188,10 @@ bool SceneView::isPictureReady() const {
 void SceneView::tick() {
   const auto shown = session().timeline().shown();
   scene_.update(session().store(), shown);
+  if (parts_.update(session().store())) {
+    layers_.forget();
+    extent_.reset();
+  }
   followMap();
   drawings()->refresh(session(), session().selectedRobot());
   robots_->refresh(session());
@@ -200,9 +216,11 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   contents.bodies = assembly_.bodies(scene_);
   std::ranges::copy(ownModels_.bodies(contents.bodies.empty() ? std::optional(box()) : std::nullopt),
                     std::back_inserter(contents.bodies));
+  parts_.apply(contents.bodies, modes_->surface());
   const auto drawings = worldDrawings(session(), scene_, streamFigures_, beliefs, robots_->robots(session()),
                                       this->drawings()->shown(), session().timeline().shown());
-  contents.drawings = assembly_.drawings(drawings);
+  // What robots draw belongs to the surroundings.
+  if (parts_.only().empty()) contents.drawings = assembly_.drawings(drawings);
   if (sensors_->isChecked()) std::ranges::copy(ownModels_.sensors(), std::back_inserter(contents.drawings));
   showState(std::ranges::any_of(drawings, &WorldDrawing::old));
   contents.ghosts = ghosts(contents.bodies);
@@ -213,6 +231,7 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   addNames(beliefs, contents.labels);
   showSelection(contents.labels);
   std::ranges::copy(ownModels_.names(), std::back_inserter(contents.labels));
+  layers_.add({session(), scene_, parts_, *modes_, assembly_, sceneSelection(context()).object()}, contents);
   return contents;
 }
 
@@ -237,13 +256,7 @@ std::vector<SceneBody> SceneView::ghosts(const std::vector<SceneBody>& bodies) c
 
 void SceneView::showSelection(std::vector<SceneLabel>& labels) {
   const std::string& selected = sceneSelection(context()).object();
-  const auto* objects = session().store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
-                                                                               session().timeline().newest());
-  const robotcontrol::WorldObject* found = nullptr;
-  if (objects != nullptr && !selected.empty()) {
-    for (const auto& object : objects->objects())
-      if (object.path() == selected) found = &object;
-  }
+  const robotcontrol::WorldObject* found = parts_.objects().find(selected);
   canvas_->setSelected(found == nullptr ? std::string() : found->model());
   if (found == nullptr || !found->has_pose_in_frame() || found->path() == found->model()) return;
   const auto frame = scene_.framePose(found->frame());
@@ -255,7 +268,7 @@ void SceneView::showSelection(std::vector<SceneLabel>& labels) {
 void SceneView::addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const {
   constexpr double kAboveRobot = 0.34;  // m
   for (const RobotBelief& belief : beliefs) {
-    if (!belief.truth) continue;
+    if (!belief.truth || !parts_.isShown(belief.robot)) continue;
     labels.push_back({{belief.truth->x, belief.truth->y, kAboveRobot},
                       QString::fromStdString(belief.robot),
                       Qt::white,
@@ -271,6 +284,7 @@ std::optional<robotlink::Pose2> SceneView::robotPose() const {
 
 void SceneView::ride() {
   using Mode = CameraRide::Mode;
+  if (!firstPerson_->isChecked()) endLookingOut();
   ride_.setMode(behind_->isChecked() ? Mode::kBehind : follow_->isChecked() ? Mode::kBeside : Mode::kOff);
   tick();
 }
@@ -278,19 +292,16 @@ void SceneView::ride() {
 void SceneView::letGo() {
   behind_->setChecked(false);
   follow_->setChecked(false);
+  firstPerson_->setChecked(false);
 }
 
 void SceneView::follow() {
   // Following would move the dragged model away from the mouse.
   if (drag_.active()) return;
-  const auto pose = robotPose();
-  if (!pose) return ride_.forget();
-  CameraRide::Subject subject{*pose, {}};
-  if (const auto ball = scene_.modelPose(kBallModel)) subject.ball = ball->translation().head<2>();
-  const auto robot = context().robots.find(robots_->robot(session()));
-  if (robot != context().robots.end() && robot->second && robot->second->drive)
-    subject.distance = kWheelsDistance;
-  canvas_->setCamera(ride_.step(canvas_->camera(), subject, canvas_->overview()));
+  if (firstPerson_->isChecked()) return lookOut();
+  const auto followed = subject();
+  if (!followed) return ride_.forget();
+  canvas_->setCamera(ride_.step(canvas_->camera(), *followed, canvas_->overview()));
 }
 
 SceneBox SceneView::box() const {
@@ -318,21 +329,34 @@ void SceneView::showContextMenu(const QPoint& at) {
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("sceneMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addActions({reset_, fromAbove_, behind_, follow_});
+  if (const auto hit = canvas_->hitAt(at)) addObjectMenus(*menu, hit->object ? *hit->object : hit->model);
+  if (const int hidden = parts_.looks().hiddenCount(); hidden > 0) {
+    QAction* show = menu->addAction(icon("eye"), tr("Show %n hidden part(s) again", nullptr, hidden), this,
+                                    [this] { showObject({}); });
+    show->setObjectName(QStringLiteral("sceneShowHidden"));
+  }
+  if (!parts_.only().empty()) {
+    QAction* all =
+        menu->addAction(icon("scene"), tr("Show the whole scene"), this, [this] { showOnly({}, false); });
+    all->setObjectName(QStringLiteral("sceneShowWhole"));
+  }
+  if (!menu->isEmpty()) menu->addSeparator();
+  menu->addActions({reset_, fromAbove_, behind_, follow_, firstPerson_});
+  menu->addMenu(modes_->surfaces())->setText(tr("Surfaces"));
+  menu->addMenu(modes_->layers())->setText(tr("Layers"));
   menu->addSeparator();
   menu->addActions({copyAction(), saveAction()});
   menu->popup(canvas_->mapToGlobal(at));
 }
 
 void SceneView::keepChoices() {
-  keep("wireFrame", wireFrame_);
   keep("grid", grid_);
   keep("labels", labels_);
   keep("move", move_);
   keep("sensors", sensors_);
   keep("robot", robots_);
   keep(
-      "camera", [this] { return stateOf(canvas_->camera()); },
+      "camera", [this] { return stateOf(before_.value_or(canvas_->camera())); },
       [this](const QJsonValue& value) { canvas_->setCamera(cameraOf(value.toObject())); });
   keep(
       "overview", [this] { return canvas_->overview(); },
@@ -347,6 +371,7 @@ void SceneView::keepChoices() {
         follow_->setChecked(value.toBool(!behind_->isChecked()));
         ride_.forget();
       });
+  keepObjects();
 }
 
 }  // namespace widgets

@@ -8,6 +8,8 @@
 #include "widgets/scene/CameraRide.h"
 #include "widgets/scene/OwnModels.h"
 #include "widgets/scene/SceneAssembly.h"
+#include "widgets/scene/SceneLayers.h"
+#include "widgets/scene/ShownParts.h"
 #include "widgets/scene/render/SceneCamera.h"
 #include "widgets/world/ModelDrag.h"
 #include "widgets/world/RobotBeliefs.h"
@@ -16,6 +18,7 @@
 
 class QAction;
 class QLabel;
+class QMenu;
 
 namespace robotcontrol {
 class GroundMap;
@@ -25,6 +28,7 @@ namespace widgets {
 
 class RobotChoice;
 class SceneCanvas;
+class SceneModes;
 struct SceneCamera;
 
 /// The world in three dimensions, with the robots' drawings. The camera orbits, pans, zooms and follows a
@@ -41,6 +45,27 @@ class SceneView final : public PictureView {
   void tick() override;
   /// Whether the drawing thread has drawn what the last tick has read.
   bool isPictureReady() const override;
+  /// Where the models are: their paths, positions and angles.
+  std::optional<QString> numbers() override;
+
+  /// How a camera follows an object.
+  enum class Following : std::uint8_t { kOff, kPosition, kHeading, kFirstPerson };
+  /// Hides an object with all that belongs to it. Fails if the scene has none of this path; so do the others.
+  robotlink::Result<void> hideObject(const std::string& path);
+  /// Shows it again; empty: everything.
+  robotlink::Result<void> showObject(const std::string& path);
+  /// Draws an object as a surface (shaded, ...), or as the view does ("view"); of an empty path the view.
+  robotlink::Result<void> drawObject(const std::string& path, const std::string& surface);
+  /// 1: not seen through.
+  robotlink::Result<void> setOpacity(const std::string& path, double opacity);
+  /// Shows or leaves out a layer by its name.
+  robotlink::Result<void> showLayer(const std::string& layer, bool shown);
+  /// Moves the camera with an object, or looks out of it; empty: with the robot of the view.
+  robotlink::Result<void> followObject(const std::string& path, Following how);
+  /// Looks at an object and follows it; `alone`: everything else is left out. Empty: ends that.
+  robotlink::Result<void> showOnly(const std::string& path, bool alone);
+  /// The paths of all objects, for completion.
+  std::vector<std::string> objectPaths() const;
 
  private:
   void createActions();
@@ -78,6 +103,22 @@ class SceneView final : public PictureView {
   void letGo();
   void showContextMenu(const QPoint& at);
 
+  // SceneViewObjects.cpp:
+  /// Adds what can be done with an object below the mouse, and with what it belongs to.
+  void addObjectMenus(QMenu& menu, const std::string& path);
+  QMenu* makeObjectMenu(const std::string& path, QWidget* parent);
+  /// Fails if there is no such object.
+  robotlink::Result<void> require(const std::string& path) const;
+  /// What the camera follows; unset: it is not known where that is.
+  std::optional<CameraRide::Subject> subject();
+  /// Looks out of what is followed.
+  void lookOut();
+  /// Ends that, as the camera was before.
+  void endLookingOut();
+  /// Shows only an object; empty: all. Says so in the title.
+  void limitTo(const std::string& path);
+  void keepObjects();
+
   SceneState scene_;
   StreamFigures streamFigures_;
   SceneAssembly assembly_;
@@ -91,11 +132,20 @@ class SceneView final : public PictureView {
   /// The robots in the last tick.
   std::vector<RobotBelief> beliefs_;
   CameraRide ride_;
+  ShownParts parts_;
+  SceneLayers layers_;
+  SceneModes* modes_ = nullptr;
+  /// The object that the camera follows; empty: the robot that is chosen.
+  std::string followed_;
+  /// Its size; unset: not measured yet.
+  std::optional<ShownParts::Extent> extent_;
+  /// The camera before the first person.
+  std::optional<SceneCamera> before_;
   SceneCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;
   QLabel* state_ = nullptr;
   QAction *reset_ = nullptr, *fromAbove_ = nullptr, *behind_ = nullptr, *follow_ = nullptr;
-  QAction *wireFrame_ = nullptr, *grid_ = nullptr, *labels_ = nullptr, *move_ = nullptr;
+  QAction *firstPerson_ = nullptr, *grid_ = nullptr, *labels_ = nullptr, *move_ = nullptr;
   QAction* sensors_ = nullptr;
 };
 

@@ -17,10 +17,13 @@ using robotlink::Pose3;
 constexpr char kField[] = "field";
 
 std::string modelOf(const foxglove::SceneEntity& entity) {
-  for (const auto& pair : entity.metadata()) {
-    if (pair.key() == "model") return pair.value();
-  }
-  return {};
+  const std::string* model = metadataOf(entity, "model");
+  return model == nullptr ? std::string() : *model;
+}
+
+std::shared_ptr<const std::string> objectOf(const foxglove::SceneEntity& entity) {
+  const std::string* path = metadataOf(entity, "object");
+  return path == nullptr ? nullptr : std::make_shared<const std::string>(*path);
 }
 
 /// Messages that are published once may be later than the shown instant if that is before the history begins;
@@ -35,6 +38,12 @@ const robotlink::StreamMessage* latestOrFirst(const robotlink::StreamStore& stor
 }
 
 }  // namespace
+
+const std::string* metadataOf(const foxglove::SceneEntity& entity, const char* key) {
+  for (const auto& pair : entity.metadata())
+    if (pair.key() == key) return &pair.value();
+  return nullptr;
+}
 
 void SceneState::update(const robotlink::StreamStore& store, robotlink::Instant shown) {
   updateItems(store, shown);
@@ -73,7 +82,8 @@ void SceneState::apply(const foxglove::SceneUpdate& update, const robotlink::Pac
       items_.erase(deletion.id());
     }
   }
-  for (const auto& entity : update.entities()) items_[entity.id()] = {&entity, modelOf(entity), keep};
+  for (const auto& entity : update.entities())
+    items_[entity.id()] = {&entity, modelOf(entity), objectOf(entity), keep};
 }
 
 /// Parents may follow their children in the message, so the transforms are scanned until no more can be

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ namespace widgets {
 /// The model that views show as the ball: scenes call it so.
 inline constexpr char kBallModel[] = "ball";
 
+/// The value of an entry of an entity's metadata; null if there is none.
+const std::string* metadataOf(const foxglove::SceneEntity& entity, const char* key);
+
 /// The world at the shown instant, from the streams "scene" and "transforms": which entities exist and where
 /// they are. All poses are in the field's frame, in meters. References are valid until the next update(). GUI
 /// thread.
@@ -36,6 +40,8 @@ class SceneState {
     const foxglove::SceneEntity* entity = nullptr;
     /// Name of the movable model that the entity is part of; empty: it is part of the field.
     std::string model;
+    /// The path of the object that it shows ("red1/link:head/visual:nose"); null: the scene does not say.
+    std::shared_ptr<const std::string> object;
     /// The message that owns `entity`.
     robotlink::PackagePtr keep;
   };

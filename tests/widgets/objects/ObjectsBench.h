@@ -48,7 +48,9 @@ struct ObjectsBench : Bench {
     camera.set_image_stream("red1/cam/image");
     add(Kind::LIGHT, "light 1", "");
     push("objects", objects, 1);
-    for (const char* name : {"plots.add", "columns.show", "image.stream", "image.show", "view.show"})
+    for (const char* name :
+         {"plots.add", "columns.show", "image.stream", "image.show", "view.show", "scene.open", "scene.hide",
+          "scene.show", "scene.draw", "scene.opacity", "scene.follow"})
       addCommand(name);
   }
 
@@ -74,9 +76,16 @@ struct ObjectsBench : Bench {
     using Type = robotlink::CommandTable::Type;
     robotlink::CommandTable::Command command{name, "Notes its words", {{"first", Type::kText, ""}}};
     if (name.starts_with("image")) command.arguments.push_back({"second", Type::kText, ""});
+    if (name.starts_with("scene."))
+      command.arguments.push_back({"second", name == "scene.opacity" ? Type::kNumber : Type::kText, ""});
+    if (name == "scene.draw" || name == "scene.opacity" || name == "scene.follow")
+      command.arguments.push_back({"third", Type::kText, ""});
     command.run = [this, name](const robotlink::CommandTable::Values& values) -> robotlink::Result<void> {
       std::string line = name;
-      for (const auto& value : values) line += " " + std::get<std::string>(value);
+      for (const auto& value : values) {
+        const auto* number = std::get_if<double>(&value);
+        line += " " + (number == nullptr ? std::get<std::string>(value) : std::to_string(*number));
+      }
       lines.push_back(line);
       return {};
     };

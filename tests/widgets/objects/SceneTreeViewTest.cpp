@@ -5,8 +5,10 @@
 #include <QAction>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
+#include <QTimer>
 #include <QTreeView>
 
 #include "tests/widgets/objects/ObjectsBench.h"
@@ -66,6 +68,48 @@ class SceneTreeViewTest : public QObject {
     const QModelIndex sensor = find(tree, QStringLiteral("red1/pan/position"));
     QCOMPARE(sensor.sibling(sensor.row(), SceneTreeModel::kValue).data().toString(),
              QStringLiteral("0.25 rad"));
+  }
+
+  void objectsAreShownHiddenAndFollowedInThreeDimensions() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    auto& tree = child<QTreeView>(*view, "sceneTree");
+    tree.expandAll();
+    auto& alone = child<QAction>(*view, "sceneTreeAlone");
+    QVERIFY(!alone.isEnabled());
+    clickCell(tree, find(tree, QStringLiteral("red1/link:body")));
+    click(*view, "sceneTreeAlone");
+    QTest::keyClick(&tree, Qt::Key_H, Qt::ControlModifier | Qt::AltModifier);
+    for (const char* action : {"sceneTreeShowAgain", "sceneTreeTurnWith", "sceneTreeLookOut"})
+      child<QAction>(*view, action).trigger();
+    const std::vector<std::string> expected{
+        "scene.open red1/link:body alone", "scene.hide red1/link:body ", "scene.show red1/link:body ",
+        "scene.follow red1/link:body heading ", "scene.follow red1/link:body first-person "};
+    QCOMPARE(bench.lines, expected);
+  }
+
+  void theMenuChoosesHowObjectsAreDrawn() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    auto& tree = child<QTreeView>(*view, "sceneTree");
+    tree.expandAll();
+    const QModelIndex robot = find(tree, QStringLiteral("red1"));
+    clickCell(tree, robot);
+    for (const char* entry : {"sceneTreeDrawn-wire", "sceneTreeThrough-75"}) {
+      bool found = false;
+      QTimer::singleShot(0, view.get(), [&] {
+        auto* menu = view->findChild<QMenu*>(QStringLiteral("sceneTreeMenu"));
+        if (menu == nullptr) return;
+        auto* action = view->findChild<QAction*>(QLatin1String(entry));
+        found = action != nullptr;
+        if (found) action->trigger();
+        menu->close();
+      });
+      Q_EMIT tree.customContextMenuRequested(tree.visualRect(robot).center());
+      QVERIFY2(found, entry);
+    }
+    const std::vector<std::string> expected{"scene.draw red1 wire ", "scene.opacity red1 0.250000 "};
+    QCOMPARE(bench.lines, expected);
   }
 
   void aSliderHoldsItsActuatorUntilItIsReleased() {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "widgets/scene/render/MeshEdges.h"
+
 namespace widgets {
 namespace {
 
@@ -107,11 +109,26 @@ GlMesh::~GlMesh() {
   glDeleteVertexArrays(1, &array_);
   glDeleteBuffers(1, &vertices_);
   glDeleteBuffers(1, &indices_);
+  if (edges_ != 0) glDeleteBuffers(1, &edges_);
 }
 
 void GlMesh::draw() const {
   glBindVertexArray(array_);
   glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+}
+
+void GlMesh::drawEdges(const SceneMesh& mesh) {
+  glBindVertexArray(array_);
+  if (edges_ == 0) {
+    const std::vector<std::uint32_t> edges = meshEdges(mesh);
+    edgeCount_ = static_cast<int>(edges.size());
+    glGenBuffers(1, &edges_);
+    upload(GL_ELEMENT_ARRAY_BUFFER, edges_, edges);
+  }
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, edges_);
+  glDrawElements(GL_LINES, edgeCount_, GL_UNSIGNED_INT, nullptr);
+  // The array remembers its last buffer of indices.
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
 }
 
 GlLines::GlLines(const SceneLines& lines) : count_(static_cast<int>(lines.segments.size())) {

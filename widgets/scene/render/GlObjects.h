@@ -51,10 +51,16 @@ class GlMesh {
   GlMesh& operator=(const GlMesh&) = delete;
   /// Draws all triangles with the current program.
   void draw() const;
+  /// Draws its edges (meshEdges()) with the current program, one pixel wide; `mesh` is that of which it was
+  /// made. The edges are found in the first call.
+  void drawEdges(const SceneMesh& mesh);
 
  private:
   unsigned array_ = 0, vertices_ = 0, indices_ = 0;
   int count_ = 0;
+  /// Indices of edges, two each; 0 until they are drawn.
+  unsigned edges_ = 0;
+  int edgeCount_ = 0;
 };
 
 /// Line segments, drawn as instances of a rectangle. Attributes per instance: 0 from, 1 to, 2 color, 3 width.

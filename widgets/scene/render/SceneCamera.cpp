@@ -27,6 +27,7 @@ std::optional<Vector3> Ray::onPlane(double height) const {
 }
 
 Vector3 SceneCamera::position() const {
+  if (eyeInField) return eyeInField->block<3, 1>(0, 3);
   const double level = distance * std::cos(elevation);
   return target +
          Vector3(level * std::cos(azimuth), level * std::sin(azimuth), distance * std::sin(elevation));
@@ -34,8 +35,12 @@ Vector3 SceneCamera::position() const {
 
 Eigen::Matrix4d SceneCamera::view() const {
   const Vector3 eye = position();
-  const Vector3 forward = (target - eye).normalized();
-  const Vector3 right(-std::sin(azimuth), std::cos(azimuth), 0);
+  Vector3 forward = (target - eye).normalized();
+  Vector3 right(-std::sin(azimuth), std::cos(azimuth), 0);
+  if (eyeInField) {
+    forward = eyeInField->block<3, 1>(0, 0);
+    right = -eyeInField->block<3, 1>(0, 1);
+  }
   const Vector3 up = right.cross(forward);
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   matrix.block<1, 3>(0, 0) = right.transpose();
@@ -46,8 +51,9 @@ Eigen::Matrix4d SceneCamera::view() const {
 }
 
 Eigen::Matrix4d SceneCamera::projection(const QSizeF& widget) const {
-  const double near = std::max(0.02, 0.02 * distance), far = std::max(60.0, 4 * distance);
-  const double f = 1 / std::tan(kVerticalAngle / 2);
+  const double away = eyeInField ? 0 : distance;
+  const double near = std::max(0.02, 0.02 * away), far = std::max(60.0, 4 * away);
+  const double f = 1 / std::tan(verticalAngle / 2);
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   matrix(0, 0) = f * widget.height() / widget.width();
   matrix(1, 1) = f;
@@ -58,7 +64,7 @@ Eigen::Matrix4d SceneCamera::projection(const QSizeF& widget) const {
 }
 
 Ray SceneCamera::ray(const QSizeF& widget, const QPointF& at) const {
-  const double f = std::tan(kVerticalAngle / 2);
+  const double f = std::tan(verticalAngle / 2);
   const Vector3 inCamera((2 * at.x() / widget.width() - 1) * f * widget.width() / widget.height(),
                          (1 - 2 * at.y() / widget.height()) * f, -1);
   return {position(), (view().block<3, 3>(0, 0).transpose() * inCamera).normalized()};
@@ -73,11 +79,13 @@ std::optional<QPointF> SceneCamera::project(const QSizeF& widget, const Vector3&
 
 void SceneCamera::orbit(const QPointF& by) {
   constexpr double kPerPixel = robotlink::radians(0.4);
+  if (eyeInField) return;
   azimuth = robotlink::normalizedAngle(azimuth - by.x() * kPerPixel);
   elevation = std::clamp(elevation + by.y() * kPerPixel, kLowest, kHighest);
 }
 
 void SceneCamera::pan(const QSizeF& widget, const QPointF& by) {
+  if (eyeInField) return;
   const double perPixel = 2 * distance * std::tan(kVerticalAngle / 2) / widget.height();
   const Vector3 right(-std::sin(azimuth), std::cos(azimuth), 0);
   const Vector3 ahead(-std::cos(azimuth), -std::sin(azimuth), 0);
@@ -88,6 +96,7 @@ void SceneCamera::pan(const QSizeF& widget, const QPointF& by) {
 }
 
 void SceneCamera::zoom(const QSizeF& widget, double factor, const QPointF& at) {
+  if (eyeInField) return;
   const auto fixed = ray(widget, at).onPlane(target.z());
   const double before = distance;
   distance = std::clamp(distance / factor, kMinDistance, kMaxDistance);
@@ -99,6 +108,7 @@ void SceneCamera::zoom(const QSizeF& widget, double factor, const QPointF& at) {
 
 void SceneCamera::fit(const QSizeF& widget, const SceneBox& box) {
   constexpr double kMargin = 0.03;  // share of the widget
+  if (eyeInField) return;
   const QRectF room(kMargin * widget.width(), kMargin * widget.height(), (1 - 2 * kMargin) * widget.width(),
                     (1 - 2 * kMargin) * widget.height());
   const auto allSeen = [&] {

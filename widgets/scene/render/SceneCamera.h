@@ -29,12 +29,12 @@ struct SceneBox {
   bool operator==(const SceneBox&) const = default;
 };
 
-/// A camera that orbits a point of the field at a distance. A plain value; meters and radians in the field's
-/// frame, widget coordinates in Qt's logical pixels.
+/// A camera that orbits a point of the field at a distance, or looks out of a place. A plain value; meters
+/// and radians in the field's frame, widget coordinates in Qt's logical pixels.
 struct SceneCamera {
   /// Limits of the distance.
   static constexpr double kMinDistance = 0.15, kMaxDistance = 200;
-  /// The whole vertical opening angle.
+  /// The whole vertical opening angle of a camera that orbits.
   static constexpr double kVerticalAngle = robotlink::radians(36);
 
   /// The point that the camera looks at.
@@ -44,6 +44,11 @@ struct SceneCamera {
   double azimuth = robotlink::radians(-90);
   /// Elevation of the camera above the target's horizon, rad.
   double elevation = robotlink::radians(38);
+  /// The pose out of which it looks along x, with z up in the picture, as a homogeneous matrix; unset: it
+  /// orbits. Then orbit(), pan(), zoom() and fit() change nothing.
+  std::optional<Eigen::Matrix4d> eyeInField = {};
+  /// The whole vertical opening angle.
+  double verticalAngle = kVerticalAngle;
 
   bool operator==(const SceneCamera&) const = default;
 
@@ -77,7 +82,7 @@ struct SceneCamera {
   static SceneCamera beside(double distance);
 };
 
-/// For saved window layouts.
+/// For saved window layouts; without the eye, which follows something.
 QJsonObject stateOf(const SceneCamera& camera);
 /// The inverse of stateOf(). Missing values get their defaults, values out of range are clamped.
 SceneCamera cameraOf(const QJsonObject& state);

@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QSize>
 #include <QString>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,21 +17,37 @@
 
 namespace widgets {
 
+/// How the surfaces of a body are drawn.
+enum class Surface : std::uint8_t {
+  /// Lit, smooth where its triangles meet at small angles.
+  kShaded,
+  /// Lit, each triangle in one color.
+  kFlat,
+  /// Its edges, as far as no surface hides them.
+  kHiddenLines,
+  /// All its edges.
+  kWire
+};
+
 /// A shape with its pose in the field's frame.
 struct SceneBody {
   std::shared_ptr<const SceneShape> shape;
   robotlink::Pose3 inField = robotlink::Pose3::Identity();
   /// The model that it belongs to; empty: it cannot be moved and casts no shadow.
   std::string model;
-  /// Below 1 for drawings of earlier frames.
+  /// Below 1 for drawings of earlier frames, and for bodies that are to be seen through.
   float opacity = 1;
   /// What a tip says of a drawing, besides what is under the cursor.
   DrawingHit drawing = {};
+  /// Only of bodies.
+  Surface surface = Surface::kShaded;
+  /// The path of the object of the scene that it shows ("red1/link:head/visual:nose"); null: not known.
+  std::shared_ptr<const std::string> object = {};
 
   /// Whether both look alike.
   bool operator==(const SceneBody& other) const {
     return shape == other.shape && model == other.model && opacity == other.opacity &&
-           inField.matrix() == other.inField.matrix();
+           surface == other.surface && inField.matrix() == other.inField.matrix();
   }
 };
 
@@ -53,6 +70,12 @@ struct VisibleScene {
   std::vector<SceneBody> bodies;
   /// Drawings of the robots, lowest first.
   std::vector<SceneBody> drawings;
+  /// What collides, as edges over everything: faint where it is hidden.
+  std::vector<SceneBody> solids;
+  /// Axes, arrows and the like, which nothing hides.
+  std::vector<SceneBody> markers;
+  /// Whether models cast shadows onto the ground.
+  bool shadows = true;
   /// Models where the user wants to place them, shown translucent.
   std::vector<SceneBody> ghosts;
   /// Whether the ghosts cannot be placed there.
@@ -83,7 +106,6 @@ struct SceneFrame {
   double pixelRatio = 1;
   SceneCamera camera;
   Colors colors;
-  bool wireFrame = false;
   bool grid = true;
   VisibleScene contents;
   /// Name of a model; empty: none.

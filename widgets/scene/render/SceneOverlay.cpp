@@ -18,7 +18,7 @@ using robotlink::Vector3;
 double pixelSize(const SceneLabel& label, const QSizeF& widget, const SceneCamera& camera) {
   if (label.size > 0) return label.size;
   const double distance = std::max(0.05, (label.inField - camera.position()).norm());
-  return -label.size * widget.height() / 2 / std::tan(SceneCamera::kVerticalAngle / 2) / distance;
+  return -label.size * widget.height() / 2 / std::tan(camera.verticalAngle / 2) / distance;
 }
 
 void paintPlate(QPainter& painter, const QPointF& at, const SceneLabel& label) {

@@ -11,6 +11,8 @@
 
 namespace widgets {
 
+struct RendererState;
+
 /// Draws pictures of a scene with OpenGL into images, without a window. Shapes stay on the graphics card as
 /// long as consecutive frames contain them. All functions must be called in the thread that created it, where
 /// its context stays current.
@@ -28,10 +30,9 @@ class SceneRenderer {
   const std::string& device() const;
 
  private:
+  explicit SceneRenderer(std::unique_ptr<RendererState> state);
   /// Context, programs, targets and shapes.
-  struct State;
-  explicit SceneRenderer(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  std::unique_ptr<RendererState> state_;
 };
 
 }  // namespace widgets

@@ -49,6 +49,54 @@ void main() {
   surface = vec4(mix(shaded, tint.rgb, tint.a), color.a * opacity);
   gl_Position = viewProjection * world;
 })";
+/// Meshes whose triangles have one color each: light as above, but without the reflection, for the triangle's
+/// own normal.
+inline constexpr char kFlatVertex[] = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec4 color;
+uniform mat4 model;
+uniform mat4 viewProjection;
+out vec3 place;
+flat out vec4 faceColor;
+void main() {
+  vec4 world = model * vec4(position, 1.0);
+  place = world.xyz;
+  faceColor = color;
+  gl_Position = viewProjection * world;
+})";
+inline constexpr char kFlatFragment[] = R"(#version 330 core
+in vec3 place;
+flat in vec4 faceColor;
+uniform vec3 eye;
+uniform vec3 lamp;
+uniform vec4 tint;
+uniform vec3 light;
+uniform float opacity;
+out vec4 color;
+void main() {
+  vec3 n = normalize(cross(dFdx(place), dFdy(place)));
+  if (dot(n, eye - place) < 0.0) n = -n;
+  float ambient = mix(0.38, 0.48, 0.5 + 0.5 * n.z);
+  float diffuse = 0.56 * max(dot(n, lamp), 0.0) + 0.16 * max(dot(n, vec3(-0.53, 0.79, 0.30)), 0.0);
+  vec3 shaded = min(faceColor.rgb * (ambient + diffuse) * light, 1.0);
+  color = vec4(mix(shaded, tint.rgb, tint.a), faceColor.a * opacity);
+})";
+
+/// Edges of meshes, without light; `nearer` moves them towards the eye, by a share of the distance.
+inline constexpr char kEdgeVertex[] = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec4 color;
+uniform mat4 model;
+uniform mat4 viewProjection;
+uniform vec4 tint;
+uniform float opacity;
+uniform float nearer;
+out vec4 surface;
+void main() {
+  vec4 at = viewProjection * model * vec4(position, 1.0);
+  surface = vec4(mix(color.rgb, tint.rgb, tint.a), color.a * opacity);
+  gl_Position = vec4(at.xy, at.z - nearer * at.w, at.w);
+})";
 /// Meshes and lines: the interpolated color.
 inline constexpr char kPlainFragment[] = R"(#version 330 core
 in vec4 surface;
