@@ -262,6 +262,7 @@ void MainWindow::showEnded(const std::vector<std::string>& reported) {
 /// Changes the perspective if the current one is the default for what was loaded before; a perspective that
 /// the user has chosen stays. Has no effect at the start, when the window is restored as it was.
 void MainWindow::showWhatBelongsTo(const LoadedPlatform& loaded) {
+  if (showViewsOfScene(loaded)) return;
   const QString chosen = loaded.sources.empty() ? QString() : perspectives_.chosenFor(loaded.sources.front());
   if (!std::exchange(isPerspectiveWanted_, false) && !chosen.isEmpty()) {
     beginning_ = Perspectives::beginningWith(loaded);
@@ -347,6 +348,7 @@ void MainWindow::keepWindow() {
 
 void MainWindow::noteWindow() {
   perspectives_.keep(perspectives_.current(), *docks_);
+  if (!shownScene_.empty()) perspectives_.keepFor(shownScene_, *docks_);
   QJsonObject window{{QStringLiteral("geometry"), toText(saveGeometry())},
                      {QStringLiteral("toolbars"), toText(saveState(kToolBars))},
                      {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},

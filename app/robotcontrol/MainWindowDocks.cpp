@@ -90,6 +90,25 @@ void MainWindow::showPerspective(const QString& name) {
   });
 }
 
+bool MainWindow::showViewsOfScene(const LoadedPlatform& loaded) {
+  const bool isScene = loaded.isSimulated() && !loaded.sources.empty();
+  const std::string scene = isScene ? loaded.sources.front() : std::string();
+  if (scene == shownScene_) return false;
+  // The views have no sizes before the window is visible.
+  if (!shownScene_.empty() && isVisible()) perspectives_.keepFor(shownScene_, *docks_);
+  shownScene_ = scene;
+  // Who has just chosen a perspective wants that.
+  if (scene.empty() || isPerspectiveWanted_ || dockSpace_->busy()) return false;
+  const QString before = perspectives_.current();
+  if (isVisible()) perspectives_.keep(before, *docks_);
+  if (!perspectives_.showFor(scene, *docks_)) return false;
+  beginning_ = Perspectives::beginningWith(loaded);
+  layouts_->forget();
+  fillPerspectiveMenu();
+  QTimer::singleShot(0, keys_, &WindowKeys::focusContent);  // after the old views are deleted
+  return true;
+}
+
 void MainWindow::choosePerspective(const QString& name) {
   showPerspective(name);
   const LoadedPlatform* loaded = workbench_.loaded();

@@ -194,6 +194,8 @@ void Perspectives::load() {
   }
   window_ = root.value(QStringLiteral("window")).toObject();
   chosen_ = root.value(QStringLiteral("chosen")).toArray();
+  scenes_ = root.value(QStringLiteral("scenes")).toArray();
+  while (scenes_.size() > kMaxScenes) scenes_.removeFirst();
   const QString current = root.value(QStringLiteral("current")).toString();
   if (names().contains(current)) current_ = current;
 }
@@ -289,12 +291,31 @@ void Perspectives::chooseFor(const std::string& source) {
   while (chosen_.size() > kMaxSources) chosen_.removeFirst();
 }
 
+void Perspectives::keepFor(const std::string& scene, const ViewDocks& docks) {
+  const QString kept = QString::fromStdString(scene);
+  for (int i = scenes_.size() - 1; i >= 0; --i)
+    if (scenes_.at(i).toArray().at(0).toString() == kept) scenes_.removeAt(i);
+  scenes_.append(QJsonArray{kept, current_, docks.save()});
+  while (scenes_.size() > kMaxScenes) scenes_.removeFirst();
+}
+
+bool Perspectives::showFor(const std::string& scene, ViewDocks& docks) {
+  const QString wanted = QString::fromStdString(scene);
+  for (const QJsonValue& value : scenes_) {
+    const QJsonArray kept = value.toArray();
+    if (kept.at(0).toString() != wanted) continue;
+    const QString name = kept.at(1).toString();
+    if (!names().contains(name) || !docks.restore(kept.at(2).toObject())) return false;
+    current_ = name;
+    return true;
+  }
+  return false;
+}
+
 robotlink::Result<void> Perspectives::save() {
-  const QJsonObject root{{QStringLiteral("version"), kVersion},
-                         {QStringLiteral("current"), current_},
-                         {QStringLiteral("perspectives"), kept_},
-                         {QStringLiteral("chosen"), chosen_},
-                         {QStringLiteral("window"), window_}};
+  const QJsonObject root{{QStringLiteral("version"), kVersion},   {QStringLiteral("current"), current_},
+                         {QStringLiteral("perspectives"), kept_}, {QStringLiteral("chosen"), chosen_},
+                         {QStringLiteral("scenes"), scenes_},     {QStringLiteral("window"), window_}};
   const QByteArray text = QJsonDocument(root).toJson();
   if (text == saved_) return {};
   auto written = robotlink::writeFileAtomically(

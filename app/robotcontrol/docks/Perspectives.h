@@ -59,6 +59,12 @@ class Perspectives {
   void chooseFor(const std::string& source);
   static constexpr int kMaxSources = 100;
 
+  /// Keeps the open views of a scene, with what each of them shows, for the kMaxScenes kept last.
+  void keepFor(const std::string& scene, const ViewDocks& docks);
+  /// Shows the views of a scene as they were kept. False: there are none, or they cannot be used.
+  bool showFor(const std::string& scene, ViewDocks& docks);
+  static constexpr int kMaxScenes = 30;
+
   /// The state of the window itself (geometry, toolbars, recent files), stored in the same file.
   QJsonObject window() const { return window_; }
   void setWindow(QJsonObject window) { window_ = std::move(window); }
@@ -76,6 +82,8 @@ class Perspectives {
   QJsonObject window_;
   /// Pairs of a scene, log or robot and the name of the perspective that was chosen for it, the newest last.
   QJsonArray chosen_;
+  /// Triples of a scene, the name of its perspective and its views, the newest last.
+  QJsonArray scenes_;
   QString current_;
   /// The contents of the file at the last save.
   QByteArray saved_;
