@@ -35,6 +35,8 @@ struct SceneInclude {
   std::optional<bool> isStatic;
   /// A color of the palette; empty if there is no team.
   std::string team;
+  /// What its <robotcontrol:motion> says, and that's attribute `objects`; empty if it has none.
+  std::string motion, motionAtObjects;
   /// Line of the <include>, for error messages.
   int line = 0;
 };
