@@ -251,11 +251,11 @@ void Actuation::follow(std::size_t index, std::uint64_t step, const Randomness& 
   if (means.vehicle != nullptr) turnWheels(motion, means, command);
   if (means.walk != nullptr) {
     robotlink::Random numbers(random.seed, hashOfPath(ports_.guides[index].info.path) ^ step);
+    const double way = (std::hypot(moved.ahead, moved.sideways) + std::abs(moved.turning)) * kStepSeconds;
     double* const parts[] = {&moved.ahead, &moved.sideways, &moved.turning};
     for (std::size_t i = 0; i < 3; ++i) {
-      const double way = std::abs(*parts[i]) * kStepSeconds, error = means.walk->noise[i] * std::sqrt(way);
       *parts[i] *= means.walk->slip[i];
-      if (random.noise) *parts[i] += error * numbers.normal() / kStepSeconds;
+      if (random.noise) *parts[i] += means.walk->noise[i] * std::sqrt(way) * numbers.normal() / kStepSeconds;
     }
   }
   physics_.follow(ports_.guideModels[index], moved.ahead, moved.sideways, moved.turning);

@@ -92,7 +92,8 @@ struct WalkDescription {
   std::string name = "walk";
   /// By how much of what is requested it really moves.
   std::array<double, 3> slip = {1, 1, 1};
-  /// Standard deviations after 1 m of way, or a turn by 1 rad; they grow with the square root of the way.
+  /// Standard deviations, m and rad, after a way of 1 m or a turn by 1 rad; they grow with the square root of
+  /// the sum of both.
   std::array<double, 3> noise = {0, 0, 0};
   double maximumSpeed = 1;  ///< m/s
   double maximumRate = 3;   ///< rad/s

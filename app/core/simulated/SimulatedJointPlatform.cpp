@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/SimulatedJointPlatform.h"
 
+#include <array>
 #include <cmath>
 
 #include "robotcontrol/Requests.pb.h"
@@ -43,6 +44,7 @@ robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedJointPlatform::cr
       std::unique_ptr<SimulatedJointPlatform>(new SimulatedJointPlatform(world, std::move(robot)));
   if (auto bound = platform->bindJoints(description); !bound) return tl::unexpected(bound.error());
   platform->bindSensors();
+  platform->bindWalk();
   return platform;
 }
 
@@ -79,7 +81,22 @@ void SimulatedJointPlatform::bindSensors() {
   }
 }
 
+void SimulatedJointPlatform::bindWalk() {
+  const auto guides = world().simulation().guides();
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    const bool isOwn = guides[i].info.robot == robot();
+    if (!isOwn || guides[i].motion.kind != simcore::GuidedMotion::Kind::kWalk) continue;
+    walk_ = i;
+    motionStatus_.emplace(*this, robotlink::kMotionStatus.name, Blocking::kNo);
+  }
+}
+
+void SimulatedJointPlatform::walk(double x, double y, double rotation) {
+  world().simulation().guide(walk_, std::array{x, y, rotation});
+}
+
 void SimulatedJointPlatform::holdStill() {
+  if (motionStatus_) walk(0, 0, 0);
   if (holding_) return;
   holding_ = true;
   simcore::Simulation& simulation = world().simulation();
@@ -97,6 +114,10 @@ void SimulatedJointPlatform::actuate() {
   const robotcontrol::JointRequest* request = jointRequest_.get();
   if (request == nullptr) return;
   holding_ = false;
+  if (motionStatus_ && motionStatus_->get() != nullptr) {
+    const robotcontrol::Velocity2& velocity = motionStatus_->get()->velocity();
+    walk(velocity.x(), velocity.y(), velocity.rotation());
+  }
   const double torque = std::isfinite(request->stiffness()) ? request->stiffness() : 1;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     world().simulation().setTorqueLimit(joints_[i].servo, torque);
