@@ -74,6 +74,8 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
   }
   // The numbers of the sonars are those of the model; missing ones are unset.
   ports.sonars.resize(static_cast<std::size_t>(settings.sonars));
+  ports.gripper = PioneerGripper::of(simulation, robot);
+  settings.gripper = ports.gripper.has_value();
   // The microcontroller reports the sensors that the model has.
   settings.motion.track = drive->track;
   settings.frontBumpers = static_cast<int>(ports.frontBumpers.size());
@@ -138,6 +140,7 @@ void SimulatedPioneer::step(Instant now) {
   battery_.discharge(command.motorsOn, (sensing.leftSpeed + sensing.rightSpeed) / 2, passed);
   if (command.motorsOn != driveOn_) simulation_.setDriveOn(ports_.drive, driveOn_ = command.motorsOn);
   if (command.motorsOn) simulation_.requestWheelSpeeds(ports_.drive, command.left, command.right);
+  if (ports_.gripper) ports_.gripper->move(simulation_, session_.gripperCommand());
   fulfilRequests();
 }
 
@@ -155,6 +158,7 @@ RobotSensing SimulatedPioneer::sense() {
   sensing.battery = battery_.voltage();
   sensing.charge = battery_.charge();
   if (ports_.gyroscope) sensing.rotationRate = simulation_.sensors()[*ports_.gyroscope].values.at(2);
+  if (ports_.gripper) sensing.gripper = ports_.gripper->sense(simulation_);
   if (session_.publishesTruth()) senseTruth(sensing);
   return sensing;
 }

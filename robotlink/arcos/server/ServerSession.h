@@ -12,6 +12,7 @@
 #include "robotlink/arcos/codec/Command.h"
 #include "robotlink/arcos/codec/Packet.h"
 #include "robotlink/arcos/codec/SensorPackets.h"
+#include "robotlink/arcos/server/GripperControl.h"
 #include "robotlink/arcos/server/LaserService.h"
 #include "robotlink/arcos/server/MotionController.h"
 #include "robotlink/arcos/server/RobotSensing.h"
@@ -90,6 +91,8 @@ class ServerSession {
   State state() const { return state_; }
   const ServerSettings& settings() const { return settings_; }
   const MotionController& motion() const { return motion_; }
+  /// What the gripper's motors do until the next step, if the robot has one.
+  const GripperCommand& gripperCommand() const { return gripperCommand_; }
   /// Whether the next information packet will be followed by the true pose; otherwise sensing need not
   /// contain it.
   bool publishesTruth() const;
@@ -180,6 +183,8 @@ class ServerSession {
   MotionController motion_;
   SonarFiring sonars_;
   LaserService laser_;
+  GripperControl gripper_;
+  GripperCommand gripperCommand_;
   ClientState client_;
   /// Empty before the first step.
   std::optional<Instant> lastStep_;
