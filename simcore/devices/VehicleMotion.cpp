@@ -10,14 +10,14 @@ using robotlink::Vector2;
 
 namespace {
 
-using Kind = GuidedMotion::Kind;
+using GuideKind = GuidedMotion::Kind;
 
 double clampedTo(double value, double limit) {
   return std::clamp(value, -limit, limit);
 }
 
 /// The velocity of a point of the model along its axes.
-Vector2 velocityAt(const PlaneMotion& motion, const robotlink::Vector3& point) {
+Vector2 velocityOfPoint(const PlaneMotion& motion, const robotlink::Vector3& point) {
   return {motion.ahead - motion.turning * point.y(), motion.sideways + motion.turning * point.x()};
 }
 
@@ -25,9 +25,9 @@ Vector2 velocityAt(const PlaneMotion& motion, const robotlink::Vector3& point) {
 
 std::array<double, 6> limitedCommand(const GuidedMotion& motion, const VehicleDescription& vehicle,
                                      std::array<double, 6> command) {
-  if (motion.kind == Kind::kAckermann) command[1] = clampedTo(command[1], motion.maximumSteering);
+  if (motion.kind == GuideKind::kAckermann) command[1] = clampedTo(command[1], motion.maximumSteering);
   if (vehicle.byTorque) return command;
-  if (motion.kind == Kind::kOmni) {
+  if (motion.kind == GuideKind::kOmni) {
     // No wheel turns faster than it can; the direction stays.
     double fastest = 0;
     for (const VehicleWheel& wheel : vehicle.wheels)
@@ -37,24 +37,24 @@ std::array<double, 6> limitedCommand(const GuidedMotion& motion, const VehicleDe
     return command;
   }
   command[0] = clampedTo(command[0], motion.maximumSpeed);
-  if (motion.kind != Kind::kAckermann) command[1] = clampedTo(command[1], motion.maximumSpeed);
+  if (motion.kind != GuideKind::kAckermann) command[1] = clampedTo(command[1], motion.maximumSpeed);
   return command;
 }
 
 PlaneMotion motionOf(const GuidedMotion& motion, const VehicleDescription* vehicle,
                      const std::array<double, 6>& command) {
   switch (motion.kind) {
-    case Kind::kDifferential:
-    case Kind::kSkid: {
+    case GuideKind::kDifferential:
+    case GuideKind::kSkid: {
       // The track of a vehicle is what it turns about; that of a pushed model is the distance of its wheels.
-      const double share = motion.kind == Kind::kSkid && vehicle == nullptr ? motion.skid : 1;
+      const double share = motion.kind == GuideKind::kSkid && vehicle == nullptr ? motion.skid : 1;
       return {(command[0] + command[1]) / 2, 0, share * (command[1] - command[0]) / motion.track};
     }
-    case Kind::kAckermann:
+    case GuideKind::kAckermann:
       return {command[0], 0, command[0] * std::tan(command[1]) / motion.wheelbase};
-    case Kind::kOmni:
-    case Kind::kWalk:
-    case Kind::kFree:
+    case GuideKind::kOmni:
+    case GuideKind::kWalk:
+    case GuideKind::kFree:
       break;
   }
   return {command[0], command[1], command[2]};
@@ -68,9 +68,9 @@ double steeringAngle(const GuidedMotion& motion, const VehicleWheel& wheel, doub
 double rimSpeed(const GuidedMotion& motion, const VehicleDescription& vehicle, const VehicleWheel& wheel,
                 const std::array<double, 6>& command) {
   if (!wheel.driven) return 0;
-  if (motion.kind == Kind::kDifferential || motion.kind == Kind::kSkid)
+  if (motion.kind == GuideKind::kDifferential || motion.kind == GuideKind::kSkid)
     return command[wheel.center.y() > 0 ? 0 : 1];
-  const Vector2 velocity = velocityAt(motionOf(motion, &vehicle, command), wheel.center);
+  const Vector2 velocity = velocityOfPoint(motionOf(motion, &vehicle, command), wheel.center);
   const double angle =
       wheel.steering >= 0 ? steeringAngle(motion, wheel, command[1]) : wheel.rollers.value_or(0);
   const Vector2 push = Eigen::Rotation2Dd(angle) * Vector2(wheel.forward.head<2>());

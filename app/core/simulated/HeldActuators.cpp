@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "robotlink/base/Spelling.h"
 #include "simcore/Simulation.h"
@@ -18,10 +19,13 @@ std::optional<Held> actuatorAt(const simcore::Simulation& simulation, const std:
   const auto isIt = [&](const auto& each) { return each.info.path == port; };
   const auto servos = simulation.servos();
   if (const auto servo = std::ranges::find_if(servos, isIt); servo != servos.end())
-    return Held{servo->info.robot, false, static_cast<std::size_t>(servo - servos.begin()), {}};
+    return Held{servo->info.robot, Held::Kind::kServo, static_cast<std::size_t>(servo - servos.begin()), {}};
   const auto drives = simulation.drives();
   if (const auto drive = std::ranges::find_if(drives, isIt); drive != drives.end())
-    return Held{drive->info.robot, true, static_cast<std::size_t>(drive - drives.begin()), {}};
+    return Held{drive->info.robot, Held::Kind::kDrive, static_cast<std::size_t>(drive - drives.begin()), {}};
+  const auto guides = simulation.guides();
+  if (const auto guide = std::ranges::find_if(guides, isIt); guide != guides.end())
+    return Held{guide->info.robot, Held::Kind::kGuide, static_cast<std::size_t>(guide - guides.begin()), {}};
   return std::nullopt;
 }
 
@@ -29,11 +33,34 @@ std::vector<std::string> actuatorNames(const simcore::Simulation& simulation) {
   std::vector<std::string> names;
   for (const auto& servo : simulation.servos()) names.push_back(servo.info.path);
   for (const auto& drive : simulation.drives()) names.push_back(drive.info.path);
+  for (const auto& guide : simulation.guides()) names.push_back(guide.info.path);
   return names;
 }
 
-void stopWheels(simcore::Simulation& simulation, const Held& held) {
-  if (held.isDrive) simulation.requestWheelSpeeds(held.index, 0, 0);
+std::size_t sizeOf(const simcore::Simulation& simulation, const Held& held) {
+  if (held.kind == Held::Kind::kServo) return 1;
+  if (held.kind == Held::Kind::kDrive) return 2;
+  return static_cast<std::size_t>(simulation.guides()[held.index].info.shape.front());
+}
+
+/// The smallest and the largest value.
+std::pair<double, double> rangeOf(const simcore::Simulation& simulation, const Held& held) {
+  if (held.kind == Held::Kind::kServo) {
+    const simcore::Servo& servo = simulation.servos()[held.index];
+    return {servo.minimum, servo.maximum};
+  }
+  if (held.kind == Held::Kind::kDrive) {
+    const double speed = simulation.drives()[held.index].maximumSpeed;
+    return {-speed, speed};
+  }
+  const simcore::PortInfo& info = simulation.guides()[held.index].info;
+  return {info.minimum, info.maximum};
+}
+
+void stopMoving(simcore::Simulation& simulation, const Held& held) {
+  if (held.kind == Held::Kind::kDrive) simulation.requestWheelSpeeds(held.index, 0, 0);
+  if (held.kind == Held::Kind::kGuide)
+    simulation.guide(held.index, std::vector<double>(held.values.size(), 0));
 }
 
 }  // namespace
@@ -46,7 +73,7 @@ robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulatio
         "simulation.actuator",
         "there is no actuator " + port + robotlink::suggestion(port, actuatorNames(simulation)), {}, {port});
   }
-  const std::size_t size = held->isDrive ? 2 : 1;
+  const std::size_t size = sizeOf(simulation, *held);
   if (values.size() != size) {
     return robotlink::failure("simulation.actuator",
                               "the actuator " + port + " takes " + std::to_string(size) +
@@ -57,14 +84,7 @@ robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulatio
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
     return robotlink::failure("simulation.actuator", "the values of " + port + " are not all numbers", {},
                               {port});
-  double low = 0, high = 0;
-  if (held->isDrive) {
-    high = simulation.drives()[held->index].maximumSpeed;
-    low = -high;
-  } else {
-    low = simulation.servos()[held->index].minimum;
-    high = simulation.servos()[held->index].maximum;
-  }
+  const auto [low, high] = rangeOf(simulation, *held);
   for (const double value : values) held->values.push_back(std::clamp(value, low, std::max(low, high)));
   held_[port] = *std::move(held);
   return {};
@@ -73,22 +93,24 @@ robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulatio
 void HeldActuators::release(simcore::Simulation& simulation, const std::string& port) {
   const auto found = held_.find(port);
   if (found == held_.end()) return;
-  stopWheels(simulation, found->second);
+  stopMoving(simulation, found->second);
   held_.erase(found);
 }
 
 void HeldActuators::releaseModel(simcore::Simulation& simulation, const std::string& model) {
   std::erase_if(held_, [&](const auto& entry) {
     const bool isMeant = model.empty() || entry.second.model == model;
-    if (isMeant) stopWheels(simulation, entry.second);
+    if (isMeant) stopMoving(simulation, entry.second);
     return isMeant;
   });
 }
 
 void HeldActuators::apply(simcore::Simulation& simulation) const {
   for (const auto& [port, held] : held_) {
-    if (held.isDrive) {
+    if (held.kind == Held::Kind::kDrive) {
       simulation.requestWheelSpeeds(held.index, held.values[0], held.values[1]);
+    } else if (held.kind == Held::Kind::kGuide) {
+      simulation.guide(held.index, held.values);
     } else {
       simulation.setTorqueLimit(held.index, 1);
       simulation.requestAngle(held.index, held.values[0]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,16 +15,17 @@ class Simulation;
 namespace app {
 
 /// The actuators of a simulation that a person holds at values of their own, whatever robots' programs ask of
-/// them: servos (rad) and drives (speeds of the left and the right rims, m/s), by the paths of their ports.
-/// A held servo has all of its torque. A drive whose motors are off does not turn its wheels.
+/// them: servos (rad), drives (speeds of the left and the right rims, m/s), and models that are guided, such
+/// as vehicles, by the paths of their ports. A held servo has all of its torque. A drive whose motors are off
+/// does not turn its wheels.
 class HeldActuators {
  public:
   /// Holds an actuator at these values, which are clamped to its range. Fails, changing nothing, if there is
   /// no such actuator, if it takes another number of values, or if one is not finite.
   robotlink::Result<void> hold(const simcore::Simulation& simulation, const std::string& port,
                                const std::vector<double>& values);
-  /// Releases one actuator; does nothing if it is not held. Wheels stop turning, servos hold their angle
-  /// until a program asks for another one.
+  /// Releases one actuator; does nothing if it is not held. Wheels and guided models stop, servos hold their
+  /// angle until a program asks for another one.
   void release(simcore::Simulation& simulation, const std::string& port);
   /// Releases all actuators of a model, or with an empty name all that there are.
   void releaseModel(simcore::Simulation& simulation, const std::string& model);
@@ -37,8 +39,9 @@ class HeldActuators {
   struct Held {
     /// The model that it is part of.
     std::string model;
-    bool isDrive = false;
-    /// Index among the servos or the drives.
+    enum class Kind : std::uint8_t { kServo, kDrive, kGuide };
+    Kind kind = Kind::kServo;
+    /// Index among those of its kind.
     std::size_t index = 0;
     std::vector<double> values;
   };

@@ -75,6 +75,10 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
   // The numbers of the sonars are those of the model; missing ones are unset.
   ports.sonars.resize(static_cast<std::size_t>(settings.sonars));
   ports.gripper = PioneerGripper::of(simulation, robot);
+  const auto gps = std::ranges::find_if(sensors, [&](const auto& sensor) {
+    return sensor.info.robot == robot && sensor.info.type == "position_velocity";
+  });
+  if (gps != sensors.end()) ports.gps = static_cast<std::size_t>(gps - sensors.begin());
   settings.gripper = ports.gripper.has_value();
   // The microcontroller reports the sensors that the model has.
   settings.motion.track = drive->track;
@@ -159,6 +163,11 @@ RobotSensing SimulatedPioneer::sense() {
   sensing.charge = battery_.charge();
   if (ports_.gyroscope) sensing.rotationRate = simulation_.sensors()[*ports_.gyroscope].values.at(2);
   if (ports_.gripper) sensing.gripper = ports_.gripper->sense(simulation_);
+  const auto map = simulation_.scene().groundMap();
+  if (ports_.gps && map && map->origin) {
+    const auto& place = simulation_.sensors()[*ports_.gps].values;
+    sensing.gps = robotlink::globalPosition(*map->origin, {place[0], place[1], place[2]});
+  }
   if (session_.publishesTruth()) senseTruth(sensing);
   return sensing;
 }

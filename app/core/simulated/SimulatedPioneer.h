@@ -108,6 +108,7 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
     std::vector<std::optional<std::size_t>> sonars;
     std::optional<std::size_t> laser;
     std::optional<PioneerGripper> gripper;
+    std::optional<std::size_t> gps;
   };
 
   simcore::Simulation& simulation_;

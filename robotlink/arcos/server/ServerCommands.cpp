@@ -73,6 +73,10 @@ void ServerSession::obey(const Command& command) {
 /// Commands 35 to 38 control the laser here, as in other simulators, but on real robots they are ADSEL,
 /// GRIPPERVAL, GRIPREQUEST and GYROCALCW. A value for the gripper follows the gripper command that needs it.
 bool ServerSession::obeyLaser(const Command& command) {
+  if (idOf(command) == CommandId::kGetAux) {
+    auxiliary_.ask(integerArgument(command));
+    return true;
+  }
   if (idOf(command) == CommandId::kGripper) {
     client_.gripperValueNext = gripper_.obey(integerArgument(command));
     return true;

@@ -11,6 +11,8 @@
 namespace robotlink::arcos {
 namespace {
 
+/// Between two sentences of a GPS receiver.
+constexpr Duration kPositionPeriod = std::chrono::seconds(1);
 constexpr std::uint8_t kSync0 = 0, kSync1 = 1, kSync2 = 2;
 /// Clients take packets with these ids for a restart of the controller, and disconnect.
 constexpr std::uint8_t kFirstReserved = 0xFE;
@@ -98,6 +100,7 @@ void ServerSession::close() {
 
 void ServerSession::clientGone(Instant now) {
   gripper_.halt();
+  auxiliary_.reset();
   lastHeard_ = now;
   close();
   outgoing_.clear();
@@ -176,6 +179,7 @@ WheelCommand ServerSession::step(const RobotSensing& sensing, RangeFinders& rang
   checkBumpers(sensing);
   if (settings_.gripper) gripperCommand_ = gripper_.step(sensing.gripper, passed);
   if (state_ != State::kOpen) return command;
+  serveAuxiliary(sensing, now);
   fireSonars(ranges, now);
   readGyroscope(sensing, now);
   if (now >= nextCycle_) {
@@ -184,6 +188,14 @@ WheelCommand ServerSession::step(const RobotSensing& sensing, RangeFinders& rang
     sendCycle(sensing, ranges);
   }
   return command;
+}
+
+void ServerSession::serveAuxiliary(const RobotSensing& sensing, Instant now) {
+  if (sensing.gps && now >= nextPosition_) {
+    auxiliary_.receive(ggaSentence(*sensing.gps, now.time_since_epoch()));
+    nextPosition_ = now + kPositionPeriod;
+  }
+  if (const auto packet = auxiliary_.take()) send(toPacket(*packet));
 }
 
 void ServerSession::fireSonars(RangeFinders& ranges, Instant now) {

@@ -12,6 +12,7 @@
 #include "robotlink/arcos/codec/Command.h"
 #include "robotlink/arcos/codec/Packet.h"
 #include "robotlink/arcos/codec/SensorPackets.h"
+#include "robotlink/arcos/server/AuxiliarySerial.h"
 #include "robotlink/arcos/server/GripperControl.h"
 #include "robotlink/arcos/server/LaserService.h"
 #include "robotlink/arcos/server/MotionController.h"
@@ -169,6 +170,8 @@ class ServerSession {
   void checkBumpers(const RobotSensing& sensing);
   /// The encoders and, if the robot uses it, the gyroscope.
   MotionController::Wheels wheelsOf(const RobotSensing& sensing) const;
+  /// Receives a position of the GPS receiver once a second, and sends what was asked of its line.
+  void serveAuxiliary(const RobotSensing& sensing, Instant now);
   void fireSonars(RangeFinders& ranges, Instant now);
   void readGyroscope(const RobotSensing& sensing, Instant now);
   /// Sends the packets of a cycle in the order that clients expect.
@@ -183,6 +186,9 @@ class ServerSession {
   MotionController motion_;
   SonarFiring sonars_;
   LaserService laser_;
+  AuxiliarySerial auxiliary_;
+  /// When the GPS receiver sends its next position.
+  Instant nextPosition_;
   GripperControl gripper_;
   GripperCommand gripperCommand_;
   ClientState client_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "simcore/Scene.h"
 #include "tests/simcore/moving/MovingScenes.h"
 
 namespace simcore {
@@ -120,6 +121,22 @@ TEST(Vehicle, aWheelThatIsBlockedPushesNoHarderThanItsMotor) {
   command(*simulation, "car/drive", {-0.3, 0.1});
   advance(*simulation, 0.5);
   EXPECT_EQ(simulation->read("car/drive").value()[1], 1) << "away from it, commands are executed again";
+}
+
+TEST(Vehicle, theShippedSceneIsDrivenByItsPorts) {
+  const auto scene = Scene::load(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/vehicles.sdf");
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const auto simulation = std::move(Simulation::create(*scene, {.seed = 1, .noise = false}).value());
+  advance(*simulation, 0.5);
+  const Pose2 car = placeOf(*simulation, "car"), omni = placeOf(*simulation, "omni"),
+              ghost = placeOf(*simulation, "ghost");
+  command(*simulation, "car/drive", {0.5, 0});
+  command(*simulation, "omni/drive", {0, -0.2, 0});
+  command(*simulation, "ghost/drive", {0.2, 0, 0.5});
+  advance(*simulation, 2);
+  EXPECT_GT(placeOf(*simulation, "car").x - car.x, 0.8);
+  EXPECT_LT(placeOf(*simulation, "omni").y - omni.y, -0.3);
+  EXPECT_NEAR(placeOf(*simulation, "ghost").heading - ghost.heading, 1, 0.1);
 }
 
 TEST(Vehicle, theSameSeedGivesTheSameBytes) {
