@@ -37,14 +37,14 @@ std::vector<std::string> actuatorNames(const simcore::Simulation& simulation) {
   return names;
 }
 
-std::size_t sizeOf(const simcore::Simulation& simulation, const Held& held) {
+std::size_t valuesOf(const simcore::Simulation& simulation, const Held& held) {
   if (held.kind == Held::Kind::kServo) return 1;
   if (held.kind == Held::Kind::kDrive) return 2;
   return static_cast<std::size_t>(simulation.guides()[held.index].info.shape.front());
 }
 
 /// The smallest and the largest value.
-std::pair<double, double> rangeOf(const simcore::Simulation& simulation, const Held& held) {
+std::pair<double, double> limitsOf(const simcore::Simulation& simulation, const Held& held) {
   if (held.kind == Held::Kind::kServo) {
     const simcore::Servo& servo = simulation.servos()[held.index];
     return {servo.minimum, servo.maximum};
@@ -73,7 +73,7 @@ robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulatio
         "simulation.actuator",
         "there is no actuator " + port + robotlink::suggestion(port, actuatorNames(simulation)), {}, {port});
   }
-  const std::size_t size = sizeOf(simulation, *held);
+  const std::size_t size = valuesOf(simulation, *held);
   if (values.size() != size) {
     return robotlink::failure("simulation.actuator",
                               "the actuator " + port + " takes " + std::to_string(size) +
@@ -84,7 +84,7 @@ robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulatio
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
     return robotlink::failure("simulation.actuator", "the values of " + port + " are not all numbers", {},
                               {port});
-  const auto [low, high] = rangeOf(simulation, *held);
+  const auto [low, high] = limitsOf(simulation, *held);
   for (const double value : values) held->values.push_back(std::clamp(value, low, std::max(low, high)));
   held_[port] = *std::move(held);
   return {};
