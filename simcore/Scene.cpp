@@ -57,6 +57,18 @@ void setUse(const SceneInclude& include, const SceneFiles& files, ModelInstance&
     errors.push_back({"scene.color", "no palette has the color '" + include.team + "'", {}, instance.where});
 }
 
+void setMotion(const SceneInclude& include, ModelInstance& instance, Errors& errors) {
+  if (include.motion.empty()) return;
+  const auto mode = motionModeOf(include.motion, include.motionAtObjects);
+  instance.motion = mode.value_or(MotionMode::kUnset);
+  const bool fits = mode && (*mode == MotionMode::kPhysics || instance.follows() || instance.type->drive);
+  if (fits) return;
+  errors.push_back({"scene.motion",
+                    "'" + instance.name + "': " + (mode ? kMotionNeeds : kMotionRule),
+                    {instance.name},
+                    instance.where});
+}
+
 ModelInstance instanceOf(const SceneInclude& include, const SceneFiles& files,
                          std::shared_ptr<const ModelDescription> type, Errors& errors) {
   ModelInstance instance;
@@ -69,6 +81,7 @@ ModelInstance instanceOf(const SceneInclude& include, const SceneFiles& files,
     errors.push_back({"scene.pose", "a pose must be finite and at most 100 km away", {}, instance.where});
   }
   setUse(include, files, instance, errors);
+  setMotion(include, instance, errors);
   return instance;
 }
 
@@ -106,7 +119,9 @@ Draft readSdfScene(const fs::path& file, const std::vector<fs::path>& folders, c
   for (const SceneInclude& include : draft.files.includes()) {
     if (includesRead) {
       const auto read = std::ranges::find(draft.world.models, include.name, &ModelInstance::name);
-      if (read != draft.world.models.end()) setUse(include, draft.files, *read, errors);
+      if (read == draft.world.models.end()) continue;
+      setUse(include, draft.files, *read, errors);
+      setMotion(include, *read, errors);
     } else if (auto type = types.of(include.file, include.isStatic)) {
       draft.world.models.push_back(instanceOf(include, draft.files, std::move(type), errors));
     }

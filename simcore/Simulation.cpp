@@ -51,7 +51,7 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
 void Simulation::step() {
   before_.reset();
   Implementation& i = *implementation_;
-  i.actuation->beforeStep(i.steps);
+  i.actuation->beforeStep(i.steps, {i.options.noise, i.options.seed});
   i.hands->beforeStep();
   i.physics->step(robotlink::hashBits(i.options.seed, kSolverStream, i.steps));
   ++i.steps;

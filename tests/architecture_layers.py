@@ -56,7 +56,7 @@ ROOMS = {
     "robotlink/arcos": ["codec", "stream", "sick", "."],
     "robotlink/foxglove": ["protocol", "security", "transport", "server", "client"],
     "robotlink/foxglove/session": [".", "remote"],
-    "simcore": ["world", "noise", "maps", "meshes", "placement", "rendering", "physics", "devices", "ranging", "sdf", "."],
+    "simcore": ["world", "noise", "maps", "meshes", "placement", "rendering", "physics", "devices", "ranging", "sdf", "sdf/moving", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],
     "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", "scratch", ".", "edit"],

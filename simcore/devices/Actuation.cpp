@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robotlink/base/Random.h"
+#include "simcore/devices/VehicleMotion.h"
 #include "simcore/physics/Step.h"
 #include "simcore/world/StateStream.h"
 
@@ -82,13 +84,28 @@ void Actuation::transfer(StateStream& stream) {
   for (std::size_t i = 0; i < servos_.size(); ++i) transferServo(stream, i);
   for (GuideMotor& motor : guides_) {
     for (double& value : motor.wanted) stream.within(value, -1e300, 1e300);
+    for (double& value : motor.present) stream.within(value, -1e300, 1e300);
     stream.vector(motor.velocity);
     stream.vector(motor.rate);
     stream.flag(motor.unobstructed);
   }
 }
 
-void Actuation::beforeStep(std::uint64_t step) {
+void Actuation::beforeStep(std::uint64_t step, const Randomness& random) {
+  // Vehicles command the servos that steer them.
+  for (std::size_t i = 0; i < guides_.size(); ++i) {
+    switch (ports_.guideMeans[i].kind) {
+      case GuideMeans::Kind::kPushed:
+        push(i);
+        break;
+      case GuideMeans::Kind::kWheels:
+        roll(i);
+        break;
+      case GuideMeans::Kind::kFollows:
+        follow(i, step, random);
+        break;
+    }
+  }
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     ServoMotor& motor = servos_[i];
     while (!motor.waiting.empty() && motor.waiting.front().step <= step) {
@@ -97,7 +114,6 @@ void Actuation::beforeStep(std::uint64_t step) {
     }
     drive(i);
   }
-  for (std::size_t i = 0; i < guides_.size(); ++i) push(i);
 }
 
 void Actuation::drive(std::size_t index) {
@@ -199,9 +215,86 @@ void Actuation::push(std::size_t index) {
                     kPushReserve * physics_.inertiaOf(model) * motion.angularAcceleration);
 }
 
+std::array<double, 6> Actuation::approached(std::size_t index) {
+  const GuidedMotion& motion = ports_.guides[index].motion;
+  const GuideMeans& means = ports_.guideMeans[index];
+  GuideMotor& motor = guides_[index];
+  std::array<double, 6> wanted = motor.wanted;
+  if (means.vehicle != nullptr) wanted = limitedCommand(motion, *means.vehicle, wanted);
+  const bool steers = motion.kind == GuidedMotion::Kind::kAckermann;
+  const bool byTorque = means.kind == GuideMeans::Kind::kWheels && means.vehicle->byTorque;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    // The servo limits how fast a wheel is steered, the wheels' inertia what a torque does.
+    if (byTorque || (steers && i == 1)) {
+      motor.present[i] = wanted[i];
+      continue;
+    }
+    const double limit = i == 2 ? motion.angularAcceleration : motion.acceleration;
+    motor.present[i] = towards(motor.present[i], wanted[i], limit * kStepSeconds);
+  }
+  return motor.present;
+}
+
+void Actuation::turnWheels(const GuidedMotion& motion, const GuideMeans& means,
+                           const std::array<double, 6>& command) {
+  const VehicleDescription& vehicle = *means.vehicle;
+  const bool byTorque = vehicle.byTorque && means.kind == GuideMeans::Kind::kWheels;
+  for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
+    const VehicleWheel& wheel = vehicle.wheels[i];
+    if (wheel.steering >= 0) {
+      const auto joint = static_cast<std::size_t>(wheel.steering);
+      servos_[means.steering[joint]].state.target =
+          vehicle.steeringSigns[joint] * steeringAngle(motion, wheel, command[1]);
+    }
+    if (!wheel.driven) continue;
+    const double value = rimSpeed(motion, vehicle, wheel, command);
+    if (!byTorque) {
+      physics_.setWheel(means.firstWheel + i, value, wheel.maximumForce, true);
+      continue;
+    }
+    const bool isLeft = motion.kind == GuidedMotion::Kind::kAckermann || wheel.center.y() > 0;
+    const double force =
+        std::clamp(command[isLeft ? 0 : 1] / wheel.radius, -wheel.maximumForce, wheel.maximumForce);
+    physics_.setWheel(means.firstWheel + i, std::copysign(wheel.maximumSpeed, force), std::abs(force),
+                      force != 0);
+  }
+}
+
+void Actuation::roll(std::size_t index) {
+  turnWheels(ports_.guides[index].motion, ports_.guideMeans[index], approached(index));
+}
+
+void Actuation::follow(std::size_t index, std::uint64_t step, const Randomness& random) {
+  const GuidedMotion& motion = ports_.guides[index].motion;
+  const GuideMeans& means = ports_.guideMeans[index];
+  const std::array<double, 6> command = approached(index);
+  PlaneMotion moved = motionOf(motion, means.vehicle, command);
+  const double speed = std::hypot(moved.ahead, moved.sideways);
+  if (speed > motion.maximumSpeed) {
+    moved.ahead *= motion.maximumSpeed / speed;
+    moved.sideways *= motion.maximumSpeed / speed;
+  }
+  moved.turning = std::clamp(moved.turning, -motion.maximumRate, motion.maximumRate);
+  if (means.vehicle != nullptr) turnWheels(motion, means, command);
+  if (means.walk != nullptr) {
+    robotlink::Random numbers(random.seed, hashOfPath(ports_.guides[index].info.path) ^ step);
+    const double way = (std::hypot(moved.ahead, moved.sideways) + std::abs(moved.turning)) * kStepSeconds;
+    double* const parts[] = {&moved.ahead, &moved.sideways, &moved.turning};
+    for (std::size_t i = 0; i < 3; ++i) {
+      *parts[i] *= means.walk->slip[i];
+      if (random.noise) *parts[i] += means.walk->noise[i] * std::sqrt(way) * numbers.normal() / kStepSeconds;
+    }
+  }
+  physics_.follow(ports_.guideModels[index], moved.ahead, moved.sideways, moved.turning);
+}
+
 void Actuation::afterStep() {
-  for (std::size_t i = 0; i < servos_.size(); ++i) {
-    if (physics_.touchedObstacle(ports_.servoModels[i])) servos_[i].unobstructed = false;
+  const std::span<const std::size_t> stopped = physics_.bodiesAtObstacles();
+  for (std::size_t i = 0; i < servos_.size() && !stopped.empty(); ++i) {
+    const bool meets = std::ranges::any_of(ports_.servoBodies[i], [&](std::size_t body) {
+      return std::ranges::find(stopped, body) != stopped.end();
+    });
+    if (meets) servos_[i].unobstructed = false;
   }
   for (std::size_t i = 0; i < guides_.size(); ++i) {
     if (physics_.touchedObstacle(ports_.guideModels[i])) guides_[i].unobstructed = false;
@@ -225,8 +318,16 @@ void Actuation::takeOverGuide(std::size_t guide, const Actuation& from, std::siz
 
 ActuatorState Actuation::guideState(std::size_t index) const {
   const GuidedMotion& motion = ports_.guides[index].motion;
+  const GuideMeans& means = ports_.guideMeans[index];
+  const bool byTorque = means.kind == GuideMeans::Kind::kWheels && means.vehicle->byTorque;
+  if (byTorque) return {true, guides_[index].unobstructed};
   Vector3 velocity, rate;
   wantedMotion(motion, guides_[index].wanted, velocity, rate);
+  if (means.vehicle != nullptr) {
+    const PlaneMotion wanted =
+        motionOf(motion, means.vehicle, limitedCommand(motion, *means.vehicle, guides_[index].wanted));
+    velocity = {wanted.ahead, wanted.sideways, 0};
+  }
   const int model = ports_.guideModels[index];
   const Pose3 pose = physics_.modelInWorld(model);
   const Vector3 present = pose.linear().transpose() * physics_.velocityOfModel(model);

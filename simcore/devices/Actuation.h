@@ -35,8 +35,13 @@ class Actuation {
   /// Writes or reads what was commanded and how far it was followed.
   void transfer(StateStream& stream);
 
+  /// The random numbers of gaits, if they have noise.
+  struct Randomness {
+    bool noise = false;
+    std::uint64_t seed = 0;
+  };
   /// To be called before and after each step of the physics.
-  void beforeStep(std::uint64_t step);
+  void beforeStep(std::uint64_t step, const Randomness& random);
   void afterStep();
 
   ActuatorState servoState(std::size_t servo) const;
@@ -57,6 +62,8 @@ class Actuation {
   };
   struct GuideMotor {
     std::array<double, 6> wanted{};
+    /// What a vehicle or a following model is commanded in this step.
+    std::array<double, 6> present{};
     /// Velocities that were reached so far, in the model's frame.
     Vector3 velocity = Vector3::Zero(), rate = Vector3::Zero();
     bool unobstructed = true;
@@ -68,6 +75,13 @@ class Actuation {
   /// Turns a hinge by a torque, up to the speed of the motor, N m.
   void exert(const Servo& servo, std::size_t hinge, double torque) const;
   void push(std::size_t index);
+  // Moves a guided model by its wheels, or without forces.
+  void roll(std::size_t index);
+  void follow(std::size_t index, std::uint64_t step, const Randomness& random);
+  /// Approaches the command with limited acceleration.
+  std::array<double, 6> approached(std::size_t index);
+  /// Sets the wheels and steering joints of a vehicle for a command.
+  void turnWheels(const GuidedMotion& motion, const GuideMeans& means, const std::array<double, 6>& command);
   /// What a guide should do: velocity and turning rate in the model's frame.
   static void wantedMotion(const GuidedMotion& motion, const std::array<double, 6>& wanted, Vector3& velocity,
                            Vector3& rate);

@@ -196,6 +196,12 @@ void ExactSensing::read(std::size_t index, std::vector<double>& values) const {
     case SourceKind::kJointLoad:
     case SourceKind::kForceTorque:
       return readJoint(source, values);
+    case SourceKind::kWheelAngle:
+      values[0] = physics_.wheelState(source.hinge).travel / source.length;
+      return;
+    case SourceKind::kWheelSpeed:
+      values[0] = physics_.wheelState(source.hinge).speed / source.length;
+      return;
     case SourceKind::kContact:
       values[0] = contactOf(source);
       return;

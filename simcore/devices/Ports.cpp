@@ -68,11 +68,13 @@ class Collector {
     type_ = model.type.get();
     firstHinge_ = hinge_;
     firstDoor_ = ports_.doors.size();
+    servos_.assign(model.type->joints.size(), kNoServo);
     for (const JointDescription& joint : model.type->joints) {
       if (!joint.hasPosition()) continue;
       addAngle(joint);
       if (joint.speedSensor) addJointSensor(joint, SourceKind::kJointSpeed, *joint.speedSensor);
       if (joint.loadSensor) addJointSensor(joint, SourceKind::kJointLoad, *joint.loadSensor);
+      if (joint.servo) servos_[indexOf(joint)] = ports_.servos.size();
       if (joint.servo) addServo(joint);
       if (joint.servo && joint.door) addDoor(joint);
       ++hinge_;
@@ -81,7 +83,9 @@ class Collector {
     for (const SensorDescription& sensor : model.type->sensors) addSensor(sensor);
     for (std::size_t i = firstDoor_; i < ports_.doors.size(); ++i) connect(ports_.doors[i]);
     if (model.type->drive) addDrive(*model.type->drive);
-    if (model.type->guided) addGuide(*model.type->guided);
+    if (model.type->vehicle) addWheels(*model.type->vehicle);
+    if (model.type->guided) addGuide(*model.type->guided, model.follows());
+    if (model.type->walk && model.follows()) addWalk(*model.type->walk);
     body_ += model.type->links.size();
   }
 
@@ -163,6 +167,7 @@ class Collector {
     ports_.servos.push_back(std::move(servo));
     ports_.servoStates.push_back({hinge_, isPosition ? joint.initialAngle : 0, 1});
     ports_.servoModels.push_back(model_);
+    ports_.servoBodies.push_back(bodiesBelow(joint.child));
   }
 
   void addDoor(const JointDescription& joint) {
@@ -184,9 +189,71 @@ class Collector {
     }
   }
 
-  void addGuide(const GuidedMotion& motion) {
-    const auto [size, unit] = commandOf(motion.kind);
+  std::size_t indexOf(const JointDescription& joint) const {
+    return static_cast<std::size_t>(&joint - type_->joints.data());
+  }
+
+  /// A link and all that are joined below it.
+  std::vector<std::size_t> bodiesBelow(int link) const {
+    std::vector<bool> below(type_->links.size(), false);
+    below[static_cast<std::size_t>(link)] = true;
+    // Joints of parents come before those of their children.
+    for (const JointDescription& joint : type_->joints) {
+      const bool carried = joint.parent >= 0 && below[static_cast<std::size_t>(joint.parent)];
+      if (carried && !joint.closesCycle) below[static_cast<std::size_t>(joint.child)] = true;
+    }
+    std::vector<std::size_t> bodies;
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      if (below[i]) bodies.push_back(body_ + i);
+    }
+    return bodies;
+  }
+
+  void addWheels(const VehicleDescription& vehicle) {
+    firstWheel_ = wheel_;
+    for (const VehicleWheel& wheel : vehicle.wheels) {
+      const JointDescription& joint = type_->joints[static_cast<std::size_t>(wheel.joint)];
+      SensorSource from = source(SourceKind::kWheelAngle);
+      from.hinge = wheel_++;
+      from.length = wheel.radius;
+      from.errors = joint.positionErrors;
+      add(port(joint.name + "/position", "angle", {}, "rad"), from, {0});
+      if (!joint.speedSensor) continue;
+      from.kind = SourceKind::kWheelSpeed;
+      from.errors = *joint.speedSensor;
+      add(port(joint.name + "/speed", "angular_velocity", {}, "rad/s"), from, {0});
+    }
+  }
+
+  void addWalk(const WalkDescription& walk) {
+    GuidedMotion motion;
+    motion.kind = GuidedMotion::Kind::kWalk;
+    motion.name = walk.name;
+    motion.maximumSpeed = walk.maximumSpeed;
+    motion.maximumRate = walk.maximumRate;
+    addGuide(motion, true);
+    ports_.guideMeans.back().walk = &walk;
+  }
+
+  GuideMeans meansOf(bool follows) const {
+    GuideMeans means;
+    means.firstWheel = firstWheel_;
+    if (type_->vehicle) {
+      means.kind = GuideMeans::Kind::kWheels;
+      means.vehicle = &*type_->vehicle;
+      for (const int joint : type_->vehicle->steering)
+        means.steering.push_back(servos_[static_cast<std::size_t>(joint)]);
+    }
+    if (follows) means.kind = GuideMeans::Kind::kFollows;
+    return means;
+  }
+
+  void addGuide(const GuidedMotion& motion, bool follows) {
+    auto [size, unit] = commandOf(motion.kind);
+    const bool byTorque = type_->vehicle && type_->vehicle->byTorque && !follows;
+    if (byTorque) unit = size == 2 && motion.kind == GuidedMotion::Kind::kAckermann ? "N m, rad" : "N m";
     Guide guide{port(motion.name, "motion", {size}, unit), motion};
+    ports_.guideMeans.push_back(meansOf(follows));
     guide.info.minimum = -std::max(motion.maximumSpeed, motion.maximumRate);
     guide.info.maximum = -guide.info.minimum;
     ports_.guides.push_back(std::move(guide));
@@ -319,6 +386,11 @@ class Collector {
   const ModelDescription* type_ = nullptr;
   int model_ = 0;
   std::size_t body_ = 0, hinge_ = 0, firstHinge_ = 0, firstDoor_ = 0;
+  // Wheels of vehicles, in the numbering of Physics.
+  std::size_t wheel_ = 0, firstWheel_ = 0;
+  static constexpr std::size_t kNoServo = static_cast<std::size_t>(-1);
+  /// Keyed by joint of the model: the index of its servo.
+  std::vector<std::size_t> servos_;
   std::uint64_t numbered_ = 0;
 };
 

@@ -33,6 +33,9 @@ struct SensorSource {
     kOdometry,
     kBattery,
     kSlide,
+    /// The travel and speed of a vehicle's wheel; its number is `hinge`, its radius `length`.
+    kWheelAngle,
+    kWheelSpeed,
   };
   Kind kind = Kind::kAngle;
   int model = 0;
@@ -50,7 +53,7 @@ struct SensorSource {
   NoiseProcess::Stream stream;
   // Limits of the reading; there are none if maximum <= minimum.
   double minimum = 0, maximum = 0;
-  /// Only for kWhisker, m.
+  /// Only for kWhisker and wheels, m.
   double length = 0;
   /// Only for kOdometry: the drive and its track; -1 if the model has none.
   int drive = -1;
@@ -67,6 +70,26 @@ struct ServoState {
   double target = 0;
   /// Fraction of the maximum torque, 0 to 1.
   double torqueShare = 1;
+};
+
+/// By what a guide moves its model.
+struct GuideMeans {
+  enum class Kind : std::uint8_t {
+    /// Pushed by forces.
+    kPushed,
+    /// By its own wheels.
+    kWheels,
+    /// Without forces; see ModelInstance::follows().
+    kFollows,
+  };
+  Kind kind = Kind::kPushed;
+  // Null if the model has none; they are those of the world.
+  const VehicleDescription* vehicle = nullptr;
+  const WalkDescription* walk = nullptr;
+  /// Of its first wheel, in the numbering of Physics.
+  std::size_t firstWheel = 0;
+  /// The servos of VehicleDescription::steering.
+  std::vector<std::size_t> steering = {};
 };
 
 /// All sensors, cameras, range and image sensors, servos, drives and guides of a world, in the order of its
@@ -88,9 +111,12 @@ struct Ports {
   /// For each image sensor the bodies of its own model.
   std::vector<RayCaster::BodyRange> imageOwners;
   std::vector<Guide> guides;
+  std::vector<GuideMeans> guideMeans;
   std::vector<Door> doors;
   /// For each servo and each guide the index of its model.
   std::vector<int> servoModels, guideModels;
+  /// For each servo the bodies that it moves, in the numbering of Physics.
+  std::vector<std::vector<std::size_t>> servoBodies;
 
   /// Collects the ports of a world.
   static Ports of(const WorldDescription& world);

@@ -21,6 +21,8 @@ constexpr double kMinBounceVelocity = 0.05;  // m/s
 /// The upward component of a contact's normal from which the other solid is a floor or a ramp rather than an
 /// obstacle.
 constexpr double kFloor = 0.7;
+/// What is pushed overlaps less than that, m, unless it cannot get away.
+constexpr double kSqueezed = 0.004;
 
 dGeomID asGeom(dSpaceID space) {
   return reinterpret_cast<dGeomID>(space);
@@ -30,9 +32,15 @@ OdeModel& modelOf(OdeWorld& ode, const OdeGeom& geom) {
   return ode.models[static_cast<std::size_t>(geom.model)];
 }
 
-/// The body that a contact moves; null if there is none.
+/// The body that a contact moves, or that moves with the contact; null if there is none.
 dBodyID movedBody(OdeWorld& ode, const OdeGeom& geom) {
-  return modelOf(ode, geom).kinematic ? nullptr : dGeomGetBody(geom.id);
+  const OdeModel& model = modelOf(ode, geom);
+  return model.kinematic && model.follower < 0 ? nullptr : dGeomGetBody(geom.id);
+}
+
+/// Whether a geom is a wheel that rolls by forces.
+bool rolls(OdeWorld& ode, const OdeGeom& geom) {
+  return geom.wheel >= 0 && !modelOf(ode, geom).kinematic;
 }
 
 /// Whether no force can move the solids in a space. Its data is its OdeModel; the space of statics has none.
@@ -48,7 +56,11 @@ void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double upward) {
   OdeModel &first = modelOf(ode, a), &second = modelOf(ode, b);
   const bool bothMove = first.space != nullptr && second.space != nullptr;
   if (bothMove) ode.touches.emplace_back(std::minmax(a.model, b.model));
-  if (bothMove || std::abs(upward) < kFloor) first.touchesObstacle = second.touchesObstacle = true;
+  if (!bothMove && std::abs(upward) >= kFloor) return;
+  first.touchesObstacle = second.touchesObstacle = true;
+  for (const OdeGeom* geom : {&a, &b}) {
+    if (geom->body != OdeGeom::kNoBody) ode.obstacleBodies.push_back(geom->body);
+  }
 }
 
 /// The part of addContacts() for wheels.
@@ -70,8 +82,8 @@ void addContacts(void* data, dGeomID a, dGeomID b) {
   if (infoOf(b).index < infoOf(a).index) std::swap(a, b);
   OdeGeom& first = infoOf(a);
   OdeGeom& second = infoOf(b);
-  if (first.wheel >= 0 && movedBody(ode, first) != nullptr) return addRolling(ode, first, second);
-  if (second.wheel >= 0 && movedBody(ode, second) != nullptr) return addRolling(ode, second, first);
+  if (rolls(ode, first)) return addRolling(ode, first, second);
+  if (rolls(ode, second)) return addRolling(ode, second, first);
   const int most =
       first.triangles != nullptr || second.triangles != nullptr ? kMaxMeshContacts : kMaxContacts;
   dContact contacts[kMaxMeshContacts];
@@ -156,7 +168,19 @@ struct OverlapQuery {
   int model;
   NoteTouches note;
   Overlap found{};
+  /// Floors do not count.
+  bool sideways = false;
+  /// Models that can be moved may be overlapped a little.
+  bool pushes = false;
 };
+
+/// How deep a contact counts as one that is in the way, m.
+double obstructingDepth(const OverlapQuery& query, int other, const dContactGeom& contact) {
+  if (query.sideways && std::abs(contact.normal[2]) > kFloor) return 0;
+  const OdeModel& model = query.ode.models[static_cast<std::size_t>(other)];
+  const bool givesWay = query.pushes && model.space != nullptr && !model.kinematic;
+  return givesWay ? std::max(0.0, contact.depth - kSqueezed) : contact.depth;
+}
 
 void compareDepth(void* data, dGeomID a, dGeomID b) {
   auto& query = *static_cast<OverlapQuery*>(data);
@@ -171,9 +195,9 @@ void compareDepth(void* data, dGeomID a, dGeomID b) {
     if (isOnlyRolling(query.ode, first, contact) || isOnlyRolling(query.ode, second, contact)) continue;
     if (!noted) noteTouch(query.ode, first, second, contact.normal[2]);
     noted = true;
-    if (contact.depth > query.found.depth) {
-      query.found = {contact.depth, first.model == query.model ? second.model : first.model};
-    }
+    const int other = first.model == query.model ? second.model : first.model;
+    const double depth = obstructingDepth(query, other, contact);
+    if (depth > query.found.depth) query.found = {depth, other};
   }
 }
 
@@ -246,6 +270,12 @@ void findContacts(OdeWorld& ode) {
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note) {
   OverlapQuery query{ode, model, note};
   if (ode.models[static_cast<std::size_t>(model)].space == nullptr) return query.found;
+  compareWithOthers(ode, model, query, &compareDepth);
+  return query.found;
+}
+
+Overlap deepestSideways(OdeWorld& ode, int model, bool pushes, NoteTouches note) {
+  OverlapQuery query{ode, model, note, {}, true, pushes};
   compareWithOthers(ode, model, query, &compareDepth);
   return query.found;
 }

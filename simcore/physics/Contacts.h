@@ -23,6 +23,10 @@ enum class NoteTouches : std::uint8_t { kNo, kYes };
 /// its own. With kYes, contacts are recorded as by findContacts(), but get no joints.
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note = NoteTouches::kNo);
 
+/// The same for a model that is moved in the plane: floors and ramps do not count. If it pushes, models that
+/// can be moved count only where they are squeezed.
+Overlap deepestSideways(OdeWorld& ode, int model, bool pushes, NoteTouches note);
+
 /// The models, in ascending order, that a moving model touches.
 std::vector<int> touchingModels(OdeWorld& ode, int model);
 

@@ -72,8 +72,8 @@ class Mover {
   Mover(OdeWorld& ode, std::size_t index)
       : ode_(ode),
         drive_(ode.drives[index]),
-        left_(ode.wheelSides[2 * index]),
-        right_(ode.wheelSides[2 * index + 1]),
+        left_(ode.driveSide(2 * index)),
+        right_(ode.driveSide(2 * index + 1)),
         body_(ode.bodies[drive_.body].id) {}
 
   /// Returns false if the drive was requested to stand.

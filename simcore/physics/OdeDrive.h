@@ -13,6 +13,7 @@ namespace simcore {
 struct OdeWheelSide {
   /// A range of OdeWorld::wheels.
   std::size_t firstWheel = 0, wheelCount = 0;
+  int model = 0;
   /// Force of all its rims together with and without power, N.
   double maximumForce = 0, idleForce = 0;
   /// Requested speed of the rims, m/s.
@@ -43,6 +44,9 @@ struct OdeWheel {
   double radius = 0;
   /// Slip along the rolling direction divided by slip across it at equal force.
   double slipRatio = 1;
+  /// Whether its rim has free rollers, and the angle from the rolling direction to that in which they push.
+  bool hasRollers = false;
+  double pushAngle = 0;
   /// Its share of the weight if all wheels carry equally, N.
   double restLoad = 0;
   /// Its present load, N.
@@ -54,7 +58,7 @@ struct OdeWheelContact {
   std::size_t wheel = 0;
   /// The body that it touches; null if that is static.
   dBodyID other = nullptr;
-  /// In the world; `forward` is the rolling direction.
+  /// In the world; `forward` is the rolling direction, or that in which the wheel's rollers push.
   Vector3 point, normal, forward;
   /// Slip along the rolling direction, m/s per N.
   double slipPerForce = 0;
@@ -62,6 +66,8 @@ struct OdeWheelContact {
   double traction = 0;
   /// The most that the motors can exert, N.
   double limit = 0;
+  /// How fast the tread moves along `forward`, as a share of the rim's speed.
+  double share = 1;
   /// ODE writes the forces of the contact here.
   dJointFeedback feedback{};
 };
@@ -69,6 +75,8 @@ struct OdeWheelContact {
 /// A drive: the wheels on the two sides of a model.
 struct OdeDrive {
   int model = 0;
+  /// The left one of its two OdeWorld::wheelSides.
+  std::size_t firstSide = 0;
   /// The body that carries the wheels, an index of OdeWorld::bodies.
   std::size_t body = 0;
   /// Meters.

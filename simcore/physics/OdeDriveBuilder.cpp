@@ -7,7 +7,6 @@
 #include "simcore/physics/OdeGeoms.h"
 
 namespace simcore {
-namespace {
 
 void addWheel(OdeWorld& ode, const ModelDescription& type, const JointDescription& joint, int index,
               const OdeModel& added) {
@@ -32,8 +31,11 @@ void addWheel(OdeWorld& ode, const ModelDescription& type, const JointDescriptio
   body.firstGeom = ode.geoms.size();
   addBodyGeom(ode, carrier, tread, index, added.space);
   ode.geoms.back().wheel = body.wheel;
+  ode.geoms.back().body = added.firstBody + static_cast<std::size_t>(joint.child);
   ode.wheels.push_back(wheel);
 }
+
+namespace {
 
 /// Computes what depends on all wheels of a drive, which begin at `first`.
 void settleDrive(OdeWorld& ode, const ModelInstance& model, int index, std::size_t first) {
@@ -56,6 +58,7 @@ void settleDrive(OdeWorld& ode, const ModelInstance& model, int index, std::size
   }
   OdeDrive& made = ode.drives.emplace_back();
   made.model = index;
+  made.firstSide = ode.wheelSides.size() - 2;
   made.body = wheels[0].body;
   made.track = model.type->drive->track;
   made.centerInBody = bodyInModel.inverse() * geometry.center;
@@ -75,6 +78,7 @@ void addDrive(OdeWorld& ode, const ModelInstance& model, int index) {
     const auto count = static_cast<double>(joints->size());
     OdeWheelSide side;
     side.firstWheel = ode.wheels.size();
+    side.model = index;
     side.wheelCount = joints->size();
     side.maximumForce = drive.maximumForce * count;
     side.idleForce = drive.idleForce * count;

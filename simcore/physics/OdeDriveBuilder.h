@@ -9,4 +9,8 @@ namespace simcore {
 /// exist.
 void addDrive(OdeWorld& ode, const ModelInstance& model, int index);
 
+/// Adds a wheel of a model to the side that was added last. Its axis is that of its joint.
+void addWheel(OdeWorld& ode, const ModelDescription& type, const JointDescription& joint, int index,
+              const OdeModel& added);
+
 }  // namespace simcore

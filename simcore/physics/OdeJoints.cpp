@@ -141,6 +141,11 @@ void driveJoint(dJointID joint, double speed, double limit) {
   set(joint, dParamFMax, limit);
 }
 
+MotorSetting motorOf(dJointID joint) {
+  const auto get = isSlider(joint) ? dJointGetSliderParam : dJointGetHingeParam;
+  return {get(joint, dParamVel), get(joint, dParamFMax)};
+}
+
 void resist(OdeWorld& ode) {
   for (const OdeResistance& one : ode.resistances) {
     switch (dJointGetType(one.joint)) {

@@ -25,5 +25,10 @@ Vector3 jointAxis(dJointID joint);
 Vector3 jointAnchor(dJointID joint);
 /// Moves it at a speed with at most this torque or force.
 void driveJoint(dJointID joint, double speed, double limit);
+/// What driveJoint() set.
+struct MotorSetting {
+  double speed = 0, limit = 0;
+};
+MotorSetting motorOf(dJointID joint);
 
 }  // namespace simcore

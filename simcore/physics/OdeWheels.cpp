@@ -14,6 +14,8 @@ constexpr double kTireErrorReduction = 0.25;
 constexpr double kTireSoftness = 1.5e-3;
 // Slip slower than this, in m/s, is grip without sliding: a robot creeps down a slope more slowly than that.
 constexpr double kCreep = 0.0005;
+/// The rollers of a rim resist with this share of what it can transmit.
+constexpr double kRollerResistance = 0.02;
 constexpr double kLoadSmoothing = 0.5;
 /// As a fraction of the load at rest: a wheel that is about to land grips a little.
 constexpr double kMinLoad = 0.1;
@@ -91,13 +93,20 @@ void addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& oth
   touch.point = fromOde(geometry.pos);
   touch.normal = normal;
   touch.forward = axle.cross(normal).normalized();
+  touch.share = 1;
+  if (wheel.hasRollers) {
+    touch.forward = Eigen::AngleAxisd(wheel.pushAngle, normal) * touch.forward;
+    touch.share = std::cos(wheel.pushAngle);
+  }
   const Vector3 velocity = velocityAt(body, touch.point) - velocityAt(touch.other, touch.point);
-  const double along = velocity.dot(touch.forward) - side.speed;
+  const double along = velocity.dot(touch.forward) - side.speed * touch.share;
   const double across = velocity.dot(normal.cross(touch.forward));
   touch.traction = std::min(wheelGeom.friction, otherGeom.friction) * wheel.load;
   const double sideForce = side.on ? side.maximumForce : side.idleForce;
-  touch.limit = sideForce * wheel.load / loadOf(ode, side);
-  const double slipPerForce = std::max(std::hypot(along, across), kCreep) / std::max(touch.traction, 1e-6);
+  touch.limit = sideForce / touch.share * wheel.load / loadOf(ode, side);
+  // Across, rollers roll instead of sliding.
+  const double slip = wheel.hasRollers ? std::abs(along) : std::hypot(along, across);
+  const double slipPerForce = std::max(slip, kCreep) / std::max(touch.traction, 1e-6);
   touch.slipPerForce = slipPerForce * wheel.slipRatio;
   dContact contact{};
   contact.geom = geometry;
@@ -106,8 +115,8 @@ void addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& oth
   surface.mode = dContactMu2 | dContactFDir1 | dContactMotion1 | dContactSlip1 | dContactSlip2 |
                  dContactSoftERP | dContactSoftCFM;
   surface.mu = std::min(touch.traction, touch.limit);
-  surface.mu2 = touch.traction;
-  surface.motion1 = side.on ? side.target : 0;
+  surface.mu2 = wheel.hasRollers ? kRollerResistance * touch.traction : touch.traction;
+  surface.motion1 = side.on ? side.target * touch.share : 0;
   surface.slip1 = touch.slipPerForce;
   surface.slip2 = slipPerForce;
   surface.soft_erp = kTireErrorReduction;
@@ -130,10 +139,10 @@ void settleWheels(OdeWorld& ode) {
         velocityAt(ode.bodies[wheel.body].id, touch.point) - velocityAt(touch.other, touch.point);
     loads[touch.wheel] += force.dot(touch.normal);
     SideForces& side = sides[wheel.side];
-    side.force += along;
-    side.limit += touch.limit;
-    side.traction += touch.traction;
-    side.treadSpeed += velocity.dot(touch.forward) + touch.slipPerForce * along;
+    side.force += along * touch.share;
+    side.limit += touch.limit * touch.share;
+    side.traction += touch.traction * touch.share;
+    side.treadSpeed += (velocity.dot(touch.forward) + touch.slipPerForce * along) / touch.share;
     ++side.contacts;
   }
   for (std::size_t i = 0; i < loads.size(); ++i) {
@@ -142,7 +151,7 @@ void settleWheels(OdeWorld& ode) {
     wheel.load = std::max(wheel.load, kMinLoad * wheel.restLoad);
   }
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    const bool kinematic = ode.models[static_cast<std::size_t>(ode.drives[i / 2].model)].kinematic;
+    const bool kinematic = ode.models[static_cast<std::size_t>(ode.wheelSides[i].model)].kinematic;
     if (!kinematic) settleSide(ode.wheelSides[i], sides[i]);
   }
 }

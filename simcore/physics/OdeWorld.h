@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "simcore/physics/OdeDrive.h"
+#include "simcore/physics/OdeFollower.h"
 #include "simcore/physics/StaticGrid.h"
 #include "simcore/world/WorldDescription.h"
 
@@ -23,6 +24,9 @@ struct OdeGeom {
   /// Null unless it is a mesh. The mesh itself is that of the description.
   dTriMeshDataID triangles = nullptr;
   int model = 0;
+  /// An index of OdeWorld::bodies; kNoBody for static solids.
+  std::size_t body = kNoBody;
+  static constexpr std::size_t kNoBody = static_cast<std::size_t>(-1);
   // Coulomb's friction coefficient, and restitution, 0 to 1.
   double friction = 1;
   double restitution = 0;
@@ -88,8 +92,10 @@ struct OdeModel {
   std::size_t firstHinge = 0, hingeCount = 0;
   /// The motors between the world and the first body of a guided model; null for others.
   dJointID push = nullptr, turn = nullptr;
-  /// Follows its odometry instead of forces.
+  /// Follows its odometry, or what it is commanded, instead of forces.
   bool kinematic = false;
+  /// It pushes what it touches: an index of OdeWorld::followers; -1 if it is none.
+  int follower = -1;
   /// Whether it touched anything but a floor in the last step.
   bool touchesObstacle = false;
 };
@@ -147,10 +153,14 @@ struct OdeWorld {
   std::vector<OdePlace> places;
   /// Whether there are models of either kind.
   bool hasKinematic = false, hasDynamic = false;
-  /// Drive i has the wheelSides 2 i (left) and 2 i + 1 (right).
+  /// Each has two of `wheelSides`; each wheel of a vehicle has one of its own.
   std::vector<OdeDrive> drives;
   std::vector<OdeWheel> wheels;
   std::vector<OdeWheelSide> wheelSides;
+  /// The sides of the wheels of all vehicles, in order.
+  std::vector<std::size_t> vehicleSides;
+  /// Models that move as they are commanded; see FollowingModels.h.
+  std::vector<OdeFollower> followers;
   /// A deque because ODE keeps pointers to its elements; those of this step come first.
   std::deque<OdeWheelContact> wheelContacts;
   std::size_t wheelContactCount = 0;
@@ -162,6 +172,8 @@ struct OdeWorld {
   bool readsContacts = false;
   std::vector<OdeContactRecord> contactRecords;
   std::deque<dJointFeedback> contactForces;
+  /// Bodies that touched anything but a floor in the last step, some of them several times.
+  std::vector<std::size_t> obstacleBodies;
   /// Pairs of moving models that touched in the last step, lower index first.
   std::vector<std::pair<int, int>> touches;
 
@@ -174,6 +186,12 @@ struct OdeWorld {
   void touch(OdeGeom& geom) {
     if (!geom.touched) touchedGeoms.push_back(&geom);
     geom.touched = true;
+  }
+  /// A side of the drives: 2 i is the left one of drive i, 2 i + 1 the right one.
+  OdeWheelSide& driveSide(std::size_t side) { return wheelSides[drives[side / 2].firstSide + side % 2]; }
+  /// Has a model that follows find out anew how it stands, after it was moved by others.
+  void forgetFollower(const OdeModel& model) {
+    if (model.follower >= 0) followers[static_cast<std::size_t>(model.follower)].known = false;
   }
   /// A contact of this step, reused from an earlier one if possible.
   OdeWheelContact& nextWheelContact();

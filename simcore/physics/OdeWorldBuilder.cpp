@@ -3,11 +3,13 @@
 
 #include <cmath>
 
+#include "simcore/physics/FollowingModels.h"
 #include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/OdeDriveBuilder.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeGuideBuilder.h"
 #include "simcore/physics/OdeJoints.h"
+#include "simcore/physics/OdeVehicleBuilder.h"
 #include "simcore/physics/Step.h"
 #include "simcore/world/ModelGeometry.h"
 
@@ -76,7 +78,7 @@ class WorldBuilder {
     // first.
     dSpaceSetSublevel(added.space, 1);
     dGeomSetData(reinterpret_cast<dGeomID>(added.space), &added);
-    added.kinematic = kinematicDrives_ && model.type->drive.has_value();
+    added.kinematic = model.type->drive.has_value() && isKinematic(model.chosenMotion());
     const ModelDescription& type = *model.type;
     const std::size_t firstHinge = ode_.hinges.size();
     ode_.bodies.resize(added.firstBody + type.links.size());
@@ -84,20 +86,29 @@ class WorldBuilder {
       const int link = static_cast<int>(i);
       if (isWheel(type, link)) continue;
       ode_.bodies[added.firstBody + i] = addBody(model, withWheelsLumped(type, link), index, added.space);
+      const OdeBody& made = ode_.bodies[added.firstBody + i];
+      for (std::size_t k = made.firstGeom; k < ode_.geoms.size(); ++k)
+        ode_.geoms[k].body = added.firstBody + i;
     }
     if (type.drive) addDrive(ode_, model, index);
+    if (type.vehicle) addVehicle(ode_, model, index);
     for (const JointDescription& joint : type.joints) addJoint(ode_, model, joint, added.firstBody);
     pose(model, added.firstBody);
-    if (type.guided) addGuide(ode_, *type.guided, added);
+    if (type.guided && !type.vehicle && !model.follows()) addGuide(ode_, *type.guided, added);
     const OdeBody& first = ode_.bodies[added.firstBody];
     OdePlace place{index};
     place.radius = extentOf(type).radius + (type.links[0].poseInModel * first.centerInLink).head<2>().norm();
     if (ode_.hinges.size() > firstHinge) place.radius += kReach;
     ode_.places.push_back(place);
     (added.kinematic ? ode_.hasKinematic : ode_.hasDynamic) = true;
+    if (model.follows()) return addFollower(ode_, model, index);
     for (std::size_t i = 0; added.kinematic && i < type.links.size(); ++i) {
       dBodyDisable(ode_.bodies[added.firstBody + i].id);
     }
+  }
+
+  bool isKinematic(MotionMode mode) const {
+    return mode == MotionMode::kUnset ? kinematicDrives_ : mode >= MotionMode::kKinematic;
   }
 
   OdeBody addBody(const ModelInstance& model, const LinkDescription& link, int index, dSpaceID space) {

@@ -7,6 +7,7 @@
 
 #include "robotlink/base/Random.h"
 #include "simcore/physics/Contacts.h"
+#include "simcore/physics/FollowingModels.h"
 #include "simcore/physics/KinematicDrives.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeJoints.h"
@@ -48,11 +49,14 @@ void Physics::step(std::uint64_t seed) {
   ode_->touchedGeoms.clear();
   for (OdeModel& model : ode_->models) model.touchesObstacle = false;
   ode_->touches.clear();
+  ode_->obstacleBodies.clear();
   ode_->wheelContactCount = 0;
   resist(*ode_);
   moveKinematicModels(*ode_);
+  moveFollowers(*ode_);
   findContacts(*ode_);
   dWorldQuickStep(ode_->world, kStepSeconds);
+  settleFollowers(*ode_);
   settleWheels(*ode_);
   dJointGroupEmpty(ode_->contacts);
 }
@@ -107,7 +111,10 @@ double Physics::motorPower(int model) const {
   }
   for (std::size_t i = 0; i < ode_->drives.size(); ++i) {
     if (ode_->drives[i].model == model)
-      power += ode_->wheelSides[2 * i].power + ode_->wheelSides[2 * i + 1].power;
+      power += ode_->driveSide(2 * i).power + ode_->driveSide(2 * i + 1).power;
+  }
+  for (const std::size_t side : ode_->vehicleSides) {
+    if (ode_->wheelSides[side].model == model) power += ode_->wheelSides[side].power;
   }
   return power;
 }
@@ -184,30 +191,55 @@ Vector3 Physics::turningRateOfModel(int model) const {
 }
 
 double Physics::rimTarget(std::size_t side) const {
-  return ode_->wheelSides[side].target;
+  return ode_->driveSide(side).target;
 }
 
 void Physics::setRimSpeed(std::size_t side, double speed) {
-  ode_->wheelSides[side].target = speed;
+  ode_->driveSide(side).target = speed;
 }
 
 void Physics::setSideOn(std::size_t side, bool on) {
-  ode_->wheelSides[side].on = on;
+  ode_->driveSide(side).on = on;
 }
 
 Physics::SideState Physics::sideState(std::size_t side) const {
-  const OdeWheelSide& one = ode_->wheelSides[side];
+  const OdeWheelSide& one = ode_->driveSide(side);
   return {one.travel, one.speed, one.blockedSteps >= kBlockedSteps};
 }
 
 void Physics::copySide(std::size_t side, const Physics& from, std::size_t fromSide) {
-  OdeWheelSide& to = ode_->wheelSides[side];
-  const OdeWheelSide& other = from.ode_->wheelSides[fromSide];
+  OdeWheelSide& to = ode_->driveSide(side);
+  const OdeWheelSide& other = from.ode_->driveSide(fromSide);
   to.target = other.target;
   to.on = other.on;
   to.speed = other.speed;
   to.travel = other.travel;
   to.blockedSteps = other.blockedSteps;
+}
+
+void Physics::setWheel(std::size_t wheel, double speed, double force, bool on) {
+  OdeWheelSide& side = ode_->wheelSides[ode_->vehicleSides[wheel]];
+  side.target = speed;
+  side.maximumForce = force;
+  side.on = on;
+}
+
+Physics::SideState Physics::wheelState(std::size_t wheel) const {
+  const OdeWheelSide& one = ode_->wheelSides[ode_->vehicleSides[wheel]];
+  return {one.travel, one.speed, one.blockedSteps >= kBlockedSteps};
+}
+
+void Physics::follow(int model, double ahead, double sideways, double turning) {
+  const int follower = ode_->models[static_cast<std::size_t>(model)].follower;
+  if (follower < 0) return;
+  OdeFollower& one = ode_->followers[static_cast<std::size_t>(follower)];
+  one.ahead = ahead;
+  one.sideways = sideways;
+  one.turning = turning;
+}
+
+std::span<const std::size_t> Physics::bodiesAtObstacles() const {
+  return ode_->obstacleBodies;
 }
 
 bool Physics::touched(std::size_t body, int collision) const {
@@ -247,6 +279,7 @@ Pose3 Physics::modelInWorld(int model) const {
 
 void Physics::moveModel(int model, const Pose3& transform) {
   const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  ode_->forgetFollower(entry);
   for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
     if (ode_->bodies[i].wheel >= 0) continue;
     const dBodyID body = ode_->bodies[i].id;
@@ -276,6 +309,7 @@ std::vector<Physics::BodyMotion> Physics::motionOf(int model) const {
 
 void Physics::setMotion(int model, const std::vector<BodyMotion>& motion) {
   const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  ode_->forgetFollower(entry);
   auto next = motion.begin();
   for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
     if (ode_->bodies[i].wheel >= 0) continue;

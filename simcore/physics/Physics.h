@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,6 +76,14 @@ class Physics {
   /// What setRimSpeed() set.
   double rimTarget(std::size_t side) const;
 
+  /// Commands a wheel of a vehicle, numbered through all vehicles: the speed of its rim, m/s, and the most
+  /// force there, N; without power it only resists.
+  void setWheel(std::size_t wheel, double speed, double force, bool on);
+  SideState wheelState(std::size_t wheel) const;
+  /// Moves a model that follows (ModelInstance::follows()) from the next step on: m/s along its own axes,
+  /// rad/s.
+  void follow(int model, double ahead, double sideways, double turning);
+
   /// Pushes a guided model (ModelDescription::guided) from the next step on so that its first body has these
   /// velocities in the world; in the plane only the first two and the last one count. `force` and `torque`
   /// limit the push along and about each axis, N and N m.
@@ -94,6 +103,9 @@ class Physics {
 
   /// Whether a collision shape of a body touched anything in the last step.
   bool touched(std::size_t body, int collision) const;
+  /// The bodies that touched anything but a floor in the last step, some of them several times; valid until
+  /// the next one.
+  std::span<const std::size_t> bodiesAtObstacles() const;
   /// Whether two moving models touched each other in the last step.
   bool touched(int modelA, int modelB) const;
   /// Whether a model touched anything but a floor in the last step.

@@ -88,6 +88,24 @@ void transferDrive(StateStream& stream, OdeDrive& drive) {
   drive.freeWay = stream.isReading() ? 0 : drive.freeWay;
 }
 
+void transferFollower(StateStream& stream, OdeFollower& follower, std::size_t joints) {
+  for (double* command : {&follower.ahead, &follower.sideways, &follower.turning}) stream.number(*command);
+  stream.flag(follower.stopped);
+  // What a file says of how it stands is not needed: it is found out from the bodies.
+  bool known = follower.known;
+  stream.flag(known);
+  if (!known) {
+    follower.known = false;
+    return;
+  }
+  for (double* number : {&follower.place.x, &follower.place.y, &follower.place.heading, &follower.height, &follower.ground})
+    stream.number(*number);
+  for (int i = 0; i < 9; ++i) stream.within(follower.lean.data()[i], -1, 1);
+  follower.joints.resize(joints);
+  for (double& joint : follower.joints) stream.number(joint);
+  follower.known = stream.good();
+}
+
 }  // namespace
 
 void Physics::transferTouches(StateStream& stream) {
@@ -125,6 +143,10 @@ void Physics::transfer(StateStream& stream) {
   for (OdeWheel& wheel : ode.wheels) stream.within(wheel.load, 0, 1e12);
   for (OdeWheelSide& side : ode.wheelSides) transferSide(stream, side);
   for (OdeDrive& drive : ode.drives) transferDrive(stream, drive);
+  for (OdeFollower& follower : ode.followers) {
+    const ModelInstance& model = ode.description.models[static_cast<std::size_t>(follower.model)];
+    transferFollower(stream, follower, model.type->joints.size());
+  }
   transferTouches(stream);
   if (stream.isReading()) ode.contactRecords.clear();
 }

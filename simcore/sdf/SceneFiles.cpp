@@ -108,6 +108,10 @@ SceneInclude readDetails(const XMLElement& element, const fs::path& world, Error
   include.name = childText(element, "name");
   include.team = childText(element, "robotcontrol:team");
   include.layout = layoutIn(childText(element, "robotcontrol:layout"), world);
+  include.motion = childText(element, "robotcontrol:motion");
+  const XMLElement* motion = element.FirstChildElement("robotcontrol:motion");
+  if (motion != nullptr && motion->Attribute("objects") != nullptr)
+    include.motionAtObjects = motion->Attribute("objects");
   if (element.FirstChildElement("static") != nullptr) include.isStatic = isTrue(childText(element, "static"));
   const XMLElement* pose = element.FirstChildElement("pose");
   const std::string text = childText(element, "pose");

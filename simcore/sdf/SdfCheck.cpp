@@ -51,7 +51,10 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:vignetting", {"camera", ""}, 1},
     {"robotcontrol:vignetting_tint", {"camera", ""}, 1},
     {"robotcontrol:range", {"sensor", ""}, 1},
-    {"robotcontrol:noise", kWithErrors, 1},
+    {"robotcontrol:noise",
+     {"sensor", "robotcontrol:speed_sensor", "robotcontrol:load_sensor", "robotcontrol:position_sensor",
+      "robotcontrol:walk"},
+     1},
     {"robotcontrol:mean", kWithErrors, 1},
     {"robotcontrol:bias_mean", kWithErrors, 1},
     {"robotcontrol:bias_stddev", kWithErrors, 1},
@@ -103,10 +106,10 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:below", {"robotcontrol:door"}, 1},
     {"robotcontrol:seconds", {"robotcontrol:door"}, 1},
     {"robotcontrol:guided", {"model"}, 0},
-    {"robotcontrol:maximum_speed", {"robotcontrol:guided"}, 1},
-    {"robotcontrol:maximum_rate", {"robotcontrol:guided"}, 1},
-    {"robotcontrol:acceleration", {"robotcontrol:guided"}, 1},
-    {"robotcontrol:angular_acceleration", {"robotcontrol:guided"}, 1},
+    {"robotcontrol:maximum_speed", {"robotcontrol:guided", "robotcontrol:walk"}, 1},
+    {"robotcontrol:maximum_rate", {"robotcontrol:guided", "robotcontrol:walk"}, 1},
+    {"robotcontrol:acceleration", {"robotcontrol:guided", "robotcontrol:vehicle"}, 1},
+    {"robotcontrol:angular_acceleration", {"robotcontrol:guided", "robotcontrol:vehicle"}, 1},
     {"robotcontrol:wheelbase", {"robotcontrol:guided"}, 1},
     {"robotcontrol:skid", {"robotcontrol:guided"}, 1},
     {"robotcontrol:maximum_steering", {"robotcontrol:guided"}, 1},
@@ -116,8 +119,15 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:drive", {"model", ""}, 0},
     {"robotcontrol:left", {"robotcontrol:drive", ""}, 0},
     {"robotcontrol:right", {"robotcontrol:drive", ""}, 0},
-    {"robotcontrol:track", {"robotcontrol:drive", "robotcontrol:guided"}, 1},
-    {"robotcontrol:idle_torque", {"robotcontrol:drive", ""}, 1},
+    {"robotcontrol:track", {"robotcontrol:drive", "robotcontrol:guided", "robotcontrol:vehicle"}, 1},
+    {"robotcontrol:idle_torque", {"robotcontrol:drive", "robotcontrol:vehicle"}, 1},
+    {"robotcontrol:vehicle", {"model"}, 0},
+    {"robotcontrol:wheel", {"robotcontrol:vehicle"}, 0},
+    {"robotcontrol:free_wheel", {"robotcontrol:vehicle"}, 0},
+    {"robotcontrol:steer", {"robotcontrol:vehicle"}, 0},
+    {"robotcontrol:walk", {"model"}, 0},
+    {"robotcontrol:slip", {"robotcontrol:walk"}, 3},
+    {"robotcontrol:motion", {"model", "include"}, 0},
 };
 
 std::vector<std::string> words(const XMLElement& element) {
@@ -283,7 +293,9 @@ class Checker {
                   "<" + name + "> has no meaning in <" + std::string(parent) + ">");
     }
     const std::vector<std::string> values = words(element);
-    const auto numbers = static_cast<std::size_t>(known->numbers);
+    // A gait's noise is that of three directions.
+    const bool ofGait = parent == "robotcontrol:walk" && name == "robotcontrol:noise";
+    const auto numbers = ofGait ? 3 : static_cast<std::size_t>(known->numbers);
     if (numbers > 0 && (values.size() != numbers || !std::ranges::all_of(values, isFiniteNumber))) {
       const std::string count =
           numbers == 1 ? "one finite number" : std::to_string(numbers) + " finite numbers";

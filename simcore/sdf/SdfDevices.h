@@ -34,6 +34,13 @@ void readJointSensors(const sdf::Model& source, ModelDescription& model, const S
 void readMotor(const sdf::ElementPtr& joint, JointDescription& result, const SdfContext& context);
 /// Reads the <robotcontrol:door>s of the joints; all sensors must have been read before.
 void readDoors(const sdf::Model& source, ModelDescription& model, const SdfContext& context);
+/// The reason why a joint cannot carry a wheel; null if it can.
+const char* unfitAsWheel(const ModelDescription& model, const JointDescription& joint);
+/// Reads <robotcontrol:vehicle>, <robotcontrol:walk> and <robotcontrol:motion> of a model, if it has them;
+/// its joints, drive and <robotcontrol:guided> must have been read before.
+void readVehicle(const sdf::Model& source, ModelDescription& model, const SdfContext& context);
+void readWalk(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context);
+void readMotion(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context);
 /// Reads <robotcontrol:guided> of a model, if it has one.
 void readGuided(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context);
 

@@ -97,6 +97,9 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
   readJointSensors(source, model, context);
   readDoors(source, model, context);
   readGuided(element, model, context);
+  readVehicle(source, model, context);
+  readWalk(element, model, context);
+  readMotion(element, model, context);
   return model;
 }
 

@@ -47,4 +47,12 @@ WorldDescription readSdfWorld(const SdfSources& sources, bool& includesRead);
 /// Converts the six numbers of an SDFormat <pose>: x y z roll pitch yaw.
 Pose3 poseFromNumbers(const std::array<double, 6>& numbers);
 
+/// What a <robotcontrol:motion> says: "physics" or "kinematic", and what its attribute `objects` says:
+/// "push", "stop" or nothing. Unset for anything else.
+std::optional<MotionMode> motionModeOf(const std::string& text, const std::string& atObjects);
+inline constexpr const char* kMotionRule =
+    "<robotcontrol:motion> is physics or kinematic, and its attribute objects is push or stop";
+inline constexpr const char* kMotionNeeds =
+    "only a model with <robotcontrol:drive>, vehicle, walk, or guided on the ground can move kinematically";
+
 }  // namespace simcore

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,9 +58,8 @@ struct GuidedMotion {
     kDifferential,
     /// The same, but turning by the share `skid` of what its wheels do.
     kSkid,
-    /// {speed m/s, steering angle rad} of a driven rear and a steered front axle `wheelbase` apart. The
-    /// model's
-    /// origin is above the rear axle.
+    /// {speed m/s, steering angle rad} of two axles `wheelbase` apart, of which one is steered. The model's
+    /// origin is above the other one.
     kAckermann,
     /// {vx, vy, wz} of a walking robot, which then stands upright and is moved in the plane only.
     kWalk,
@@ -71,6 +72,61 @@ struct GuidedMotion {
   double angularAcceleration = 20;  ///< rad/s^2
   double track = 0.3, wheelbase = 0.3, skid = 1, maximumSteering = 0.6;
   bool operator==(const GuidedMotion&) const = default;
+};
+
+/// How a model moves that can move by itself.
+enum class MotionMode : std::uint8_t {
+  /// As the simulation's options say.
+  kUnset,
+  /// By the forces of its motors.
+  kPhysics,
+  /// As it is commanded, without forces: it pushes what can be moved, and stops at the rest.
+  kKinematic,
+  /// The same, but it stops at whatever is in its way.
+  kStopping,
+};
+
+/// What a robot does that is requested to walk: the odometry model of its gait. A plain value; {ahead,
+/// sideways, turning}.
+struct WalkDescription {
+  std::string name = "walk";
+  /// By how much of what is requested it really moves.
+  std::array<double, 3> slip = {1, 1, 1};
+  /// Standard deviations, m and rad, after a way of 1 m or a turn by 1 rad; they grow with the square root of
+  /// the sum of both.
+  std::array<double, 3> noise = {0, 0, 0};
+  double maximumSpeed = 1;  ///< m/s
+  double maximumRate = 3;   ///< rad/s
+  bool operator==(const WalkDescription&) const = default;
+};
+
+/// A wheel of a vehicle.
+struct VehicleWheel {
+  /// Index of its joint; its child has one solid, a cylinder about the joint's axis.
+  int joint = 0;
+  bool driven = true;
+  /// If its rim has free rollers: the angle from its rolling direction to that in which the rollers push,
+  /// rad, to the left; 0 for omni wheels, +-pi/4 for mecanum wheels.
+  std::optional<double> rollers = {};
+  // Of its motor, at the rim: m/s and N; and its resistance without power, N.
+  double maximumSpeed = 0, maximumForce = 0, idleForce = 0;
+  double radius = 0;  ///< m
+  /// Of the joint that steers it, an index of VehicleDescription::steering; -1 if none does.
+  int steering = -1;
+  // Its center, and the direction in which it rolls forwards, in the model, with all joints at 0.
+  robotlink::Vector3 center = robotlink::Vector3::Zero(), forward = robotlink::Vector3::UnitX();
+  bool operator==(const VehicleWheel&) const = default;
+};
+
+/// Wheels that roll by forces, and joints that steer them. GuidedMotion::kind says what it is commanded.
+struct VehicleDescription {
+  std::vector<VehicleWheel> wheels;
+  /// Joints with position servos. Of each also: 1 if it turns to the left for positive angles, otherwise -1.
+  std::vector<int> steering;
+  std::vector<double> steeringSigns;
+  /// The command of its driven wheels is a torque of each of them, N m, instead of speeds.
+  bool byTorque = false;
+  bool operator==(const VehicleDescription&) const = default;
 };
 
 }  // namespace simcore

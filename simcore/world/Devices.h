@@ -86,7 +86,8 @@ struct Guide {
 struct ActuatorState {
   /// Its position (servos), speed or torque is that of the command, but for 1 % of its range.
   bool reached = false;
-  /// Since the command, its model has touched nothing but floors.
+  /// Since the command, what it moves has touched nothing but floors: of a servo the links below its joint,
+  /// of a drive or a guide the whole model.
   bool unobstructed = true;
 };
 

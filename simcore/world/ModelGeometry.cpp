@@ -7,24 +7,39 @@
 
 namespace simcore {
 
-Pose3 displacementAtStart(const JointDescription& joint) {
+namespace {
+
+Pose3 displacementAt(const JointDescription& joint, double position) {
   if (joint.kind == JointDescription::Kind::kSlider)
-    return Pose3(Eigen::Translation3d(joint.initialAngle * joint.axisInModel));
+    return Pose3(Eigen::Translation3d(position * joint.axisInModel));
   const Eigen::Translation3d anchor(joint.anchorInModel);
-  return anchor * Eigen::AngleAxisd(joint.initialAngle, joint.axisInModel) * anchor.inverse();
+  return anchor * Eigen::AngleAxisd(position, joint.axisInModel) * anchor.inverse();
 }
 
-std::vector<Pose3> linksAtStart(const ModelDescription& model) {
+}  // namespace
+
+Pose3 displacementAtStart(const JointDescription& joint) {
+  return displacementAt(joint, joint.initialAngle);
+}
+
+std::vector<Pose3> linksAt(const ModelDescription& model, std::span<const double> positions) {
   // Keyed by the joints above, in the model's frame.
   std::vector<Pose3> moved(model.links.size(), Pose3::Identity());
   // Joints of parents come before those of their children.
-  for (const JointDescription& joint : model.joints) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const JointDescription& joint = model.joints[i];
     if (joint.closesCycle) continue;
     const Pose3 above = joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
-    moved[static_cast<std::size_t>(joint.child)] = above * displacementAtStart(joint);
+    moved[static_cast<std::size_t>(joint.child)] = above * displacementAt(joint, positions[i]);
   }
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = moved[i] * model.links[i].poseInModel;
   return moved;
+}
+
+std::vector<Pose3> linksAtStart(const ModelDescription& model) {
+  std::vector<double> positions;
+  for (const JointDescription& joint : model.joints) positions.push_back(joint.initialAngle);
+  return linksAt(model, positions);
 }
 
 double reach(const Shape& shape, const Eigen::Matrix3d& shapeInFrame, const Vector3& direction) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "simcore/world/WorldDescription.h"
@@ -9,6 +10,8 @@ namespace simcore {
 
 /// How a joint at its initial position has moved its child, in the model's frame with all joints at 0.
 Pose3 displacementAtStart(const JointDescription& joint);
+/// The poses of a model's links with its joints at these angles (rad) or positions (m), by link.
+std::vector<Pose3> linksAt(const ModelDescription& model, std::span<const double> positions);
 /// The poses of a model's links with all joints at their initial angles, by link.
 std::vector<Pose3> linksAtStart(const ModelDescription& model);
 

@@ -169,6 +169,10 @@ struct ModelDescription {
   std::vector<SensorDescription> sensors;
   std::optional<DriveDescription> drive;
   std::optional<GuidedMotion> guided;
+  /// Only with `guided`, which then says what it is commanded.
+  std::optional<VehicleDescription> vehicle;
+  std::optional<WalkDescription> walk;
+  MotionMode motion = MotionMode::kUnset;
   std::vector<HomeDescription> homes;
 };
 
@@ -182,6 +186,15 @@ struct ModelInstance {
   std::string teamColorName;
   /// See SceneRobot::layout; empty: that of its type.
   std::string layout;
+  /// What its <include> chooses; kUnset: what its type says.
+  MotionMode motion = MotionMode::kUnset;
+  MotionMode chosenMotion() const { return motion != MotionMode::kUnset ? motion : type->motion; }
+  /// Whether it moves in the plane as it is commanded, with its joints turning without forces.
+  bool follows() const {
+    const bool canFollow =
+        type->walk || (type->guided && (type->vehicle || type->guided->kind != GuidedMotion::Kind::kFree));
+    return canFollow && !type->isStatic && chosenMotion() >= MotionMode::kKinematic;
+  }
   /// The position of its <include> or <model> in the file.
   robotlink::FilePosition where;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/SimulatedJointPlatform.h"
 
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -44,6 +45,7 @@ robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedJointPlatform::cr
       std::unique_ptr<SimulatedJointPlatform>(new SimulatedJointPlatform(world, std::move(robot)));
   if (auto bound = platform->bindJoints(description); !bound) return tl::unexpected(bound.error());
   platform->bindSensors();
+  platform->bindWalk();
   return platform;
 }
 
@@ -96,10 +98,38 @@ bool SimulatedJointPlatform::rebind() {
   contacts_.clear();
   accelerometer_ = distance_ = -1;
   bindSensors();
+  if (!rebindWalk()) return false;
   return had == std::tuple(cameras_.size(), contacts_.size(), accelerometer_ >= 0, distance_ >= 0);
 }
 
+std::optional<std::size_t> SimulatedJointPlatform::walkPort() const {
+  const auto guides = world().simulation().guides();
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    const bool isOwn = guides[i].info.robot == robot();
+    if (isOwn && guides[i].motion.kind == simcore::GuidedMotion::Kind::kWalk) return i;
+  }
+  return std::nullopt;
+}
+
+void SimulatedJointPlatform::bindWalk() {
+  const auto port = walkPort();
+  if (!port) return;
+  walk_ = *port;
+  motionStatus_.emplace(*this, robotlink::kMotionStatus.name, Blocking::kNo);
+}
+
+bool SimulatedJointPlatform::rebindWalk() {
+  const auto port = walkPort();
+  if (port) walk_ = *port;
+  return port.has_value() == motionStatus_.has_value();
+}
+
+void SimulatedJointPlatform::walk(double x, double y, double rotation) {
+  world().simulation().guide(walk_, std::array{x, y, rotation});
+}
+
 void SimulatedJointPlatform::holdStill() {
+  if (motionStatus_) walk(0, 0, 0);
   if (holding_) return;
   holding_ = true;
   simcore::Simulation& simulation = world().simulation();
@@ -117,6 +147,10 @@ void SimulatedJointPlatform::actuate() {
   const robotcontrol::JointRequest* request = jointRequest_.get();
   if (request == nullptr) return;
   holding_ = false;
+  if (motionStatus_ && motionStatus_->get() != nullptr) {
+    const robotcontrol::Velocity2& velocity = motionStatus_->get()->velocity();
+    walk(velocity.x(), velocity.y(), velocity.rotation());
+  }
   const double torque = std::isfinite(request->stiffness()) ? request->stiffness() : 1;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     world().simulation().setTorqueLimit(joints_[i].servo, torque);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,16 @@
 #include "app/core/simulated/SimulatedPlatform.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
+#include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 
 namespace app {
 
 /// The platform of a simulated robot that moves by joints: sends the readings of its sensors as packages, and
 /// sets its servos to the requested angles.
+///
+/// Where the scene moves the robot without forces, it also receives what the gait makes of the requested
+/// walk, and has the simulation move the body so; the program does the same as ever.
 ///
 /// Readings are sent every SimulatedWorld::kStep, images at the rate of the camera. While STOP is engaged,
 /// the joints hold their angles with little torque. The true classes of an image (TrueClasses) are computed
@@ -52,6 +57,14 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
   robotlink::Result<void> bindJoints(const robotlink::RobotDescription& description);
   /// Finds cameras, paw contacts, accelerometer and distance sensor, as far as the robot has them.
   void bindSensors();
+  /// Finds the port that moves the body, if the scene moves it without forces.
+  void bindWalk();
+  /// Finds it again among other models; false if the scene has begun or ceased to move the body so.
+  bool rebindWalk();
+  /// The guide that moves the body, if there is one.
+  std::optional<std::size_t> walkPort() const;
+  /// Commands that port.
+  void walk(double x, double y, double rotation);
   /// Requests the current angles with little torque, once per STOP.
   void holdStill();
   /// Sends joints/states, with angles in rad and velocities in rad/s.
@@ -83,6 +96,9 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
   robotlink::Sender<foxglove::JointStates> jointStates_;
   robotlink::Sender<robotcontrol::BodySensors> bodySensors_;
   robotlink::Receiver<robotcontrol::JointRequest> jointRequest_;
+  /// Only if there is a port for it: the index of the guide.
+  std::optional<robotlink::Receiver<robotcontrol::MotionStatus>> motionStatus_;
+  std::size_t walk_ = 0;
 };
 
 }  // namespace app

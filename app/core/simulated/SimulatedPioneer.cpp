@@ -72,6 +72,11 @@ robotlink::Result<SimulatedPioneer::Ports> SimulatedPioneer::findPorts(const sim
   }
   // The numbers of the sonars are those of the model; missing ones are unset.
   ports.sonars.resize(static_cast<std::size_t>(sonars));
+  ports.gripper = PioneerGripper::of(simulation, robot);
+  const auto gps = std::ranges::find_if(sensors, [&](const auto& sensor) {
+    return sensor.info.robot == robot && sensor.info.type == "position_velocity";
+  });
+  if (gps != sensors.end()) ports.gps = static_cast<std::size_t>(gps - sensors.begin());
   return ports;
 }
 
@@ -82,6 +87,7 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
   auto found = findPorts(simulation, robot, settings.sonars);
   if (!found) return tl::unexpected(found.error());
   Ports& ports = *found;
+  settings.gripper = ports.gripper.has_value();
   // The microcontroller reports the sensors that the model has.
   settings.motion.track = simulation.drives()[ports.drive].track;
   settings.frontBumpers = static_cast<int>(ports.frontBumpers.size());
@@ -101,6 +107,7 @@ bool SimulatedPioneer::rebind() {
   auto found = findPorts(simulation_, robot_, options_.settings.sonars);
   const auto kept = [](const auto& one, const auto& other) { return one.has_value() == other.has_value(); };
   if (!found || !kept(found->gyroscope, ports_.gyroscope) || !kept(found->laser, ports_.laser) ||
+      !kept(found->gripper, ports_.gripper) || !kept(found->gps, ports_.gps) ||
       found->frontBumpers.size() != ports_.frontBumpers.size() ||
       found->rearBumpers.size() != ports_.rearBumpers.size() ||
       !std::ranges::equal(found->sonars, ports_.sonars, kept))
@@ -166,6 +173,7 @@ void SimulatedPioneer::step(Instant now) {
   battery_.discharge(command.motorsOn, (sensing.leftSpeed + sensing.rightSpeed) / 2, passed);
   if (command.motorsOn != driveOn_) simulation_.setDriveOn(ports_.drive, driveOn_ = command.motorsOn);
   if (command.motorsOn) simulation_.requestWheelSpeeds(ports_.drive, command.left, command.right);
+  if (ports_.gripper) ports_.gripper->move(simulation_, session_.gripperCommand());
   fulfilRequests();
 }
 
@@ -183,6 +191,12 @@ RobotSensing SimulatedPioneer::sense() {
   sensing.battery = battery_.voltage();
   sensing.charge = battery_.charge();
   if (ports_.gyroscope) sensing.rotationRate = simulation_.sensors()[*ports_.gyroscope].values.at(2);
+  if (ports_.gripper) sensing.gripper = ports_.gripper->sense(simulation_);
+  const auto map = simulation_.scene().groundMap();
+  if (ports_.gps && map && map->origin) {
+    const auto& place = simulation_.sensors()[*ports_.gps].values;
+    sensing.gps = robotlink::globalPosition(*map->origin, {place[0], place[1], place[2]});
+  }
   if (session_.publishesTruth()) senseTruth(sensing);
   return sensing;
 }

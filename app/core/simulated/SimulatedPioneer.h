@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/core/pioneer/PioneerBattery.h"
+#include "app/core/simulated/PioneerGripper.h"
 #include "robotlink/arcos/server/ServerSession.h"
 #include "robotlink/base/Error.h"
 
@@ -113,6 +114,8 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
     /// In the order of their numbers; unset for sonars that the model lacks.
     std::vector<std::optional<std::size_t>> sonars;
     std::optional<std::size_t> laser;
+    std::optional<PioneerGripper> gripper;
+    std::optional<std::size_t> gps;
   };
   /// Fails if the robot has no drive.
   static robotlink::Result<Ports> findPorts(const simcore::Simulation& simulation, const std::string& robot,

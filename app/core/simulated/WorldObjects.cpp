@@ -276,8 +276,10 @@ class PortWriter {
       addNumbers(object, "track", {drive.track}, "m");
       addNumbers(object, "wheel_radius", {drive.wheelRadius}, "m");
     }
-    for (const auto& guide : simulation.guides())
-      addActuator(guide.info, guide.info.minimum, guide.info.maximum);
+    for (const auto& guide : simulation.guides()) {
+      WorldObject& object = addActuator(guide.info, guide.info.minimum, guide.info.maximum);
+      addNumbers(object, "maximum_speed", {guide.motion.maximumSpeed}, "m/s");
+    }
     for (const auto& door : simulation.doors()) addActuator(door.info, 0, 1);
   }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "robotlink/arcos/server/GripperControl.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/GlobalPosition.h"
 
@@ -29,6 +30,10 @@ struct RobotSensing {
   /// Rate measured by the gyroscope, rad/s, counter-clockwise.
   double rotationRate = 0;
   double temperature = 25;  ///< degC
+  /// Only of a robot that has a gripper.
+  GripperSensing gripper;
+  /// What a GPS receiver at the line AUX1 measures; empty if there is none.
+  std::optional<GlobalPosition> gps;
   /// Ground truth in the field, m and rad, for SIM_STAT.
   Pose2 truePose;
   double trueHeight = 0;

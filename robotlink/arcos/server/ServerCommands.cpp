@@ -73,13 +73,18 @@ void ServerSession::obey(const Command& command) {
 /// Commands 35 to 38 control the laser here, as in other simulators, but on real robots they are ADSEL,
 /// GRIPPERVAL, GRIPREQUEST and GYROCALCW. A value for the gripper follows the gripper command that needs it.
 bool ServerSession::obeyLaser(const Command& command) {
-  constexpr int kPressure = 16, kCarry = 17;
-  if (idOf(command) == CommandId::kGripper) {
-    client_.gripperValueNext = integerArgument(command) == kPressure || integerArgument(command) == kCarry;
+  if (idOf(command) == CommandId::kGetAux) {
+    auxiliary_.ask(integerArgument(command));
     return true;
   }
-  if (idOf(command) == CommandId::kGripperValue && std::exchange(client_.gripperValueNext, false))
+  if (idOf(command) == CommandId::kGripper) {
+    client_.gripperValueNext = gripper_.obey(integerArgument(command));
     return true;
+  }
+  if (idOf(command) == CommandId::kGripperValue && std::exchange(client_.gripperValueNext, false)) {
+    gripper_.setValue(integerArgument(command));
+    return true;
+  }
   return laser_.obey(command);
 }
 

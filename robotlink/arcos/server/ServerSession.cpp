@@ -11,6 +11,8 @@
 namespace robotlink::arcos {
 namespace {
 
+/// Between two sentences of a GPS receiver.
+constexpr Duration kPositionPeriod = std::chrono::seconds(1);
 constexpr std::uint8_t kSync0 = 0, kSync1 = 1, kSync2 = 2;
 /// Clients take packets with these ids for a restart of the controller, and disconnect.
 constexpr std::uint8_t kFirstReserved = 0xFE;
@@ -97,6 +99,8 @@ void ServerSession::close() {
 }
 
 void ServerSession::clientGone(Instant now) {
+  gripper_.halt();
+  auxiliary_.reset();
   lastHeard_ = now;
   close();
   outgoing_.clear();
@@ -173,7 +177,9 @@ WheelCommand ServerSession::step(const RobotSensing& sensing, RangeFinders& rang
   if (sensing.stopButton) motion_.enable(false);
   const WheelCommand command = motion_.step(wheelsOf(sensing), passed);
   checkBumpers(sensing);
+  if (settings_.gripper) gripperCommand_ = gripper_.step(sensing.gripper, passed);
   if (state_ != State::kOpen) return command;
+  serveAuxiliary(sensing, now);
   fireSonars(ranges, now);
   readGyroscope(sensing, now);
   if (now >= nextCycle_) {
@@ -182,6 +188,14 @@ WheelCommand ServerSession::step(const RobotSensing& sensing, RangeFinders& rang
     sendCycle(sensing, ranges);
   }
   return command;
+}
+
+void ServerSession::serveAuxiliary(const RobotSensing& sensing, Instant now) {
+  if (sensing.gps && now >= nextPosition_) {
+    auxiliary_.receive(ggaSentence(*sensing.gps, now.time_since_epoch()));
+    nextPosition_ = now + kPositionPeriod;
+  }
+  if (const auto packet = auxiliary_.take()) send(toPacket(*packet));
 }
 
 void ServerSession::fireSonars(RangeFinders& ranges, Instant now) {
@@ -204,7 +218,8 @@ void ServerSession::sendCycle(const RobotSensing& sensing, RangeFinders& ranges)
   if (subscription(kGyro).take()) send(toPacket(GyroPacket{std::exchange(client_.gyroReadings, {}), {}}));
   if (subscription(kJoystick).take()) send(toPacket(JoystickPacket{}));
   const ServerReport report{std::exchange(client_.newSonars, {}),
-                            client_.testedBattery.value_or(sensing.battery), client_.digitalOut};
+                            client_.testedBattery.value_or(sensing.battery), client_.digitalOut,
+                            settings_.gripper ? gripper_.state() : std::uint8_t{0}};
   send(toPacket(informationOf(settings_, sensing, motion_, sonars_, report)));
   if (subscription(kIo).take()) send(toPacket(ioOf(settings_, sensing, report)));
   sendRequested(sensing);
@@ -217,8 +232,11 @@ void ServerSession::sendRequested(const RobotSensing& sensing) {
   if (subscription(kEncoder).take()) send(toPacket(encodersOf(settings_, sensing)));
   if (subscription(kImu).take()) send(toPacket(imuOf(sensing)));
   if (subscription(kBattery).take()) send(toPacket(batteryOf(sensing)));
-  // There is no gripper.
-  if (subscription(kGripper).take()) send(toPacket(GripperPacket{}));
+  if (subscription(kGripper).take()) {
+    // The type 2 is one at the robot's general inputs and outputs.
+    const GripperPacket present{2, gripper_.switches(), gripper_.graspTime(), {}};
+    send(toPacket(settings_.gripper ? present : GripperPacket{}));
+  }
   if (subscription(kStatus).take()) send(toPacket(statusOf(settings_, sensing)));
 }
 

@@ -12,6 +12,8 @@
 #include "robotlink/arcos/codec/Command.h"
 #include "robotlink/arcos/codec/Packet.h"
 #include "robotlink/arcos/codec/SensorPackets.h"
+#include "robotlink/arcos/server/AuxiliarySerial.h"
+#include "robotlink/arcos/server/GripperControl.h"
 #include "robotlink/arcos/server/LaserService.h"
 #include "robotlink/arcos/server/MotionController.h"
 #include "robotlink/arcos/server/RobotSensing.h"
@@ -92,6 +94,8 @@ class ServerSession {
   State state() const { return state_; }
   const ServerSettings& settings() const { return settings_; }
   const MotionController& motion() const { return motion_; }
+  /// What the gripper's motors do until the next step, if the robot has one.
+  const GripperCommand& gripperCommand() const { return gripperCommand_; }
   /// Whether the next information packet will be followed by the true pose; otherwise sensing need not
   /// contain it.
   bool publishesTruth() const;
@@ -168,6 +172,8 @@ class ServerSession {
   void checkBumpers(const RobotSensing& sensing);
   /// The encoders and, if the robot uses it, the gyroscope.
   MotionController::Wheels wheelsOf(const RobotSensing& sensing) const;
+  /// Receives a position of the GPS receiver once a second, and sends what was asked of its line.
+  void serveAuxiliary(const RobotSensing& sensing, Instant now);
   void fireSonars(RangeFinders& ranges, Instant now);
   void readGyroscope(const RobotSensing& sensing, Instant now);
   /// Sends the packets of a cycle in the order that clients expect.
@@ -182,6 +188,11 @@ class ServerSession {
   MotionController motion_;
   SonarFiring sonars_;
   LaserService laser_;
+  AuxiliarySerial auxiliary_;
+  /// When the GPS receiver sends its next position.
+  Instant nextPosition_;
+  GripperControl gripper_;
+  GripperCommand gripperCommand_;
   ClientState client_;
   /// Empty before the first step.
   std::optional<Instant> lastStep_;

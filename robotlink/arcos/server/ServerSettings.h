@@ -55,6 +55,7 @@ struct ServerSettings {
   /// Numbers of bumper segments; 0 if it has none.
   int frontBumpers = 5, rearBumpers = 5;
   Gyroscope gyroscope = Gyroscope::kClient;
+  bool gripper = false;
   /// Encoder ticks per meter of the rim's travel.
   double encoderTicks = 138000;
   /// Whether the id of information packets tells if the robot moves, as on real robots; MobileSim always uses

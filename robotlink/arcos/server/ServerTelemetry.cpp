@@ -92,6 +92,7 @@ Configuration configurationOf(const ServerSettings& settings, const MotionParame
   c.subtype = settings.subclass;
   c.serialNumber = settings.serialNumber;
   c.fourMotors = 1;
+  c.gripper = settings.gripper ? 2 : 0;
   c.rotVelTopDegS = deg(now.rotationTop);
   c.transVelTopMmS = mm(now.speedTop);
   c.rotAccTopDegS2 = deg(now.rotationAccelerationTop);
@@ -144,7 +145,7 @@ StandardInformation informationOf(const ServerSettings& settings, const RobotSen
   sip.headingSetpoint4096 = angleUnits(motion.headingSetpoint());
   sip.flags = flagsOf(sensing, motion, sonars);
   sip.sonars = sonarsOf(settings, report);
-  sip.gripState = std::uint8_t{0};
+  sip.gripState = report.gripper;
   sip.analogPort = std::uint8_t{0};
   sip.analog = std::uint8_t{0};
   sip.digitalIn = std::uint8_t{0xFF};

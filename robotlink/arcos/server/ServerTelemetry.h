@@ -20,6 +20,8 @@ struct ServerReport {
   /// Volts.
   double battery = 0;
   std::uint8_t digitalOut = 0;
+  /// GripperControl::state().
+  std::uint8_t gripper = 0;
 };
 
 /// The reply to SYNC2.

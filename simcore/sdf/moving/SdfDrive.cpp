@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// readDrive() of SdfConversion.h: drives of wheeled models.
+// readDrive() of SdfConversion.h: drives of wheeled models; unfitAsWheel() of SdfDevices.h.
 #include <algorithm>
 #include <cmath>
 
 #include "simcore/physics/DriveGeometry.h"
-#include "simcore/sdf/SdfConversion.h"
+#include "simcore/sdf/SdfDevices.h"
 
 namespace simcore {
 namespace {
@@ -67,7 +67,7 @@ class DriveReader {
       const auto found = std::ranges::find(model_.joints, name, &JointDescription::name);
       // Reported by checkSdfTree() already.
       if (found == model_.joints.end()) continue;
-      if (const char* reason = unfit(*found); reason != nullptr) {
+      if (const char* reason = unfitAsWheel(model_, *found); reason != nullptr) {
         context_.fail(child, "scene.drive", "'" + name + "' cannot be a wheel's joint: " + reason);
       } else {
         found->wheel = true;
@@ -75,26 +75,6 @@ class DriveReader {
       }
     }
     return joints;
-  }
-
-  /// The reason why a joint cannot drive a wheel; null if it can.
-  const char* unfit(const JointDescription& joint) const {
-    if (joint.kind != JointDescription::Kind::kHinge || joint.closesCycle || joint.servo)
-      return "it must turn freely, without a servo";
-    if (joint.wheel) return "it is named twice";
-    if (joint.parent < 0) return "it must be fixed to a link of the model";
-    const bool isLeaf =
-        std::ranges::none_of(model_.joints, [&](const auto& other) { return other.parent == joint.child; });
-    if (!isLeaf) return "nothing may be joined to a wheel";
-    const LinkDescription& link = model_.links[static_cast<std::size_t>(joint.child)];
-    if (link.collisions.size() != 1 || link.collisions[0].shape.kind != Shape::Kind::kCylinder) {
-      return "a wheel has one <collision>, a cylinder";
-    }
-    const Pose3 solid = link.poseInModel * link.collisions[0].poseInLink;
-    const bool along = std::abs(solid.linear().col(2).dot(joint.axisInModel)) > 0.9999;
-    const Vector3 offset = solid.translation() - joint.anchorInModel;
-    const bool centered = offset.cross(joint.axisInModel).norm() < 1e-4;
-    return along && centered ? nullptr : "a wheel's cylinder must be around the joint's axis";
   }
 
   /// What a wheel should have in common with the first one, but has not; null if they agree.
@@ -138,6 +118,24 @@ class DriveReader {
 };
 
 }  // namespace
+
+const char* unfitAsWheel(const ModelDescription& model, const JointDescription& joint) {
+  if (joint.kind != JointDescription::Kind::kHinge || joint.closesCycle || joint.servo)
+    return "it must turn freely, without a servo";
+  if (joint.wheel) return "it is named twice";
+  if (joint.parent < 0) return "it must be fixed to a link of the model";
+  const bool isLeaf =
+      std::ranges::none_of(model.joints, [&](const auto& other) { return other.parent == joint.child; });
+  if (!isLeaf) return "nothing may be joined to a wheel";
+  const LinkDescription& link = model.links[static_cast<std::size_t>(joint.child)];
+  if (link.collisions.size() != 1 || link.collisions[0].shape.kind != Shape::Kind::kCylinder)
+    return "a wheel has one <collision>, a cylinder";
+  const Pose3 solid = link.poseInModel * link.collisions[0].poseInLink;
+  const bool along = std::abs(solid.linear().col(2).dot(joint.axisInModel)) > 0.9999;
+  const Vector3 offset = solid.translation() - joint.anchorInModel;
+  const bool centered = offset.cross(joint.axisInModel).norm() < 1e-4;
+  return along && centered ? nullptr : "a wheel's cylinder must be around the joint's axis";
+}
 
 void readDrive(const sdf::Model& source, ModelDescription& model, const SdfContext& context) {
   if (source.Element()->HasElement("robotcontrol:drive")) DriveReader(source, model, context).read();
