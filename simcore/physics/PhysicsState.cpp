@@ -98,7 +98,8 @@ void transferFollower(StateStream& stream, OdeFollower& follower, std::size_t jo
     follower.known = false;
     return;
   }
-  for (double* number : {&follower.place.x, &follower.place.y, &follower.place.heading, &follower.height, &follower.ground})
+  for (double* number :
+       {&follower.place.x, &follower.place.y, &follower.place.heading, &follower.height, &follower.ground})
     stream.number(*number);
   for (int i = 0; i < 9; ++i) stream.within(follower.lean.data()[i], -1, 1);
   follower.joints.resize(joints);
