@@ -83,6 +83,7 @@ void addContacts(void* data, dGeomID a, dGeomID b) {
     if (surface.bounce > 0) surface.mode |= dContactBounce;
     const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contacts[i]);
     dJointAttach(joint, movedBody(ode, first), movedBody(ode, second));
+    ++ode.contactCount;
   }
 }
 

@@ -5,9 +5,12 @@
 #include <ode/ode.h>
 
 #include <deque>
+#include <memory>
 #include <vector>
 
+#include "simcore/physics/IslandThreads.h"
 #include "simcore/physics/OdeDrive.h"
+#include "simcore/physics/OdeThread.h"
 #include "simcore/physics/StaticGrid.h"
 #include "simcore/world/WorldDescription.h"
 
@@ -98,6 +101,8 @@ struct OdeWorld {
   dGeomID ray = nullptr;
   /// ODE's threading of this world: none.
   dThreadingImplementationID threading = nullptr;
+  /// What steps the islands in several threads instead; null: one thread does.
+  std::unique_ptr<IslandThreads> islands;
   /// A deque because ODE keeps pointers to its elements.
   std::deque<OdeGeom> geoms;
   /// Links of all moving models, in order.
@@ -122,6 +127,8 @@ struct OdeWorld {
   /// A deque because ODE keeps pointers to its elements; those of this step come first.
   std::deque<OdeWheelContact> wheelContacts;
   std::size_t wheelContactCount = 0;
+  /// The joints of all contacts of this step.
+  int contactCount = 0;
   /// Pairs of moving models that touched in the last step, lower index first.
   std::vector<std::pair<int, int>> touches;
 
@@ -142,9 +149,6 @@ struct OdeWorld {
   /// The pose of a wheel's link, rotated by the travel of its side.
   Pose3 wheelLinkPose(const OdeWheel& wheel) const;
 };
-
-/// Prepares ODE for use by the calling thread; cheap after the first call.
-void prepareOdeForThread();
 
 /// Converts a position and a rotation matrix of ODE.
 Pose3 poseOf(const dReal* position, const dReal* rotation);
