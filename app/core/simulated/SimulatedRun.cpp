@@ -17,6 +17,7 @@
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
@@ -39,6 +40,7 @@ constexpr int kTransformsEvery = 4;
 RunOptions defaultSimulation() {
   RunOptions options;
   options.scene = robotlink::resource("scenes/field2002.sdf");
+  options.world.threads = robotlink::ThreadPool::cores();
   return options;
 }
 
@@ -235,6 +237,12 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
   executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
       .kind = options_.executor(),
       .advance = [this] { world_->advance(); },
+      .ran =
+          [this](robotlink::Duration took) {
+            programTime_ += took;
+            for (const auto& robot : robots_) robot->deliver();
+          },
+      .atOnce = world_->options().threads,
       .trouble = [this](const auto& process, const auto& text) { reportTrouble(process, text); },
       .patience = options_.patience,
       .cut = patience_,
@@ -245,6 +253,7 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
           }});
   lostChoices_.clear();
   for (const auto& robot : robots_) {
+    robot->keepReports(options_.executor() == ExecutorKind::kLockstep);
     if (std::ranges::find(robots, robot.get()) == robots.end()) {
       robot->continueIn(*executor_);
       continue;
@@ -396,6 +405,7 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
   // Their processes must not read a clock that jumps.
   stopPrograms();
   world_->reset(seed);
+  programTime_ = {};
   for (const auto& robot : robots_) robot->beginAnew();
   if (kickOff_) kickOff_->restart();
   options_.world.seed = seed;

@@ -76,7 +76,8 @@ struct RunOptions {
   ExecutorKind executor() const { return hosting.threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep; }
 };
 
-/// The simulation that is opened by default: the shipped soccer field.
+/// The simulation that is opened by default: the shipped soccer field, with as many threads as the machine
+/// has cores.
 RunOptions defaultSimulation();
 
 /// A simulated world with the programs of all its robots, stepped by the caller. It is made as a whole or
@@ -157,6 +158,8 @@ class SimulatedRun {
   robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
   /// The layout files of those robots whose programs run in another one than layout(), by name.
   std::map<std::string, std::filesystem::path> otherLayouts() const;
+  /// The real time that programs have taken in lockstep since the start or the last reset.
+  robotlink::Duration programTime() const { return programTime_; }
   /// The overrides that the present programs cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
 
@@ -258,6 +261,7 @@ class SimulatedRun {
   std::unique_ptr<RecordingTap> tap_;
   std::vector<std::unique_ptr<RobotHost>> robots_;
   std::vector<std::string> lostChoices_;
+  robotlink::Duration programTime_{};
   /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
   /// With modules inside, and with programs in processes of their own; shared with stopSwitch_.

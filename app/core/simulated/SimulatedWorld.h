@@ -8,15 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "app/core/simulated/CameraWork.h"
 #include "app/core/simulated/HeldActuators.h"
 #include "app/core/simulated/SimulatedPioneer.h"
-#include "app/core/simulated/TrueClasses.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
+#include "robotlink/base/threads/ThreadPool.h"
 #include "simcore/Simulation.h"
-#include "simcore/rendering/CameraOptics.h"
-#include "simcore/rendering/CameraRenderer.h"
 #include "simcore/world/LightAdjustment.h"
 
 namespace app {
@@ -47,6 +46,9 @@ class SimulatedWorld {
     std::optional<double> imageNoise = {};
     /// Whether robots on wheels are moved by their odometry instead of by forces.
     bool kinematic = false;
+    /// How many threads share the work: physics, measurements, images, and in SimulatedRun the programs. The
+    /// results are the same for any number.
+    int threads = 1;
     /// Settings of all Pioneers. Their seed is that of the world; without `noise` they have no tire errors.
     SimulatedPioneer::Options pioneers = {};
   };
@@ -93,7 +95,8 @@ class SimulatedWorld {
 
   /// Whether a camera (by its index) takes an image at this step.
   bool imageDue(std::size_t camera) const;
-  /// Renders the image of a camera, YCbCr 4:2:2. Valid until the next call.
+  /// Renders the image of a camera, YCbCr 4:2:2. Valid until the next call. With several threads, images that
+  /// are due now of other cameras that were asked for when their previous one was due are made meanwhile.
   const robotlink::Image& render(std::size_t camera);
   /// Renders what a camera sees for a person, as render() does; costs() and digest() do not count it. Valid
   /// until the next call of either.
@@ -117,44 +120,35 @@ class SimulatedWorld {
     double whiteBalance = 0;
   };
   /// The setting of a camera, by its index; changes count from the next image on.
-  CameraSetting& cameraSetting(std::size_t camera) { return cameraSettings_[camera]; }
+  CameraSetting& cameraSetting(std::size_t camera) {
+    cameraWork_.forgetImages();
+    return cameraSettings_[camera];
+  }
 
   /// A hash of the states after all steps and of all images since the start, for comparing runs.
   std::uint64_t digest() const { return digest_; }
 
  private:
-  SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options);
+  SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options,
+                 std::shared_ptr<robotlink::ThreadPool> pool);
   /// The light as a camera sees it by its settings.
   simcore::LightAdjustment lightingOf(std::size_t camera) const;
-  /// Takes the image of a camera into image_.
-  void take(std::size_t camera, const simcore::CameraModel& model, const simcore::ImageNoise& noise);
-  /// Makes what renders the scene, if there are cameras.
-  void makeRenderer();
+  /// What an image of a camera is to be like now.
+  CameraWork::Order orderOf(std::size_t camera) const;
   /// Makes the microcontrollers.
   robotlink::Result<void> makePioneers();
-  /// Renders a camera's image into image_.
-  void draw(std::size_t camera);
   void mixIntoDigest(std::uint64_t value);
 
   Options options_;
+  std::shared_ptr<robotlink::ThreadPool> pool_;
   robotlink::ManualClock clock_;
   std::unique_ptr<simcore::Simulation> simulation_;
   std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
   HeldActuators held_;
-  /// Null if there are no cameras.
-  std::unique_ptr<simcore::CameraRenderer> renderer_;
+  CameraWork cameraWork_;
   std::vector<CameraSetting> cameraSettings_;
   /// Keyed by camera: whether somebody chose its errors, instead of the scene.
   std::vector<bool> cameraErrorsChosen_;
-  /// Keyed by camera.
-  std::vector<simcore::CameraOptics> optics_;
-  /// Whose image was rendered last.
-  std::size_t lastCamera_ = 0;
-  TrueClasses trueClasses_;
-  /// The memory of render() and trueClasses().
-  robotlink::Image image_, classes_;
-  /// The step of the physics whose poses the renderer has.
-  std::uint64_t posesRendered_ = ~std::uint64_t{0};
   std::uint64_t digest_ = 0;
   Costs costs_;
 };

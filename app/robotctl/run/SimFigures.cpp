@@ -158,6 +158,7 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   figures["scene"] = run.options().scene.string();
   figures["layout"] = run.layout().string();
   figures["seed"] = world.options().seed;
+  figures["threads"] = world.options().threads;
   figures["robots"] = run.robots().size();
   figures["simulated_seconds"] = simulated;
   figures["real_seconds"] = realSeconds;
@@ -166,6 +167,7 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   figures["images"] = costs.images;
   figures["ms_per_step"] = milliseconds(costs.physics, costs.steps);
   figures["ms_per_image"] = milliseconds(costs.rendering, costs.images);
+  figures["ms_per_step_of_programs"] = milliseconds(run.programTime(), costs.steps);
   for (const auto& pioneer : world.pioneers())
     figures["robots_on_wheels"].push_back(contactFigures(world, pioneer->robot()));
   figures["ball_contacts"] = world.simulation().ballContacts();
@@ -181,6 +183,7 @@ json figuresOf(const ArcosSimulation& simulation, double realSeconds) {
   json figures;
   figures["scene"] = simulation.options().scene.string();
   figures["seed"] = world.options().seed;
+  figures["threads"] = world.options().threads;
   figures["kinematic"] = world.options().kinematic;
   figures["simulated_seconds"] = simulated;
   figures["real_seconds"] = realSeconds;
