@@ -48,10 +48,9 @@ ProgramExecutor::ProgramExecutor(Options options)
     auto lockstep = lockstepOptions();
     lockstep.advance = options_.advance;
     lockstep_ = std::make_unique<robotlink::LockstepExecutor>(std::move(lockstep));
-    if (options_.patience.count() == 0 && options_.atOnce <= 1) return;
-    crew_ = std::make_unique<TurnCrew>(options_.atOnce, [this](std::size_t team) {
-      teams_[team]->lockstep->runProcesses(teams_[team]->platform->clock().now());
-    });
+    if (options_.patience.count() == 0) return;
+    crew_ = std::make_unique<TurnCrew>(options_.pool ? options_.pool->threads() : 1,
+                                       [this](std::size_t team) { takeTurn(team); });
     return;
   }
   const auto trouble = [muted = isMuted_, report = options_.trouble](const Process& process,
@@ -92,7 +91,7 @@ void ProgramExecutor::add(robotlink::Platform& platform, const std::vector<Proce
   }
   team.lockstep = std::make_unique<robotlink::LockstepExecutor>(lockstepOptions());
   for (Process* process : processes) team.lockstep->add(*process);
-  team.isInCrew = crew_ && guard == Guard::kYes;
+  team.takesTurns = (crew_ || options_.pool) && guard == Guard::kYes;
 }
 
 void ProgramExecutor::start() {
@@ -115,26 +114,30 @@ void ProgramExecutor::runProcesses() {
   takeTurns();
   // Programs elsewhere compute meanwhile.
   for (const auto& team : teams_) {
-    if (!team->isInCrew) team->lockstep->runProcesses(team->platform->clock().now());
+    if (!team->takesTurns) team->lockstep->runProcesses(team->platform->clock().now());
   }
   options_.ran(std::chrono::steady_clock::now() - begin);
 }
 
 void ProgramExecutor::takeTurns() {
-  if (!crew_) return;
   std::vector<std::size_t> turns;
   for (std::size_t i = 0; i < teams_.size(); ++i) {
-    if (!teams_[i]->isInCrew || crew_->isBusy(i)) continue;
+    if (!teams_[i]->takesTurns || isBusy(i)) continue;
     if (teams_[i]->isStuck) setStuck(*teams_[i], false, nullptr);
     turns.push_back(i);
   }
   if (turns.empty()) return;
+  if (!crew_) return options_.pool->run(turns.size(), [&](std::size_t i) { takeTurn(turns[i]); });
   for (const std::size_t late : crew_->run(turns, *patience_))
     setStuck(*teams_[late], true, busyProcess(teams_[late]->processes));
 }
 
+void ProgramExecutor::takeTurn(std::size_t team) {
+  teams_[team]->lockstep->runProcesses(teams_[team]->platform->clock().now());
+}
+
 bool ProgramExecutor::isBusy(std::size_t team) const {
-  return teams_[team]->isInCrew && crew_->isBusy(team);
+  return crew_ && teams_[team]->takesTurns && crew_->isBusy(team);
 }
 
 void ProgramExecutor::setStuck(Team& team, bool isStuck, const Process* process) {

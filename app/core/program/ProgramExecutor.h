@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/core/program/TurnCrew.h"
+#include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/ThreadExecutor.h"
 
@@ -44,9 +45,9 @@ class ProgramExecutor {
     std::function<void()> advance = [] {};
     /// In lockstep, called when all processes of a step have run, with the real time that they took.
     std::function<void(robotlink::Duration took)> ran = [](robotlink::Duration) {};
-    /// How many robots' processes may run at once in lockstep. With more than one, or with a patience, they
-    /// run in other threads than the caller's.
-    int atOnce = 1;
+    /// In lockstep, the threads that share the robots' programs; null: one does. With a patience the programs
+    /// run in as many threads of their own.
+    std::shared_ptr<robotlink::ThreadPool> pool = nullptr;
     /// Called if something is wrong with a process, with the rest of a sentence: "was stopped because it
     /// threw: ...". Must not be empty.
     std::function<void(const robotlink::Process& process, const std::string& text)> trouble;
@@ -97,8 +98,8 @@ class ProgramExecutor {
     std::vector<robotlink::Process*> processes;
     /// Only in lockstep, and for stand-ins.
     std::unique_ptr<robotlink::LockstepExecutor> lockstep = nullptr;
-    /// Its processes run in the threads of the crew.
-    bool isInCrew = false;
+    /// Its processes may run in other threads than the caller's.
+    bool takesTurns = false;
     bool isStuck = false;
   };
   robotlink::LockstepExecutor::Options lockstepOptions() const;
@@ -107,6 +108,8 @@ class ProgramExecutor {
   /// The processes' part of a step in lockstep.
   void runProcesses();
   void takeTurns();
+  /// In any thread.
+  void takeTurn(std::size_t team);
   bool hasEnded(std::size_t team) const;
   bool isBusy(std::size_t team) const;
   /// Looks for frames in threads that do not return, and for those that have.

@@ -242,7 +242,7 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
             programTime_ += took;
             for (const auto& robot : robots_) robot->deliver();
           },
-      .atOnce = world_->options().threads,
+      .pool = world_->pool(),
       .trouble = [this](const auto& process, const auto& text) { reportTrouble(process, text); },
       .patience = options_.patience,
       .cut = patience_,

@@ -83,6 +83,8 @@ class SimulatedWorld {
   const simcore::Simulation& simulation() const { return *simulation_; }
   const Options& options() const { return options_; }
   const Costs& costs() const { return costs_; }
+  /// The threads that share the work. Not null.
+  const std::shared_ptr<robotlink::ThreadPool>& pool() const { return pool_; }
 
   /// The microcontrollers of all robots whose drive names SimulatedPioneer::kController, in the order of the
   /// scene.

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "app/core/program/LeftOverPrograms.h"
 #include "robotlink/base/threads/ThreadPool.h"
 #include "tests/app/Requests.h"
 #include "tests/app/SimulatedRuns.h"
@@ -33,6 +34,8 @@ constexpr double kSerialPhysics = 0.08;
 RunOptions gameOf(int robots, int threads) {
   RunOptions options = simulationOptions();
   options.world.threads = threads;
+  // As robotctl and the workbench do.
+  options.patience = kModulePatience;
   // The shipped scene has one.
   if (robots > 1) options.robots = simcore::RobotsToAdd{.model = "ers210", .count = robots - 1};
   return options;
