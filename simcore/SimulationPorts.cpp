@@ -262,9 +262,10 @@ robotlink::Result<void> Simulation::setSensorErrors(const std::string& path, con
   if (found.kind == Port::Kind::kCamera) i.ports.cameras[found.index].noise = errors.of(0).stddev;
   if (found.kind == Port::Kind::kRange)
     i.ranging->setErrors(found.index, errors, {true, i.options.seed, i.steps});
-  if (found.kind == Port::Kind::kImage)
-    i.imaging->setErrors(found.index, errors, {true, i.options.seed, i.steps});
+  if (found.kind == Port::Kind::kImage) i.setImageErrors(found.index, errors);
   i.readingsValid = false;
+  i.rangesAhead->forget();
+  i.imagesAhead->forget();
   i.recordPoses();
   return {};
 }

@@ -23,6 +23,7 @@
 #include "simcore/physics/Physics.h"
 #include "simcore/physics/Step.h"
 #include "simcore/ranging/ImageSensing.h"
+#include "simcore/ranging/MeasureAhead.h"
 #include "simcore/ranging/RangeSensing.h"
 #include "simcore/rendering/CameraRenderer.h"
 #include "simcore/world/Continuation.h"
@@ -99,6 +100,10 @@ struct SimulationState {
   // Null if there is nothing to measure.
   std::unique_ptr<RangeSensing> ranging;
   std::unique_ptr<ImageSensing> imaging;
+  /// What other threads than the caller's make images with; they have the same noise.
+  std::vector<std::unique_ptr<ImageSensing>> otherImaging;
+  std::optional<MeasureAhead<double>> rangesAhead;
+  std::optional<MeasureAhead<float>> imagesAhead;
   /// Renders what cameras truly see; made when it is needed first.
   std::unique_ptr<CameraRenderer> truth;
   // Keyed by range sensor, image sensor and camera.
@@ -151,6 +156,7 @@ struct SimulationState {
     for (const ImageSensor& sensor : ports.images) imageTiming.emplace_back(sensor.errors, sensor.info.path);
     for (const CameraSensor& camera : ports.cameras)
       cameraTiming.emplace_back(camera.errors, camera.info.path);
+    prepareToMeasureAhead();
     for (const auto* sensors : {&rangeTiming, &imageTiming, &cameraTiming}) {
       for (const TimedSensor& sensor : *sensors) remember(sensor.errors);
     }
@@ -181,7 +187,7 @@ struct SimulationState {
 
   void start() {
     physics = std::make_unique<Physics>(
-        world, options.kinematic ? Physics::Drives::kKinematic : Physics::Drives::kDynamic);
+        world, options.kinematic ? Physics::Drives::kKinematic : Physics::Drives::kDynamic, options.pool);
     sensing.emplace(*physics, ports.sources, world);
     actuation.emplace(*physics, ports);
     doors.emplace(ports, *actuation);
@@ -189,6 +195,8 @@ struct SimulationState {
     physics->readContacts(readsForces);
     steps = 0;
     history.clear();
+    rangesAhead->restart();
+    imagesAhead->restart();
     driveUnobstructed.assign(ports.drives.size(), true);
     poses.assign(physics->bodyCount() + 1, Pose3::Identity());
     ballContacts = 0;
@@ -204,7 +212,11 @@ struct SimulationState {
 
   Sensing::Noise noise() const { return {options.noise, options.seed, steps}; }
 
-  void invalidate() { readingsValid = posesValid = rangingValid = imagingValid = false; }
+  void invalidate() {
+    readingsValid = posesValid = rangingValid = imagingValid = false;
+    rangesAhead->forget();
+    imagesAhead->forget();
+  }
 
   void recordPoses() {
     if (!history.isWanted()) return;
@@ -257,21 +269,13 @@ struct SimulationState {
     return nullptr;
   }
 
-  void measure(std::size_t sensor, std::span<double> ranges) {
-    const std::uint64_t step = stepOf(rangeTiming[sensor]);
-    if (!rangingValid || rangingStep != step) ranging->setPoses(posesAt(step));
-    rangingValid = true;
-    rangingStep = step;
-    ranging->measure(sensor, {options.noise, options.seed, step}, ranges);
-  }
-
-  void measureImage(std::size_t sensor, std::span<float> values) {
-    const std::uint64_t step = stepOf(imageTiming[sensor]);
-    if (!imagingValid || imagingStep != step) imaging->setPoses(posesAt(step));
-    imagingValid = true;
-    imagingStep = step;
-    imaging->measure(sensor, {options.noise, options.seed, step}, values);
-  }
+  // What depends on the present poses only is measured in several threads.
+  void prepareToMeasureAhead();
+  void measure(std::size_t sensor, std::span<double> ranges);
+  void measureImage(std::size_t sensor, std::span<float> values);
+  void poseRanging(std::uint64_t step);
+  void poseImaging(std::uint64_t step);
+  void setImageErrors(std::size_t sensor, const SensorErrors& errors);
 
   /// Writes or reads everything that changes while it runs; what cannot be read is half overwritten.
   void transfer(StateStream& stream);

@@ -52,6 +52,8 @@ if(ROBOTCONTROL_TESTS)
 endif()
 if(ROBOTCONTROL_BENCHMARKS)
   find_package(benchmark REQUIRED)
+  # Another simulator with which ours is compared, by one benchmark: without it that is left out.
+  find_package(mujoco QUIET)
   # What segmentation is compared with, by benchmarks alone: without it these leave the comparison out.
   find_path(OPENCV_IMGPROC_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
   find_library(OPENCV_IMGPROC opencv_imgproc)

@@ -127,6 +127,7 @@ void addJoints(OdeWorld& ode, const OdePair& pair) {
     if (surface.bounce > 0) surface.mode |= dContactBounce;
     const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contact);
     dJointAttach(joint, movedBody(ode, *pair.first), movedBody(ode, *pair.second));
+    ++ode.contactCount;
     if (!ode.readsContacts) continue;
     dJointFeedback& exerted = ode.contactForces.emplace_back();
     dJointSetFeedback(joint, &exerted);

@@ -9,7 +9,12 @@
 
 namespace {
 
+// The generator of ODE's misc.cpp, a linear congruential one (Knuth, volume 2, section 3.3.4, table 1, line
+// 15).
+constexpr std::uint32_t kFactor = 1664525U, kSummand = 1013904223U;
+
 thread_local std::uint32_t threadSeed = 0;
+thread_local simcore::OdeRandomWatch* threadWatch = nullptr;
 
 }  // namespace
 
@@ -19,14 +24,35 @@ void seedOdeRandom(std::uint64_t bits) {
   threadSeed = static_cast<std::uint32_t>(bits ^ (bits >> 32));
 }
 
+std::uint32_t odeRandomState() {
+  return threadSeed;
+}
+
+void setOdeRandomState(std::uint32_t state) {
+  threadSeed = state;
+}
+
+std::uint32_t odeRandomAfter(std::uint32_t state, std::uint64_t numbers) {
+  // n steps are one step with another factor and summand; those of twice as many follow by squaring.
+  std::uint32_t factor = kFactor, summand = kSummand;
+  for (; numbers > 0; numbers >>= 1U) {
+    if ((numbers & 1U) != 0) state = factor * state + summand;
+    summand *= factor + 1;
+    factor *= factor;
+  }
+  return state;
+}
+
+void watchOdeRandom(OdeRandomWatch* watch) {
+  threadWatch = watch;
+}
+
 }  // namespace simcore
 
 extern "C" {
 
-// The generator of ODE's misc.cpp, a linear congruential one (Knuth, volume 2, section 3.3.4, table 1, line
-// 15).
 unsigned long dRand(void) {
-  threadSeed = 1664525U * threadSeed + 1013904223U;
+  threadSeed = kFactor * threadSeed + kSummand;
   return threadSeed;
 }
 
@@ -39,6 +65,7 @@ void dRandSetSeed(unsigned long seed) {
 }
 
 int dRandInt(int n) {
+  if (threadWatch != nullptr) threadWatch->beforeNumber(n);
   // The high bits of such a generator are the more random ones.
   return n <= 0
              ? 0

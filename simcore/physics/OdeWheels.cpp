@@ -123,6 +123,7 @@ void addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& oth
   surface.soft_cfm = kTireSoftness;
   const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contact);
   dJointAttach(joint, body, touch.other);
+  ++ode.contactCount;
   dJointSetFeedback(joint, &touch.feedback);
 }
 

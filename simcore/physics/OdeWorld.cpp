@@ -27,12 +27,6 @@ dSpaceID newTopSpace(const WorldDescription& description) {
 
 }  // namespace
 
-void prepareOdeForThread() {
-  static const bool kInitialized = dInitODE2(0) != 0;
-  thread_local const bool kAllocated = kInitialized && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
-  (void)kAllocated;
-}
-
 OdeWorld::OdeWorld(const WorldDescription& worldDescription) : description(worldDescription) {
   prepareOdeForThread();
   world = dWorldCreate();

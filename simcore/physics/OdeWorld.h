@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
+#include "simcore/physics/IslandThreads.h"
 #include "simcore/physics/OdeDrive.h"
 #include "simcore/physics/OdeFollower.h"
+#include "simcore/physics/OdeThread.h"
 #include "simcore/physics/StaticGrid.h"
 #include "simcore/world/WorldDescription.h"
 
@@ -136,6 +139,8 @@ struct OdeWorld {
   dGeomID ray = nullptr;
   /// ODE's threading of this world: none.
   dThreadingImplementationID threading = nullptr;
+  /// What steps the islands in several threads instead; null: one thread does.
+  std::unique_ptr<IslandThreads> islands;
   /// A deque because ODE keeps pointers to its elements.
   std::deque<OdeGeom> geoms;
   /// Links of all moving models, in order.
@@ -174,6 +179,8 @@ struct OdeWorld {
   std::deque<dJointFeedback> contactForces;
   /// Bodies that touched anything but a floor in the last step, some of them several times.
   std::vector<std::size_t> obstacleBodies;
+  /// The joints of all contacts of this step.
+  int contactCount = 0;
   /// Pairs of moving models that touched in the last step, lower index first.
   std::vector<std::pair<int, int>> touches;
 
@@ -200,9 +207,6 @@ struct OdeWorld {
   /// The pose of a wheel's link, rotated by the travel of its side.
   Pose3 wheelLinkPose(const OdeWheel& wheel) const;
 };
-
-/// Prepares ODE for use by the calling thread; cheap after the first call.
-void prepareOdeForThread();
 
 /// Converts a position and a rotation matrix of ODE.
 Pose3 poseOf(const dReal* position, const dReal* rotation);

@@ -38,8 +38,13 @@ void hitByRay(void* data, dGeomID a, dGeomID b) {
 
 }  // namespace
 
-Physics::Physics(const WorldDescription& world, Drives drives)
-    : ode_(buildOdeWorld(world, drives == Drives::kKinematic)) {}
+Physics::Physics(const WorldDescription& world, Drives drives, std::shared_ptr<robotlink::ThreadPool> pool)
+    : ode_(buildOdeWorld(world, drives == Drives::kKinematic)) {
+  const auto dynamic =
+      std::ranges::count_if(ode_->models, [](const OdeModel& m) { return m.bodyCount > 0 && !m.kinematic; });
+  if (pool && pool->threads() > 1 && dynamic > 1)
+    ode_->islands = std::make_unique<IslandThreads>(std::move(pool), ode_->world);
+}
 Physics::~Physics() = default;
 
 void Physics::step(std::uint64_t seed) {
@@ -51,11 +56,16 @@ void Physics::step(std::uint64_t seed) {
   ode_->touches.clear();
   ode_->obstacleBodies.clear();
   ode_->wheelContactCount = 0;
+  ode_->contactCount = 0;
   resist(*ode_);
   moveKinematicModels(*ode_);
   moveFollowers(*ode_);
   findContacts(*ode_);
-  dWorldQuickStep(ode_->world, kStepSeconds);
+  if (ode_->islands) {
+    ode_->islands->step(kStepSeconds, static_cast<int>(ode_->hinges.size()) + ode_->contactCount);
+  } else {
+    dWorldQuickStep(ode_->world, kStepSeconds);
+  }
   settleFollowers(*ode_);
   settleWheels(*ode_);
   dJointGroupEmpty(ode_->contacts);

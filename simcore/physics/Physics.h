@@ -11,6 +11,10 @@
 #include "simcore/physics/Step.h"
 #include "simcore/world/WorldDescription.h"
 
+namespace robotlink {
+class ThreadPool;
+}
+
 namespace simcore {
 
 class StateStream;
@@ -18,7 +22,7 @@ struct OdeWorld;
 
 /// The dynamics of a world, computed by ODE: bodies, hinges and contacts. There is a collision space for each
 /// moving model and one for static solids (in large worlds a StaticGrid), and no collisions within a model.
-/// Steps use dWorldQuickStep without ODE's threads.
+/// Steps use dWorldQuickStep without ODE's threads; see IslandThreads for ours.
 ///
 /// Bodies and hinges (with them sliders, which move in m instead of rad) are numbered through all moving
 /// models in order; RenderScene::bodies has the same order
@@ -29,7 +33,9 @@ class Physics {
   /// Whether models with a drive are moved by forces or follow their odometry.
   enum class Drives : std::uint8_t { kDynamic, kKinematic };
 
-  explicit Physics(const WorldDescription& world, Drives drives = Drives::kDynamic);
+  /// With a pool its threads step what cannot touch, with the same results.
+  explicit Physics(const WorldDescription& world, Drives drives = Drives::kDynamic,
+                   std::shared_ptr<robotlink::ThreadPool> pool = nullptr);
   ~Physics();
 
   /// Advances by kStepSeconds. `seed` determines the order in which the solver processes constraints.

@@ -50,10 +50,10 @@ void RangeSensing::setPoses(std::span<const Pose3> bodyInWorld) {
   caster_.setPoses(bodyInWorld);
 }
 
-double RangeSensing::nearestEcho(const RangeSensor& sensor) const {
+double RangeSensing::nearestEcho(const RangeSensor& sensor, std::span<const FanHit> hits) {
   double nearest = sensor.maximum;
   const double leastCosine = std::max(0.0, std::cos(sensor.mostIncidence) - 1e-9);
-  for (const FanHit& hit : hits_) {
+  for (const FanHit& hit : hits) {
     if (hit.distance < nearest && hit.cosIncidence >= leastCosine) nearest = hit.distance;
   }
   return nearest;
@@ -62,13 +62,13 @@ double RangeSensing::nearestEcho(const RangeSensor& sensor) const {
 void RangeSensing::measure(std::size_t index, const Noise& noise, std::span<double> ranges) {
   const RangeSensor& sensor = sensors_[index];
   const RayFan& fan = fans_[fanOf_[index]];
-  hits_.resize(fan.size());
+  std::vector<FanHit> hits(fan.size());
   const Pose3 pose = poses_[static_cast<std::size_t>(sensor.body)] * sensor.sensorInBody;
-  caster_.castFan(fan, pose, sensor.maximum, own_[index], hits_);
+  caster_.castFan(fan, pose, sensor.maximum, own_[index], hits);
   if (sensor.kind == RangeSensor::Kind::kSonar) {
-    ranges[0] = nearestEcho(sensor);
+    ranges[0] = nearestEcho(sensor, hits);
   } else {
-    std::ranges::transform(hits_, ranges.begin(), &FanHit::distance);
+    std::ranges::transform(hits, ranges.begin(), &FanHit::distance);
   }
   if (noise.on || chosen_[index]) {
     // Nothing is added where there is no echo.

@@ -12,7 +12,8 @@ namespace simcore {
 class StateStream;
 
 /// Computes the ranges of sonars and lasers. The noise depends only on seed, sensor and step, so it does not
-/// matter how often, or whether, readings are requested. One thread at a time.
+/// matter how often, or whether, readings are requested. One thread at a time, but measure() may be called in
+/// several threads, for different sensors.
 class RangeSensing {
  public:
   /// `own[i]` are the bodies of the robot that carries sensors[i], which the sensor does not see. `sensors`
@@ -39,7 +40,7 @@ class RangeSensing {
 
  private:
   /// The reading of a sonar from the hits of its rays.
-  double nearestEcho(const RangeSensor& sensor) const;
+  static double nearestEcho(const RangeSensor& sensor, std::span<const FanHit> hits);
 
   const std::vector<RangeSensor>& sensors_;
   std::vector<RayCaster::BodyRange> own_;
@@ -51,8 +52,6 @@ class RangeSensing {
   std::vector<bool> chosen_;
   RayCaster caster_;
   std::span<const Pose3> poses_;
-  /// A buffer for the rays of one sensor.
-  std::vector<FanHit> hits_;
 };
 
 }  // namespace simcore

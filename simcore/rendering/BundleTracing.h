@@ -21,18 +21,24 @@ struct BundleTarget {
   /// directions meet it if it is around the origin.
   float nearest = 0, cosSeen = 0, sinSeen = 1;
   bool around = false;
-  /// From the bundle's frame to that of the tree.
-  Eigen::Matrix3f rotation;
-  Eigen::Vector3f origin;
   /// The instance of each geometry of the tree.
   const std::vector<std::int32_t>* instances = nullptr;
+  const robotlink::Pose3 *treeInWorld = nullptr, *bundleInWorld = nullptr;
+  /// From the bundle's frame to that of the tree, after prepare().
+  Eigen::Matrix3f rotation;
+  Eigen::Vector3f origin;
+  bool isPrepared = false;
 
+  /// The poses and the instances must outlive it.
   BundleTarget(RTCScene of, const Eigen::Vector3d& centerInBundle, double radiusOf,
-               const robotlink::Pose3& bundleInTree, const std::vector<std::int32_t>& instancesOf);
+               const robotlink::Pose3& treeInWorldOf, const robotlink::Pose3& bundleInWorldOf,
+               const std::vector<std::int32_t>& instancesOf);
+  /// To be called before rays are traced to it; most targets are never met.
+  void prepare();
 };
 
-/// Sets hits[i] to the first hit of ray i before `maximum`. Targets are sorted by this. The packets are
-/// pruned by the cones around groups of rays, so that few of them meet each tree.
+/// Sets hits[i] to the first hit of ray i before `maximum`. The packets are pruned by the cones around groups
+/// of rays, so that few of them meet each tree.
 void traceBundle(const RayBundle& bundle, std::vector<BundleTarget>& targets, float maximum,
                  std::span<BundleHit> hits);
 

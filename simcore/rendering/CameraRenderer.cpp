@@ -137,22 +137,18 @@ void aimSpot(const Lamp& lamp, const Pose3& worldInCamera, ShadeLamp& result) {
   result.spotOffset = -outer * result.spotFactor;
 }
 
-}  // namespace
-
-class CameraRenderer::Implementation {
+/// What renderers of a scene share: the scene as it is drawn, where everything is, and the shadows. While
+/// place() is not called, any number of threads may read it.
+class RenderStage {
  public:
-  Implementation(std::shared_ptr<const RenderScene> scene, Options options)
-      : scene_(std::move(scene)),
-        kernels_(kernelsFor(options.arithmetic)),
-        meshes_(drawable(scene_->meshes, options.flat)),
-        memory_(largest(meshes_, [](const MeshStreams& mesh) { return mesh.vertexGroups; }),
-                largest(meshes_, [](const MeshStreams& mesh) { return mesh.triangleGroups; }),
-                sum(scene_->instances, meshes_), scene_->lamps.size()),
-        bodyInWorld_(static_cast<std::size_t>(std::max(1, bodyCount(*scene_))), Pose3::Identity()),
-        meshInWorld_(scene_->instances.size()),
-        centerInWorld_(scene_->instances.size()),
-        lamps_(scene_->lamps.size()) {
-    if (options.shadows && !scene_->lamps.empty()) shadows_.emplace(*scene_, meshes_, kernels_);
+  RenderStage(std::shared_ptr<const RenderScene> ofScene, const CameraRenderer::Options& options)
+      : scene(std::move(ofScene)),
+        kernels(kernelsFor(options.arithmetic)),
+        meshes(drawable(scene->meshes, options.flat)),
+        meshInWorld(scene->instances.size()),
+        centerInWorld(scene->instances.size()),
+        bodyInWorld_(static_cast<std::size_t>(std::max(1, bodyCount(*scene))), Pose3::Identity()) {
+    if (options.shadows && !scene->lamps.empty()) shadows.emplace(*scene, meshes, kernels);
   }
 
   void setPoses(std::span<const Pose3> bodyInWorld) {
@@ -160,6 +156,43 @@ class CameraRenderer::Implementation {
     if (count > 1) std::copy_n(bodyInWorld.begin() + 1, count - 1, bodyInWorld_.begin() + 1);
     moved_ = true;
   }
+  /// Computes what follows from the poses, if they have changed.
+  void place() {
+    if (!moved_) return;
+    for (std::size_t i = 0; i < scene->instances.size(); ++i) {
+      const RenderInstance& instance = scene->instances[i];
+      meshInWorld[i] = bodyInWorld_[static_cast<std::size_t>(instance.body)] * instance.meshInBody;
+      centerInWorld[i] = meshInWorld[i] * meshes[static_cast<std::size_t>(instance.mesh)].bound().center;
+    }
+    if (shadows) shadows->setPoses(bodyInWorld_);
+    moved_ = false;
+  }
+
+  const std::shared_ptr<const RenderScene> scene;
+  const Kernels& kernels;
+  const std::vector<DrawableMesh> meshes;
+  std::optional<ShadowCaster> shadows;
+  // Keyed by instance; the centers are those of the bounding spheres.
+  std::vector<Pose3> meshInWorld;
+  std::vector<Eigen::Vector3d> centerInWorld;
+
+ private:
+  std::vector<Pose3> bodyInWorld_;
+  bool moved_ = true;
+};
+
+}  // namespace
+
+class CameraRenderer::Implementation {
+ public:
+  explicit Implementation(std::shared_ptr<RenderStage> stage)
+      : stage_(std::move(stage)),
+        memory_(largest(stage_->meshes, [](const MeshStreams& mesh) { return mesh.vertexGroups; }),
+                largest(stage_->meshes, [](const MeshStreams& mesh) { return mesh.triangleGroups; }),
+                sum(stage_->scene->instances, stage_->meshes), stage_->scene->lamps.size()),
+        lamps_(stage_->scene->lamps.size()) {}
+
+  const std::shared_ptr<RenderStage>& stage() const { return stage_; }
 
   void render(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
               const ImageNoise& noise, robotlink::Image& image);
@@ -175,40 +208,20 @@ class CameraRenderer::Implementation {
     std::size_t instance;
     std::int32_t firstRecord;
   };
-  void placeInstances();
   void drawInstances(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
                      VisibilityBuffer& buffer);
   void placeLamps(const Pose3& worldInCamera);
   void lightStrip(Strip& strip, const VisibilityBuffer& buffer);
 
-  std::shared_ptr<const RenderScene> scene_;
-  const Kernels& kernels_;
-  std::vector<DrawableMesh> meshes_;
+  const std::shared_ptr<RenderStage> stage_;
   FrameMemory memory_;
-  std::optional<ShadowCaster> shadows_;
-  std::vector<Pose3> bodyInWorld_;
-  // Keyed by instance.
-  std::vector<Pose3> meshInWorld_;
-  // Centers of the bounding spheres, by instance.
-  std::vector<Eigen::Vector3d> centerInWorld_;
   std::vector<ShadeLamp> lamps_;
   LightAdjustment lighting_;
-  bool moved_ = true;
   // State of the last image, for label().
   std::vector<Drawn> drawn_;
   int width_ = 0, height_ = 0;
   std::vector<std::uint8_t> recordLabels_;
 };
-
-void CameraRenderer::Implementation::placeInstances() {
-  for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
-    const RenderInstance& instance = scene_->instances[i];
-    meshInWorld_[i] = bodyInWorld_[static_cast<std::size_t>(instance.body)] * instance.meshInBody;
-    centerInWorld_[i] = meshInWorld_[i] * meshes_[static_cast<std::size_t>(instance.mesh)].bound().center;
-  }
-  if (shadows_) shadows_->setPoses(bodyInWorld_);
-  moved_ = false;
-}
 
 void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, const CameraModel& camera,
                                                    PixelFormat format, VisibilityBuffer& buffer) {
@@ -216,14 +229,15 @@ void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, c
   const Frustum frustum(camera);
   const LightColor light(lighting_);
   drawn_.clear();
-  for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
-    const RenderInstance& instance = scene_->instances[i];
-    const DrawableMesh& mesh = meshes_[static_cast<std::size_t>(instance.mesh)];
-    const Eigen::Vector3d center = worldInCamera * centerInWorld_[i];
+  for (std::size_t i = 0; i < stage_->scene->instances.size(); ++i) {
+    const RenderInstance& instance = stage_->scene->instances[i];
+    const DrawableMesh& mesh = stage_->meshes[static_cast<std::size_t>(instance.mesh)];
+    const Eigen::Vector3d center = worldInCamera * stage_->centerInWorld[i];
     if (!frustum.mayShow(center, mesh.bound().radius)) continue;
-    const Eigen::Matrix<double, 3, 4> meshInCamera = (worldInCamera * meshInWorld_[i]).matrix().topRows<3>();
-    const Eigen::Vector3d cameraInMesh =
-        meshInWorld_[i].linear().transpose() * (cameraInWorld.translation() - meshInWorld_[i].translation());
+    const Eigen::Matrix<double, 3, 4> meshInCamera =
+        (worldInCamera * stage_->meshInWorld[i]).matrix().topRows<3>();
+    const Eigen::Vector3d cameraInMesh = stage_->meshInWorld[i].linear().transpose() *
+                                         (cameraInWorld.translation() - stage_->meshInWorld[i].translation());
     DrawJob job;
     job.mesh = &mesh.streams();
     for (int row = 0; row < 3; ++row) {
@@ -236,30 +250,30 @@ void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, c
     job.self = mesh.convex() ? static_cast<std::int32_t>(i) : -1;
     job.inFront = center.x() - mesh.bound().radius > 1e-3;
     drawn_.push_back({i, buffer.recordCount});
-    kernels_.draw(job, buffer);
+    stage_->kernels.draw(job, buffer);
   }
 }
 
 void CameraRenderer::Implementation::placeLamps(const Pose3& worldInCamera) {
   for (std::size_t i = 0; i < lamps_.size(); ++i) {
-    const Lamp& lamp = scene_->lamps[i];
+    const Lamp& lamp = stage_->scene->lamps[i];
     const Eigen::Vector3f inCamera = (worldInCamera * placeOf(lamp).cast<double>()).cast<float>();
     std::copy_n(inCamera.data(), 3, lamps_[i].inCamera);
     aimSpot(lamp, worldInCamera, lamps_[i]);
     lamps_[i].intensity = static_cast<float>(lamp.intensity * lighting_.brightness);
     lamps_[i].attenuation = lamp.attenuation;
-    lamps_[i].cells = shadows_ ? shadows_->cells(i) : nullptr;
+    lamps_[i].cells = stage_->shadows ? stage_->shadows->cells(i) : nullptr;
     lamps_[i].unsure = &memory_.unsure()[i];
   }
 }
 
 void CameraRenderer::Implementation::lightStrip(Strip& strip, const VisibilityBuffer& buffer) {
   for (UnsurePixels& pixels : memory_.unsure()) pixels.count = 0;
-  kernels_.shade(strip, buffer);
+  stage_->kernels.shade(strip, buffer);
   for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
     UnsurePixels& pixels = memory_.unsure()[lamp];
     if (pixels.count == 0) continue;
-    shadows_->addUnshadowed(lamp, pixels, buffer.stride, strip.light);
+    stage_->shadows->addUnshadowed(lamp, pixels, buffer.stride, strip.light);
   }
 }
 
@@ -271,7 +285,8 @@ void CameraRenderer::Implementation::addNoise(const ImageNoise& noise, robotlink
   // uniform bytes has a variance of (256^2 - 1) / 3.
   const double variance = std::max(noise.sigma * noise.sigma - 1.0 / 12, 0.0);
   const double scale = std::sqrt(variance * 3 / 65535);
-  kernels_.addNoise(image.data.data(), static_cast<int>(image.data.size()), key, static_cast<float>(scale));
+  stage_->kernels.addNoise(image.data.data(), static_cast<int>(image.data.size()), key,
+                           static_cast<float>(scale));
 }
 
 void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const CameraModel& camera,
@@ -285,15 +300,15 @@ void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const Ca
   height_ = image.height;
   if (image.data.empty()) return;
 
-  if (moved_) placeInstances();
-  const Channels background(scene_->background, LightColor(lighting_), image.format,
+  stage_->place();
+  const Channels background(stage_->scene->background, LightColor(lighting_), image.format,
                             std::min(lighting_.brightness, 1.0));
   VisibilityBuffer& buffer = memory_.begin(camera, background.value);
   drawInstances(cameraInWorld, camera, image.format, buffer);
   placeLamps(cameraInWorld.inverse(Eigen::Isometry));
 
   Strip strip = memory_.strip();
-  strip.ambient = static_cast<float>(scene_->ambient * lighting_.brightness);
+  strip.ambient = static_cast<float>(stage_->scene->ambient * lighting_.brightness);
   strip.gridSize = LampGrid::kSize;
   strip.lampCount = static_cast<int>(lamps_.size());
   strip.lamps = lamps_.data();
@@ -303,7 +318,8 @@ void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const Ca
     }
   }
   const LensShading lens(camera, image.format);
-  const auto write = image.format == PixelFormat::kYuyv ? kernels_.writeYuyv : kernels_.writeRgb;
+  const auto write =
+      image.format == PixelFormat::kYuyv ? stage_->kernels.writeYuyv : stage_->kernels.writeRgb;
   for (int y = 0; y < camera.height; y += strip.rows) {
     strip.firstRow = y;
     strip.rows = std::min(memory_.rowsPerStrip(), camera.height - y);
@@ -345,7 +361,7 @@ void CameraRenderer::Implementation::renderDepth(const Pose3& cameraInWorld, con
                                                  std::span<float> depth) {
   width_ = camera.width;
   height_ = camera.height;
-  if (moved_) placeInstances();
+  stage_->place();
   const float black[3] = {};
   VisibilityBuffer& buffer = memory_.begin(camera, black);
   drawInstances(cameraInWorld, camera, PixelFormat::kRgb8, buffer);
@@ -375,11 +391,23 @@ void CameraRenderer::Implementation::labelValues(std::span<const float> labels, 
 }
 
 CameraRenderer::CameraRenderer(std::shared_ptr<const RenderScene> scene, Options options)
-    : implementation_(std::make_unique<Implementation>(std::move(scene), options)) {}
+    : implementation_(
+          std::make_unique<Implementation>(std::make_shared<RenderStage>(std::move(scene), options))) {}
+CameraRenderer::CameraRenderer(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
 CameraRenderer::~CameraRenderer() = default;
 
+std::unique_ptr<CameraRenderer> CameraRenderer::another() const {
+  return std::unique_ptr<CameraRenderer>(
+      new CameraRenderer(std::make_unique<Implementation>(implementation_->stage())));
+}
+
 void CameraRenderer::setPoses(std::span<const Pose3> bodyInWorld) {
-  implementation_->setPoses(bodyInWorld);
+  implementation_->stage()->setPoses(bodyInWorld);
+}
+
+void CameraRenderer::place() {
+  implementation_->stage()->place();
 }
 
 void CameraRenderer::render(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,

@@ -21,8 +21,8 @@ namespace simcore {
 /// up to 0.02 % of its length before the point. Where the shadow rays of four neighboring pixels agree, the
 /// pixels between them take their result, so a shadow narrower than two pixels may have gaps.
 ///
-/// One thread at a time may use a renderer; several renderers may share a scene. render() allocates nothing
-/// once it has drawn an image of the same size.
+/// One thread at a time may use a renderer; several renderers may share a scene, or with another() also the
+/// poses. render() allocates nothing once it has drawn an image of the same size.
 class CameraRenderer {
  public:
   /// Which instructions to use; for tests.
@@ -44,6 +44,12 @@ class CameraRenderer {
   ~CameraRenderer();
   CameraRenderer(const CameraRenderer&) = delete;
   CameraRenderer& operator=(const CameraRenderer&) = delete;
+
+  /// Makes a renderer of the same scene that shares all but light and image with this one: setPoses() of
+  /// either is for both. After place(), each may render in a thread of its own until the next setPoses().
+  std::unique_ptr<CameraRenderer> another() const;
+  /// Computes what follows from the poses, which otherwise the next image does.
+  void place();
 
   /// Sets the present poses of the bodies by body index; initially all are at the origin. Body 0, the world,
   /// stays there. Derived data are computed once, by the next render(), for all images until the next call.
@@ -75,6 +81,7 @@ class CameraRenderer {
 
  private:
   class Implementation;
+  explicit CameraRenderer(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
 };
 

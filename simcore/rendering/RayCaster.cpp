@@ -148,7 +148,7 @@ class RayCaster::Implementation {
       if (away.squaredNorm() > farthest * farthest) continue;
       if (target.body >= excluded.first && target.body < excluded.last) continue;
       targets.emplace_back(target.tree, frameInWorld.linear().transpose() * away, reaches_[i].radius,
-                           target.pose.inverse(Eigen::Isometry) * frameInWorld, target.instances);
+                           target.pose, frameInWorld, target.instances);
     }
     rendering::traceBundle(bundle, targets, static_cast<float>(maximum), hits);
   }

@@ -87,6 +87,7 @@ ShadowCaster::ShadowCaster(const RenderScene& scene, std::span<const DrawableMes
 
 void ShadowCaster::setPoses(std::span<const Pose3> bodyInWorld) {
   tree_.setPoses(bodyInWorld);
+  placed_ = tree_.scene();
   for (LampGrid& grid : grids_) grid.beginMoving();
   for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
     const RenderInstance& instance = scene_.instances[i];
@@ -99,8 +100,8 @@ void ShadowCaster::setPoses(std::span<const Pose3> bodyInWorld) {
   }
 }
 
-void ShadowCaster::addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light) {
-  Packet packet(tree_.scene(), scene_.lamps[lamp], pixels, light);
+void ShadowCaster::addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light) const {
+  Packet packet(placed_, scene_.lamps[lamp], pixels, light);
   const auto groups = std::span(pixels.groups, static_cast<std::size_t>(pixels.count));
   for (const UnsureGroup& group : groups) {
     if (group.row % 2 == 0) packet.add(group, group.lanes & 0x55U);

@@ -13,8 +13,8 @@
 namespace simcore::rendering {
 
 /// Decides which pixels a lamp's light reaches: it has the tree for shadow rays and, for each lamp, the grid
-/// that makes most of them unnecessary. One thread at a time; the scene and its drawable meshes must outlive
-/// it.
+/// that makes most of them unnecessary. Any number of threads may use it, but one alone during setPoses(),
+/// which comes first; the scene and its drawable meshes must outlive it.
 class ShadowCaster {
  public:
   ShadowCaster(const RenderScene& scene, std::span<const DrawableMesh> meshes, const Kernels& kernels);
@@ -27,7 +27,7 @@ class ShadowCaster {
   ///
   /// One ray is traced for every four pixels. The other pixels take the result of their neighbors if these
   /// agree, and have their own ray otherwise: at the edges of shadows.
-  void addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light);
+  void addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light) const;
 
  private:
   /// Eight rays that are traced together.
@@ -37,6 +37,8 @@ class ShadowCaster {
   std::span<const DrawableMesh> meshes_;
   const Kernels& kernels_;
   BodyTree tree_;
+  /// The tree over the bodies at the present poses.
+  RTCScene placed_ = nullptr;
   std::vector<LampGrid> grids_;
 };
 

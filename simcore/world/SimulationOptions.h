@@ -2,6 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+
+namespace robotlink {
+class ThreadPool;
+}
 
 namespace simcore {
 
@@ -14,6 +19,9 @@ struct SimulationOptions {
   /// Whether models with a drive follow their odometry, and stop in front of obstacles, instead of being
   /// moved by forces.
   bool kinematic = false;
+  /// Threads that share the work of a simulation, which gives the same bytes for any number of them; null:
+  /// the caller's thread does everything.
+  std::shared_ptr<robotlink::ThreadPool> pool = nullptr;
 };
 
 }  // namespace simcore

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/BallTrials.h"
@@ -74,6 +75,37 @@ TEST(SimulatedRun, theSameSeedGivesTheSameBytesAndAnotherSeedOthers) {
   const std::uint64_t digest = digestAfter(simulationOptions(3), 2);
   EXPECT_EQ(digestAfter(simulationOptions(3), 2), digest);
   EXPECT_NE(digestAfter(simulationOptions(4), 2), digest);
+}
+
+TEST(SimulatedRun, anyNumberOfThreadsGivesTheSameBytesAndMessages) {
+  RunOptions options = simulationOptions(5);
+  options.robots = simcore::RobotsToAdd{.model = "ers210", .count = 3};
+  options.classImages = true;
+  std::vector<std::uint64_t> digests;
+  std::vector<std::vector<std::string>> told;
+  for (const int threads : {1, 2, 3, 8}) {
+    options.world.threads = threads;
+    const auto thisThread = std::this_thread::get_id();
+    auto& messages = told.emplace_back();
+    SimulatedRun::Listeners listeners;
+    listeners.queue = [&](const std::string& robot, const auto& queue) {
+      EXPECT_EQ(std::this_thread::get_id(), thisThread);
+      messages.push_back(robot + toWire(*queue).SerializeAsString());
+    };
+    const auto run = makeRun(options, listeners);
+    EXPECT_EQ(run->world().options().threads, threads);
+    for (const std::string& robot : run->robots()) {
+      for (const char* package : {"camera/image", "oracle/classes", "percepts/ball", "models/pose"})
+        ASSERT_TRUE(run->request(keyRequest(robot, std::string("package/") + package)).has_value());
+    }
+    play(*run, 0.6);
+    digests.push_back(run->world().digest());
+  }
+  EXPECT_GT(told.front().size(), 4U * 10U);
+  for (std::size_t i = 1; i < digests.size(); ++i) {
+    EXPECT_EQ(digests[i], digests[0]);
+    EXPECT_TRUE(told[i] == told[0]);
+  }
 }
 
 TEST(SimulatedRun, aRunThatIsResetPlaysLikeAFreshOne) {

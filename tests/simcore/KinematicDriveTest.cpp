@@ -7,7 +7,7 @@
 namespace simcore {
 namespace {
 
-constexpr SimulationOptions kKinematic{.seed = 1, .noise = false, .kinematic = true};
+const SimulationOptions kKinematic{.seed = 1, .noise = false, .kinematic = true};
 
 TEST(KinematicDrive, itGoesExactlyAsItsWheelsSay) {
   DrivenWorld world(pioneerAt(kRobot, 0, 0), kKinematic);

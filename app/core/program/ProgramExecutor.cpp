@@ -10,6 +10,8 @@ using robotlink::Process;
 
 /// How long the end of a frame is waited for when all are stopped.
 constexpr std::chrono::milliseconds kEndPatience{300};
+/// Stands for a patience without end.
+constexpr std::chrono::hours kForEver{24 * 365};
 
 /// The process whose task is being executed; null if none is.
 const Process* busyProcess(const std::vector<Process*>& processes) {
@@ -38,11 +40,17 @@ const char* nameOf(ExecutorKind kind) {
 
 ProgramExecutor::ProgramExecutor(Options options)
     : options_(std::move(options)),
-      patience_(options_.cut ? options_.cut : std::make_shared<const ModulePatience>(options_.patience)) {
+      patience_(options_.cut && options_.patience.count() > 0
+                    ? options_.cut
+                    : std::make_shared<const ModulePatience>(options_.patience.count() > 0 ? options_.patience
+                                                                                           : kForEver)) {
   if (options_.kind == ExecutorKind::kLockstep) {
     auto lockstep = lockstepOptions();
     lockstep.advance = options_.advance;
     lockstep_ = std::make_unique<robotlink::LockstepExecutor>(std::move(lockstep));
+    if (options_.patience.count() == 0) return;
+    crew_ = std::make_unique<TurnCrew>(options_.pool ? options_.pool->threads() : 1,
+                                       [this](std::size_t team) { takeTurn(team); });
     return;
   }
   const auto trouble = [muted = isMuted_, report = options_.trouble](const Process& process,
@@ -79,15 +87,11 @@ void ProgramExecutor::add(robotlink::Platform& platform, const std::vector<Proce
   if (lockstep_) lockstep_->add(platform);
   if (threads_ && guard != Guard::kStandIn) {
     for (Process* process : processes) threads_->add(*process);
-  } else if (lockstep_ && options_.patience.count() == 0) {
-    for (Process* process : processes) lockstep_->add(*process);
-  } else {
-    team.lockstep = std::make_unique<robotlink::LockstepExecutor>(lockstepOptions());
-    for (Process* process : processes) team.lockstep->add(*process);
-    if (guard != Guard::kYes) return;
-    team.turns =
-        std::make_unique<TurnThread>([&team] { team.lockstep->runProcesses(team.platform->clock().now()); });
+    return;
   }
+  team.lockstep = std::make_unique<robotlink::LockstepExecutor>(lockstepOptions());
+  for (Process* process : processes) team.lockstep->add(*process);
+  team.takesTurns = (crew_ || options_.pool) && guard == Guard::kYes;
 }
 
 void ProgramExecutor::start() {
@@ -106,15 +110,34 @@ void ProgramExecutor::stepFromSensors() {
 }
 
 void ProgramExecutor::runProcesses() {
-  if (options_.patience.count() == 0) return lockstep_->runProcesses();
-  for (const auto& team : teams_) takeTurn(*team);
+  const auto begin = std::chrono::steady_clock::now();
+  takeTurns();
+  // Programs elsewhere compute meanwhile.
+  for (const auto& team : teams_) {
+    if (!team->takesTurns) team->lockstep->runProcesses(team->platform->clock().now());
+  }
+  options_.ran(std::chrono::steady_clock::now() - begin);
 }
 
-void ProgramExecutor::takeTurn(Team& team) {
-  if (!team.turns) return team.lockstep->runProcesses(team.platform->clock().now());
-  if (team.turns->isBusy()) return;
-  if (team.isStuck) setStuck(team, false, nullptr);
-  if (!team.turns->run(*patience_)) setStuck(team, true, busyProcess(team.processes));
+void ProgramExecutor::takeTurns() {
+  std::vector<std::size_t> turns;
+  for (std::size_t i = 0; i < teams_.size(); ++i) {
+    if (!teams_[i]->takesTurns || isBusy(i)) continue;
+    if (teams_[i]->isStuck) setStuck(*teams_[i], false, nullptr);
+    turns.push_back(i);
+  }
+  if (turns.empty()) return;
+  if (!crew_) return options_.pool->run(turns.size(), [&](std::size_t i) { takeTurn(turns[i]); });
+  for (const std::size_t late : crew_->run(turns, *patience_))
+    setStuck(*teams_[late], true, busyProcess(teams_[late]->processes));
+}
+
+void ProgramExecutor::takeTurn(std::size_t team) {
+  teams_[team]->lockstep->runProcesses(teams_[team]->platform->clock().now());
+}
+
+bool ProgramExecutor::isBusy(std::size_t team) const {
+  return crew_ && teams_[team]->takesTurns && crew_->isBusy(team);
 }
 
 void ProgramExecutor::setStuck(Team& team, bool isStuck, const Process* process) {
@@ -153,34 +176,38 @@ void ProgramExecutor::stepPlatforms() {
 bool ProgramExecutor::stop() {
   isMuted_->store(true);
   if (threads_) return threads_->stopWithin(kEndPatience);
-  const auto isBusy = [](const auto& team) { return team->turns && team->turns->isBusy(); };
-  for (const auto& team : teams_) {
-    if (!isBusy(team)) continue;
-    for (Process* process : team->processes) process->stop();
+  for (std::size_t i = 0; i < teams_.size(); ++i) {
+    if (!isBusy(i)) continue;
+    for (Process* process : teams_[i]->processes) process->stop();
   }
   // All have the same time, however many do not return.
   const auto end = std::chrono::steady_clock::now() + kEndPatience;
-  for (const auto& team : teams_) {
-    if (!isBusy(team)) continue;
+  for (std::size_t i = 0; i < teams_.size(); ++i) {
+    if (!isBusy(i)) continue;
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
-    team->turns->waitFor(std::max(left, std::chrono::milliseconds(0)));
+    crew_->waitFor(i, std::max(left, std::chrono::milliseconds(0)));
   }
   return hasEnded();
 }
 
-bool ProgramExecutor::hasEnded(const Team& team) const {
-  if (!threads_) return !team.turns || !team.turns->isBusy();
-  return std::ranges::all_of(team.processes,
+bool ProgramExecutor::hasEnded(std::size_t team) const {
+  if (!threads_) return !isBusy(team);
+  return std::ranges::all_of(teams_[team]->processes,
                              [this](const Process* process) { return threads_->hasEnded(*process); });
 }
 
 bool ProgramExecutor::hasEnded() const {
-  return std::ranges::all_of(teams_, [this](const auto& team) { return hasEnded(*team); });
+  for (std::size_t i = 0; i < teams_.size(); ++i) {
+    if (!hasEnded(i)) return false;
+  }
+  return true;
 }
 
 bool ProgramExecutor::hasEnded(const robotlink::Platform& platform) const {
-  return std::ranges::all_of(
-      teams_, [&](const auto& team) { return team->platform != &platform || hasEnded(*team); });
+  for (std::size_t i = 0; i < teams_.size(); ++i) {
+    if (teams_[i]->platform == &platform && !hasEnded(i)) return false;
+  }
+  return true;
 }
 
 }  // namespace app

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/core/program/TurnThread.h"
+#include "app/core/program/TurnCrew.h"
+#include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/ThreadExecutor.h"
 
@@ -30,9 +31,11 @@ inline constexpr char kStoppedText[] = "was stopped because it threw: ";
 /// Executes the programs of all robots of one world together with their platforms: either in lockstep, each
 /// process in turn, or each process in a thread of its own, with the platforms stepped by the caller.
 ///
-/// With a `patience`, a frame that does not return within it keeps nothing but the program of its robot: in
-/// lockstep each robot's processes are executed in a thread of their own while the caller waits, with the
-/// same results. One thread at a time; with threads, `trouble` is called in the threads of the processes.
+/// In lockstep the processes of a robot take turns, one robot after the other, or, since robots' programs do
+/// not know each other, those of several robots at once, with the same results; the caller waits.
+///
+/// With a `patience`, a frame that does not return within it keeps nothing but the program of its robot. One
+/// thread at a time; `trouble` may be called in other threads.
 class ProgramExecutor {
  public:
   /// The settings of an executor.
@@ -40,11 +43,15 @@ class ProgramExecutor {
     ExecutorKind kind = ExecutorKind::kLockstep;
     /// Advances the world by one step, between actuation and sensing.
     std::function<void()> advance = [] {};
+    /// In lockstep, called when all processes of a step have run, with the real time that they took.
+    std::function<void(robotlink::Duration took)> ran = [](robotlink::Duration) {};
+    /// In lockstep, the threads that share the robots' programs; null: one does. With a patience the programs
+    /// run in as many threads of their own.
+    std::shared_ptr<robotlink::ThreadPool> pool = nullptr;
     /// Called if something is wrong with a process, with the rest of a sentence: "was stopped because it
     /// threw: ...". Must not be empty.
     std::function<void(const robotlink::Process& process, const std::string& text)> trouble;
-    /// How long a frame may last, in real time, before it counts as not returning; 0: for ever, and in
-    /// lockstep processes are executed in the caller's thread.
+    /// How long a frame may last, in real time, before it counts as not returning; 0: for ever.
     std::chrono::milliseconds patience{0};
     /// Ends that time early in lockstep, such as for STOP; null: nothing does.
     std::shared_ptr<const ModulePatience> cut = nullptr;
@@ -89,19 +96,22 @@ class ProgramExecutor {
   struct Team {
     robotlink::Platform* platform = nullptr;
     std::vector<robotlink::Process*> processes;
-    /// Only in lockstep with patience, and for stand-ins.
+    /// Only in lockstep, and for stand-ins.
     std::unique_ptr<robotlink::LockstepExecutor> lockstep = nullptr;
+    /// Its processes may run in other threads than the caller's.
+    bool takesTurns = false;
     bool isStuck = false;
-    /// After `lockstep`, which it uses.
-    std::unique_ptr<TurnThread> turns = nullptr;
   };
   robotlink::LockstepExecutor::Options lockstepOptions() const;
   /// A step with threads: the platforms' part only.
   void stepPlatforms();
   /// The processes' part of a step in lockstep.
   void runProcesses();
-  void takeTurn(Team& team);
-  bool hasEnded(const Team& team) const;
+  void takeTurns();
+  /// In any thread.
+  void takeTurn(std::size_t team);
+  bool hasEnded(std::size_t team) const;
+  bool isBusy(std::size_t team) const;
   /// Looks for frames in threads that do not return, and for those that have.
   void watchThreads();
   void setStuck(Team& team, bool isStuck, const robotlink::Process* process);
@@ -114,6 +124,9 @@ class ProgramExecutor {
   /// One of the two is null, depending on the kind.
   std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;
+  /// Null if processes run in the caller's thread, or all in their own. The last member, since it uses the
+  /// teams.
+  std::unique_ptr<TurnCrew> crew_;
 };
 
 }  // namespace app

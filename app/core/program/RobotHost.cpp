@@ -77,8 +77,7 @@ tl::expected<RobotHost::Candidate, Errors> RobotHost::make(Parts parts) {
   }
   made.program->setListeners({[this](auto queue) {
                                 requests_.answered(*queue);
-                                if (tap_ != nullptr) tap_->add(robot_.name, queue);
-                                if (listeners_.queue) listeners_.queue(robot_.name, std::move(queue));
+                                report([this, queue = std::move(queue)] { publish(queue); });
                               },
                               [this](const auto& process, const auto& text) { reportTrouble(process, text); },
                               [this] { reportHosting(); }});
@@ -150,11 +149,13 @@ void RobotHost::record(ExecutorKind executor) {
 }
 
 void RobotHost::stop() {
+  forgetReports();
   if (program_) program_->stop();
   program_.reset();
 }
 
 std::unique_ptr<HostedProgram> RobotHost::release() {
+  forgetReports();
   if (program_) program_->stop();
   return std::move(program_);
 }
@@ -240,6 +241,33 @@ std::shared_ptr<const robotlink::SharedDebugQueue> RobotHost::answersToCome() {
 
 // ---- Reports
 
+void RobotHost::report(std::function<void()> call) const {
+  if (!keepsReports_) return call();
+  const std::lock_guard lock(keptMutex_);
+  kept_.push_back(std::move(call));
+}
+
+void RobotHost::forgetReports() {
+  // The processes that they name end.
+  const std::lock_guard lock(keptMutex_);
+  kept_.clear();
+}
+
+void RobotHost::publish(std::shared_ptr<const robotlink::SharedDebugQueue> queue) {
+  if (tap_ != nullptr) tap_->add(robot_.name, queue);
+  if (listeners_.queue) listeners_.queue(robot_.name, std::move(queue));
+}
+
+void RobotHost::deliver() {
+  if (isStuck()) return;
+  std::vector<std::function<void()>> kept;
+  {
+    const std::lock_guard lock(keptMutex_);
+    kept.swap(kept_);
+  }
+  for (const auto& call : kept) call();
+}
+
 void RobotHost::reportPlatform() {
   for (const std::string& text : platform_->takeReports()) reportPlatform(text);
   for (const std::string& text : platform_->takeProblems()) {
@@ -297,7 +325,10 @@ bool RobotHost::owns(const robotlink::Process& process) const {
 }
 
 void RobotHost::reportTrouble(const robotlink::Process& process, const std::string& text) const {
-  if (listeners_.trouble) listeners_.trouble(robot_.name, process, "Process " + process.name() + " " + text);
+  if (!listeners_.trouble) return;
+  report([this, &process, text = "Process " + process.name() + " " + text] {
+    listeners_.trouble(robot_.name, process, text);
+  });
 }
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -147,6 +148,12 @@ class RobotHost {
   /// Has a program in a process of its own compute from what the platform has sent. To be called in lockstep
   /// before each step, when no more requests come, and with threads after each step.
   void startStep() { program_->startStep(); }
+  /// Whether what the program publishes and what goes wrong with it is kept until deliver(), so that
+  /// listeners and recorder hear of several robots in a fixed order and in the owner's thread. Only while no
+  /// process runs.
+  void keepReports(bool keeps) { keepsReports_ = keeps; }
+  /// Passes on what was kept, unless the program does not return.
+  void deliver();
   /// To be called after each step: has the robot stand while a process that decides what it does is missing,
   /// and passes what the platform reports to the listener.
   void endStep();
@@ -172,6 +179,11 @@ class RobotHost {
   void noteMissing();
   /// Passes what the platform reports to the listener.
   void reportPlatform();
+  /// Calls a function, or keeps it for deliver(). Any thread.
+  void report(std::function<void()> call) const;
+  void forgetReports();
+  /// Passes a debug queue to recorder and listener.
+  void publish(std::shared_ptr<const robotlink::SharedDebugQueue> queue);
   /// Shuts the platform down, if there is one, and reports how long that took if it was set up.
   void shutDown();
   /// Passes a sentence about the platform to the listener.
@@ -203,6 +215,10 @@ class RobotHost {
   std::string missingText_;
   /// A sentence, when it has changed.
   std::string stuckText_;
+  bool keepsReports_ = false;
+  /// Protects kept_.
+  mutable std::mutex keptMutex_;
+  mutable std::vector<std::function<void()>> kept_;
   /// Whether initialize() was called for platform_.
   bool platformIsSetUp_ = false;
 };

@@ -17,6 +17,7 @@
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
@@ -39,6 +40,7 @@ constexpr int kTransformsEvery = 4;
 RunOptions defaultSimulation() {
   RunOptions options;
   options.scene = robotlink::resource("scenes/field2002.sdf");
+  options.world.threads = robotlink::ThreadPool::cores();
   return options;
 }
 
@@ -168,6 +170,12 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
   executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
       .kind = options_.executor(),
       .advance = [this] { world_->advance(); },
+      .ran =
+          [this](robotlink::Duration took) {
+            programTime_ += took;
+            for (const auto& robot : robots_) robot->deliver();
+          },
+      .pool = world_->pool(),
       .trouble = [this](const auto& process, const auto& text) { reportTrouble(process, text); },
       .patience = options_.patience,
       .cut = patience_,
@@ -178,6 +186,7 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
           }});
   lostChoices_.clear();
   for (const auto& robot : robots_) {
+    robot->keepReports(options_.executor() == ExecutorKind::kLockstep);
     if (std::ranges::find(robots, robot.get()) == robots.end()) {
       robot->continueIn(*executor_);
       continue;
@@ -339,6 +348,7 @@ Errors SimulatedRun::restart(std::uint64_t seed, const std::map<std::string, Pro
   // Their processes must not read a clock that jumps.
   stopPrograms();
   world_->reset(seed);
+  programTime_ = {};
   for (const auto& robot : robots_) {
     if (overrides != nullptr && overrides->contains(robot->name())) {
       robot->beginAnewWith(overrides->at(robot->name()));

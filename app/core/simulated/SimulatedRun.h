@@ -86,7 +86,8 @@ struct RunOptions {
   ExecutorKind executor() const { return hosting.threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep; }
 };
 
-/// The simulation that is opened by default: the shipped soccer field.
+/// The simulation that is opened by default: the shipped soccer field, with as many threads as the machine
+/// has cores.
 RunOptions defaultSimulation();
 
 /// Applies what a user has chosen, LAYOUT for all robots that can be run in it or NAME=LAYOUT for one robot
@@ -209,6 +210,8 @@ class SimulatedRun {
   robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
   /// The layout files of those robots whose programs run in another one than layout(), by name.
   std::map<std::string, std::filesystem::path> otherLayouts() const;
+  /// The real time that programs have taken in lockstep since the start or the last reset.
+  robotlink::Duration programTime() const { return programTime_; }
   /// The overrides that the present programs cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
 
@@ -370,6 +373,7 @@ class SimulatedRun {
   };
   std::optional<Again> again_;
   std::optional<std::string> againOutcome_;
+  robotlink::Duration programTime_{};
   /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
   /// With modules inside, and with programs in processes of their own; shared with stopSwitch_.

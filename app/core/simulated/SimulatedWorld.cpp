@@ -40,11 +40,6 @@ std::uint64_t hashOf(const std::vector<std::uint8_t>& bytes) {
   return hash;
 }
 
-/// Makes an image in YCbCr 4:2:2 black.
-void blacken(robotlink::Image& image) {
-  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = i % 2 == 0 ? 0 : 128;
-}
-
 /// The description of a robot in a scene; null if it has none or a broken one, which its program reports.
 std::shared_ptr<const robotlink::RobotDescription> descriptionOf(const simcore::Scene& scene,
                                                                  const std::string& robot) {
@@ -82,29 +77,25 @@ void describe(const robotlink::RobotDescription& robot, robotlink::arcos::Server
 
 robotlink::Result<std::unique_ptr<SimulatedWorld>> SimulatedWorld::create(
     std::shared_ptr<const simcore::Scene> scene, Options options) {
+  auto pool = std::make_shared<robotlink::ThreadPool>(options.threads);
+  options.threads = pool->threads();
   auto simulation =
-      simcore::Simulation::create(std::move(scene), {options.seed, options.noise, options.kinematic});
+      simcore::Simulation::create(std::move(scene), {options.seed, options.noise, options.kinematic, pool});
   if (!simulation) return tl::unexpected(simulation.error());
-  std::unique_ptr<SimulatedWorld> world(new SimulatedWorld(std::move(*simulation), options));
+  std::unique_ptr<SimulatedWorld> world(new SimulatedWorld(std::move(*simulation), options, std::move(pool)));
   if (auto made = world->makePioneers(); !made) return tl::unexpected(made.error());
   return world;
 }
 
-SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options)
-    : options_(options), simulation_(std::move(simulation)), trueClasses_(*simulation_->renderScene()) {
+SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options,
+                               std::shared_ptr<robotlink::ThreadPool> pool)
+    : options_(options),
+      pool_(std::move(pool)),
+      simulation_(std::move(simulation)),
+      cameraWork_(*simulation_, pool_, options.shadows),
+      cameraSettings_(simulation_->cameras().size()),
+      cameraErrorsChosen_(simulation_->cameras().size()) {
   if (options_.rewindBytes > 0) simulation_->keepForRewind(options_.rewindBytes);
-  makeRenderer();
-}
-
-void SimulatedWorld::makeRenderer() {
-  renderer_.reset();
-  posesRendered_ = ~std::uint64_t{0};
-  cameraSettings_.resize(simulation_->cameras().size());
-  cameraErrorsChosen_.resize(simulation_->cameras().size());
-  optics_.resize(simulation_->cameras().size());
-  if (simulation_->cameras().empty()) return;
-  renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
-                                                        simcore::CameraRenderer::Options{options_.shadows});
 }
 
 void SimulatedWorld::keepCameras() {
@@ -123,10 +114,7 @@ void SimulatedWorld::findCameras() {
     cameraSettings_.push_back(kept.setting);
     cameraErrorsChosen_.push_back(kept.errorsChosen);
   }
-  optics_.clear();
-  lastCamera_ = 0;
-  trueClasses_ = TrueClasses(*simulation_->renderScene());
-  makeRenderer();
+  cameraWork_.restart();
   held_.forgetMissing(*simulation_);
 }
 
@@ -219,7 +207,7 @@ void SimulatedWorld::reset(std::uint64_t seed) {
   options_.seed = seed;
   held_.forget();
   simulation_->reset(seed);
-  posesRendered_ = ~std::uint64_t{0};
+  cameraWork_.restart();
   digest_ = 0;
   costs_ = {};
   clockAhead_ = {};
@@ -241,60 +229,34 @@ simcore::LightAdjustment SimulatedWorld::lightingOf(std::size_t camera) const {
 const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
   const CostMeter meter(costs_.rendering);
   ++costs_.images;
-  draw(camera);
-  mixIntoDigest(hashOf(image_.data));
-  return image_;
+  const robotlink::Image& image = cameraWork_.image(
+      camera, [this](std::size_t one) { return orderOf(one); },
+      [this](std::size_t one) { return imageDue(one); });
+  mixIntoDigest(hashOf(image.data));
+  return image;
 }
 
 const robotlink::Image& SimulatedWorld::preview(std::size_t camera) {
-  draw(camera);
-  return image_;
+  return cameraWork_.preview(camera, [this](std::size_t one) { return orderOf(one); });
 }
 
-void SimulatedWorld::draw(std::size_t camera) {
+CameraWork::Order SimulatedWorld::orderOf(std::size_t camera) const {
   const simcore::CameraSensor& sensor = simulation_->cameras()[camera];
-  simcore::ImageNoise noise;
-  noise.sigma = options_.noise ? options_.imageNoise.value_or(sensor.noise) : 0;
-  if (cameraErrorsChosen_[camera]) noise.sigma = sensor.noise;
-  noise.sigma *= cameraSettings_[camera].gain;
-  noise.seed = options_.seed;
-  noise.stream = camera;
-  noise.frame = simulation_->cameraStep(camera);
-  simcore::CameraModel model = sensor.model;
-  model.vignetting = options_.vignetting.value_or(model.vignetting);
-  renderer_->setLighting(lightingOf(camera));
-  take(camera, model, noise);
-  if (options_.blackout) blacken(image_);
-}
-
-void SimulatedWorld::take(std::size_t camera, const simcore::CameraModel& model,
-                          const simcore::ImageNoise& noise) {
-  const simcore::CameraSensor& sensor = simulation_->cameras()[camera];
-  lastCamera_ = camera;
-  const simcore::SensorErrors* errors = simulation_->sensorErrors(sensor.info.path);
-  if (!model.distortion.any() && !sensor.shutter.any() && !errors->hasTiming()) {
-    const auto poses = simulation_->bodyPoses();
-    // All such cameras share the poses of a step.
-    if (posesRendered_ != simulation_->steps()) renderer_->setPoses(poses);
-    posesRendered_ = simulation_->steps();
-    renderer_->render(poses[static_cast<std::size_t>(sensor.body)] * sensor.cameraInBody, model,
-                      robotlink::PixelFormat::kYuyv, noise, image_);
-    return;
-  }
-  const auto posesAt = [&](double age, std::vector<simcore::Pose3>& poses) {
-    simulation_->cameraPoses(camera, age, poses);
-  };
-  posesRendered_ = ~std::uint64_t{0};
-  optics_[camera].render(*renderer_, posesAt, {sensor.body, sensor.cameraInBody}, model, sensor.shutter,
-                         robotlink::PixelFormat::kYuyv, noise, image_);
+  CameraWork::Order order{
+      .model = sensor.model, .lighting = lightingOf(camera), .blackout = options_.blackout};
+  order.model.vignetting = options_.vignetting.value_or(order.model.vignetting);
+  order.noise.sigma = options_.noise ? options_.imageNoise.value_or(sensor.noise) : 0;
+  if (cameraErrorsChosen_[camera]) order.noise.sigma = sensor.noise;
+  order.noise.sigma *= cameraSettings_[camera].gain;
+  order.noise.seed = options_.seed;
+  order.noise.stream = camera;
+  order.noise.frame = simulation_->cameraStep(camera);
+  return order;
 }
 
 const robotlink::Image& SimulatedWorld::trueClasses() {
   const CostMeter meter(costs_.rendering);
-  renderer_->label(trueClasses_.ofInstances(), TrueClasses::kBackground, classes_);
-  optics_[lastCamera_].distortLabels(TrueClasses::kBackground, image_.width, classes_);
-  TrueClasses::ignoreMixedPairs(classes_);
-  return classes_;
+  return cameraWork_.trueClasses();
 }
 
 robotlink::Result<void> SimulatedWorld::setLighting(const simcore::LightAdjustment& lighting) {
@@ -307,12 +269,14 @@ robotlink::Result<void> SimulatedWorld::setLighting(const simcore::LightAdjustme
     return robotlink::failure("simulation.light", "the warmth must be between -1 (bluish) and 1 (reddish)");
   }
   options_.lighting = lighting;
+  cameraWork_.forgetImages();
   return {};
 }
 
 robotlink::Result<void> SimulatedWorld::setSensorErrors(const std::string& path,
                                                         const simcore::SensorErrors& errors) {
   if (const auto set = simulation_->setSensorErrors(path, errors); !set) return set;
+  cameraWork_.forgetImages();
   const simcore::Port& port = *simulation_->port(path);
   if (port.kind == simcore::Port::Kind::kCamera) cameraErrorsChosen_[port.index] = true;
   return {};

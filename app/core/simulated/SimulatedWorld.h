@@ -9,15 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "app/core/simulated/CameraWork.h"
 #include "app/core/simulated/HeldActuators.h"
 #include "app/core/simulated/SimulatedPioneer.h"
-#include "app/core/simulated/TrueClasses.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
+#include "robotlink/base/threads/ThreadPool.h"
 #include "simcore/Simulation.h"
-#include "simcore/rendering/CameraOptics.h"
-#include "simcore/rendering/CameraRenderer.h"
 #include "simcore/world/LightAdjustment.h"
 
 namespace app {
@@ -50,6 +49,9 @@ class SimulatedWorld {
     bool kinematic = false;
     /// How many bytes of its past are kept, so that it can be rewound; 0: it cannot.
     std::size_t rewindBytes = 0;
+    /// How many threads share the work: physics, measurements, images, and in SimulatedRun the programs. The
+    /// results are the same for any number.
+    int threads = 1;
     /// Settings of all Pioneers. Their seed is that of the world; without `noise` they have no tire errors.
     SimulatedPioneer::Options pioneers = {};
   };
@@ -101,6 +103,8 @@ class SimulatedWorld {
   const simcore::Simulation& simulation() const { return *simulation_; }
   const Options& options() const { return options_; }
   const Costs& costs() const { return costs_; }
+  /// The threads that share the work. Not null.
+  const std::shared_ptr<robotlink::ThreadPool>& pool() const { return pool_; }
 
   /// The microcontrollers of all robots whose drive names SimulatedPioneer::kController, in the order of the
   /// scene.
@@ -113,7 +117,8 @@ class SimulatedWorld {
 
   /// Whether a camera (by its index) takes an image at this step.
   bool imageDue(std::size_t camera) const;
-  /// Renders the image of a camera, YCbCr 4:2:2. Valid until the next call.
+  /// Renders the image of a camera, YCbCr 4:2:2. Valid until the next call. With several threads, images that
+  /// are due now of other cameras that were asked for when their previous one was due are made meanwhile.
   const robotlink::Image& render(std::size_t camera);
   /// Renders what a camera sees for a person, as render() does; costs() and digest() do not count it. Valid
   /// until the next call of either.
@@ -137,19 +142,21 @@ class SimulatedWorld {
     double whiteBalance = 0;
   };
   /// The setting of a camera, by its index; changes count from the next image on.
-  CameraSetting& cameraSetting(std::size_t camera) { return cameraSettings_[camera]; }
+  CameraSetting& cameraSetting(std::size_t camera) {
+    cameraWork_.forgetImages();
+    return cameraSettings_[camera];
+  }
 
   /// A hash of the states after all steps and of all images since the start, for comparing runs.
   std::uint64_t digest() const { return digest_; }
 
  private:
-  SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options);
+  SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options,
+                 std::shared_ptr<robotlink::ThreadPool> pool);
   /// The light as a camera sees it by its settings.
   simcore::LightAdjustment lightingOf(std::size_t camera) const;
-  /// Takes the image of a camera into image_.
-  void take(std::size_t camera, const simcore::CameraModel& model, const simcore::ImageNoise& noise);
-  /// Makes what renders the scene, if there are cameras.
-  void makeRenderer();
+  /// What an image of a camera is to be like now.
+  CameraWork::Order orderOf(std::size_t camera) const;
   /// Makes the microcontrollers, or goes on with those that there are.
   robotlink::Result<void> makePioneers();
   /// Settings of a microcontroller.
@@ -157,14 +164,13 @@ class SimulatedWorld {
   /// Keeps what was set for cameras, and finds it again in another scene.
   void keepCameras();
   void findCameras();
-  /// Renders a camera's image into image_.
-  void draw(std::size_t camera);
   void mixIntoDigest(std::uint64_t value);
   /// What was measured or rendered of the world before a jump does not count, and the clock goes on.
   void settleAfterJump();
   struct Kept;
 
   Options options_;
+  std::shared_ptr<robotlink::ThreadPool> pool_;
   robotlink::ManualClock clock_;
   /// The clock minus the time of the simulation, which was put back.
   robotlink::Duration clockAhead_{};
@@ -173,8 +179,7 @@ class SimulatedWorld {
   /// Those of robots that are gone.
   std::vector<std::unique_ptr<SimulatedPioneer>> gone_;
   HeldActuators held_;
-  /// Null if there are no cameras.
-  std::unique_ptr<simcore::CameraRenderer> renderer_;
+  CameraWork cameraWork_;
   std::vector<CameraSetting> cameraSettings_;
   /// What was set for a camera.
   struct KeptCamera {
@@ -185,15 +190,6 @@ class SimulatedWorld {
   std::map<std::string, KeptCamera> keptCameras_;
   /// Keyed by camera: whether somebody chose its errors, instead of the scene.
   std::vector<bool> cameraErrorsChosen_;
-  /// Keyed by camera.
-  std::vector<simcore::CameraOptics> optics_;
-  /// Whose image was rendered last.
-  std::size_t lastCamera_ = 0;
-  TrueClasses trueClasses_;
-  /// The memory of render() and trueClasses().
-  robotlink::Image image_, classes_;
-  /// The step of the physics whose poses the renderer has.
-  std::uint64_t posesRendered_ = ~std::uint64_t{0};
   std::uint64_t digest_ = 0;
   Costs costs_;
 };

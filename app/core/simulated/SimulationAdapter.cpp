@@ -8,6 +8,7 @@
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/SimulationFeed.h"
+#include "robotlink/base/threads/ThreadPool.h"
 #include "simcore/SceneFileKind.h"
 
 namespace app {
@@ -66,6 +67,10 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   options.ports = portsToOpen(values);
   options.world.kinematic = flagOf(values, "kinematic", options.world.kinematic);
   options.world.noise = flagOf(values, "noise", options.world.noise);
+  if (values.contains("threads")) {
+    const int threads = static_cast<int>(numberOf(values, "threads"));
+    options.world.threads = threads > 0 ? threads : robotlink::ThreadPool::cores();
+  }
   if (values.contains("own")) options.hosting.choose({}, flagOf(values, "own"));
   const std::string executor = textOf(values, "executor");
   if (!executor.empty()) options.hosting.threads = executor == nameOf(ExecutorKind::kThreads);
@@ -304,6 +309,19 @@ PlatformForm simulationForm() {
                          .group = "World",
                          .option = "--models",
                          .remembered = "simulation_setup/8"});
+  form.fields.push_back({.name = "threads",
+                         .kind = Kind::kNumber,
+                         .label = "Threads:",
+                         .help =
+                             "How many threads share physics, sensors, images and the robots' programs; the "
+                             "results are the same for any number",
+                         .initial = 0.0,
+                         .noun = "number of threads",
+                         .max = robotlink::ThreadPool::kMaxThreads,
+                         .emptyText = "one per core",
+                         .group = "World",
+                         .option = "--threads",
+                         .remembered = "simulation_setup/9"});
   for (auto& field : hiddenFields()) form.fields.push_back(std::move(field));
   form.follow = followSimulation;
   return form;

@@ -100,7 +100,7 @@ robotlink::Result<void> SimulatedWorld::restore(const simcore::Snapshot& snapsho
 
 void SimulatedWorld::settleAfterJump() {
   clockAhead_ = clock_.now().time_since_epoch() - simulation_->time();
-  posesRendered_ = ~std::uint64_t{0};
+  cameraWork_.forgetImages();
   costs_.steps = simulation_->steps();
   for (const auto& pioneer : pioneers_) pioneer->worldJumped();
 }

@@ -40,6 +40,7 @@
 #include "app/robotctl/run/SnapshotOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
+#include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Presets.h"
 
@@ -458,6 +459,11 @@ void addProgramOptions(CLI::App& sim, SimArguments& arguments) {
          "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
       ->check(CLI::IsMember({"lockstep", "threads"}))
       ->capture_default_str();
+  sim.add_option(
+         "--threads", arguments.run.world.threads,
+         "How many threads share physics, sensors, images and the robots' programs; the results are the "
+         "same for any number (default: as many as the machine has cores)")
+      ->check(numberFrom(1, robotlink::ThreadPool::kMaxThreads));
   sim.add_option(
          "--own-process", arguments.ownProcesses,
          "ROBOT whose program runs in a process of its own, so that a crash of it harms nothing else; "

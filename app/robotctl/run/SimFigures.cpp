@@ -159,6 +159,7 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   figures["scene"] = run.options().scene.string();
   figures["layout"] = run.layout().string();
   figures["seed"] = world.options().seed;
+  figures["threads"] = world.options().threads;
   figures["robots"] = run.robots().size();
   figures["simulated_seconds"] = simulated;
   figures["real_seconds"] = realSeconds;
@@ -167,6 +168,7 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   figures["images"] = costs.images;
   figures["ms_per_step"] = milliseconds(costs.physics, costs.steps);
   figures["ms_per_image"] = milliseconds(costs.rendering, costs.images);
+  figures["ms_per_step_of_programs"] = milliseconds(run.programTime(), costs.steps);
   for (const auto& pioneer : world.pioneers())
     figures["robots_on_wheels"].push_back(contactFigures(world, pioneer->robot()));
   figures["ball_contacts"] = world.simulation().ballContacts();
@@ -182,6 +184,7 @@ json figuresOf(const ArcosSimulation& simulation, double realSeconds) {
   json figures;
   figures["scene"] = simulation.options().scene.string();
   figures["seed"] = world.options().seed;
+  figures["threads"] = world.options().threads;
   figures["kinematic"] = world.options().kinematic;
   figures["simulated_seconds"] = simulated;
   figures["real_seconds"] = realSeconds;

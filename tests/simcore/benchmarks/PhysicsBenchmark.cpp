@@ -2,16 +2,16 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "robotlink/base/threads/ThreadPool.h"
 #include "simcore/Scene.h"
-#include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
-#include "simcore/devices/Ports.h"
-#include "simcore/physics/OdeWorldBuilder.h"
+#include "tests/simcore/BareOde.h"
 #include "tests/simcore/SceneFixture.h"
 
 // A step of the field with one robot through simcore, against the same world stepped by bare ODE calls in
@@ -32,48 +32,10 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// The least that such a world needs: collide, contact joints, set-points, step.
-class BareWorld {
- public:
-  explicit BareWorld(const Scene& scene) : ode_(buildOdeWorld(scene.contents().world)) {
-    for (const dJointID hinge : ode_->hinges) targets_.push_back(dJointGetHingeAngle(hinge));
-  }
-
-  void step() {
-    for (std::size_t i = 0; i < ode_->hinges.size(); ++i) {
-      const double missing = targets_[i] - dJointGetHingeAngle(ode_->hinges[i]);
-      dJointSetHingeParam(ode_->hinges[i], dParamVel, std::clamp(0.4 * missing / 0.004, -2.8, 2.8));
-      dJointSetHingeParam(ode_->hinges[i], dParamFMax, 1);
-    }
-    dSpaceCollide(ode_->top, ode_.get(), &BareWorld::collide);
-    dWorldQuickStep(ode_->world, 0.004);
-    dJointGroupEmpty(ode_->contacts);
-  }
-
- private:
-  static void collide(void* data, dGeomID a, dGeomID b) {
-    auto& ode = *static_cast<OdeWorld*>(data);
-    if (dGeomIsSpace(a) != 0 || dGeomIsSpace(b) != 0) return dSpaceCollide2(a, b, data, &BareWorld::collide);
-    dContact contacts[4];
-    const int count = dCollide(a, b, 4, &contacts[0].geom, sizeof(dContact));
-    for (int i = 0; i < count; ++i) {
-      contacts[i].surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
-      contacts[i].surface.mu = 1;
-      contacts[i].surface.soft_erp = 0.3;
-      contacts[i].surface.soft_cfm = 1e-5;
-      dJointAttach(dJointCreateContact(ode.world, ode.contacts, &contacts[i]), dGeomGetBody(a),
-                   dGeomGetBody(b));
-    }
-  }
-
-  std::unique_ptr<OdeWorld> ode_;
-  std::vector<double> targets_;
-};
-
 void stepAgainstBareOde(benchmark::State& state) {
   constexpr int kBatch = 50;
   const auto scene = shippedScene();
-  BareWorld bare(*scene);
+  test::BareOde bare(*scene);
   const auto simulation = std::move(Simulation::create(scene, {}).value());
   std::vector<double> ours, theirs;
   const auto measure = [](std::vector<double>& times, const std::function<void()>& run) {
@@ -128,10 +90,35 @@ void reset(benchmark::State& state) {
 }
 BENCHMARK(reset)->Unit(benchmark::kMicrosecond);
 
+/// The wall-clock time of a step by one and by several threads, in turns.
 void stepRobots(benchmark::State& state) {
-  const auto simulation = std::move(Simulation::create(load(static_cast<int>(state.range(0))), {}).value());
-  for ([[maybe_unused]] const auto _ : state) simulation->step();
+  constexpr int kBatch = 25;
+  const auto scene = load(static_cast<int>(state.range(0)));
+  const auto make = [&](int threads) {
+    return std::move(
+        Simulation::create(scene, {.pool = std::make_shared<robotlink::ThreadPool>(threads)}).value());
+  };
+  const auto alone = make(1), together = make(static_cast<int>(state.range(1)));
+  std::vector<double> one, several;
+  const auto measure = [](Simulation& simulation, std::vector<double>& times) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < kBatch; ++i) simulation.step();
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
+    times.push_back(took.count() / kBatch);
+  };
+  for ([[maybe_unused]] const auto _ : state) {
+    measure(*alone, one);
+    measure(*together, several);
+  }
+  state.counters["one_us"] = median(one);
+  state.counters["several_us"] = median(several);
+  state.counters["times_faster"] = median(one) / median(several);
+  state.counters["same_bytes"] = alone->digest() == together->digest() ? 1 : 0;
 }
-BENCHMARK(stepRobots)->ArgName("robots")->Arg(1)->Arg(4)->Arg(8)->Unit(benchmark::kMicrosecond);
+BENCHMARK(stepRobots)
+    ->ArgNames({"robots", "threads"})
+    ->ArgsProduct({{1, 4, 8}, {2}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -137,6 +137,24 @@ TEST(CameraRenderer, severalThreadsMayShareAScene) {
   for (const Image& image : images) EXPECT_EQ(image, expected);
 }
 
+TEST(CameraRenderer, renderersThatSharePosesDrawTheSameInSeveralThreads) {
+  const CameraScene scene = tableScene();
+  CameraRenderer first(scene.scene, {});
+  const auto second = first.another();
+  second->setPoses(scene.poses);
+  first.place();
+  Image images[2];
+  {
+    const auto draw = [&](CameraRenderer& renderer, std::size_t camera) {
+      renderer.render(scene.cameras[camera], {}, PixelFormat::kRgb8, {}, images[camera]);
+    };
+    std::jthread one([&] { draw(first, 0); });
+    std::jthread other([&] { draw(*second, 1); });
+  }
+  for (const std::size_t camera : {0U, 1U})
+    EXPECT_EQ(images[camera].data, drawn(scene, {}, scene.cameras[camera]).data);
+}
+
 TEST(CameraRenderer, anEmptySceneShowsItsBackground) {
   auto scene = std::make_shared<RenderScene>();
   scene->background = {12, 130, 250};

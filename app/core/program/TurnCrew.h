@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <list>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "app/core/program/ModulePatience.h"
+
+namespace app {
+
+/// Threads in which the turns of several members are made, several at a time, while whoever asks for them
+/// waits, but not for longer than he wants: a turn that does not return keeps its member and a thread only,
+/// which is replaced. One thread at a time may ask.
+class TurnCrew {
+ public:
+  /// `turn` is called with the number of a member in one of `threads` threads, at least one. Turns of
+  /// different members must not disturb each other.
+  TurnCrew(int threads, std::function<void(std::size_t member)> turn);
+  /// Waits for the turns that are in progress.
+  ~TurnCrew();
+  TurnCrew(const TurnCrew&) = delete;
+  TurnCrew& operator=(const TurnCrew&) = delete;
+
+  /// Makes a turn of each of these members, of which none may be busy. Returns those whose turn has not ended
+  /// when the patience for it was over, in the order of `members`.
+  std::vector<std::size_t> run(std::span<const std::size_t> members, const ModulePatience& patience);
+  /// Whether a turn of a member is in progress. Any thread.
+  bool isBusy(std::size_t member) const;
+  /// Waits for it so long; whether it has ended.
+  bool waitFor(std::size_t member, std::chrono::milliseconds limit);
+
+ private:
+  struct Worker {
+    /// Whose turn is in progress, and since when.
+    std::optional<std::size_t> member = std::nullopt;
+    ModulePatience::Clock::time_point begin = {};
+    /// The turn was given up: the thread ends with it.
+    bool isLost = false;
+    std::thread thread = {};
+  };
+  void addWorker();
+  void loop(Worker& worker);
+  /// Gives up turns that take too long; the mutex must be locked.
+  void giveUp(const ModulePatience& patience, std::vector<std::size_t>& late);
+  /// The mutex must be locked.
+  bool isWorking(std::size_t member) const;
+
+  const std::function<void(std::size_t)> turn_;
+  /// Protects the rest.
+  mutable std::mutex mutex_;
+  std::condition_variable wanted_, done_;
+  std::deque<std::size_t> waiting_;
+  /// Turns of this run that have neither ended nor been given up.
+  std::size_t open_ = 0;
+  bool isOver_ = false;
+  /// A list, since threads refer to its elements.
+  std::list<Worker> workers_;
+};
+
+}  // namespace app

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SimulationState: what range and image sensors measure, in several threads if there are.
+#include "simcore/SimulationState.h"
+
+namespace simcore {
+
+void SimulationState::prepareToMeasureAhead() {
+  std::vector<std::size_t> ranges, images;
+  for (const RangeSensor& sensor : ports.ranges) ranges.push_back(static_cast<std::size_t>(sensor.readings));
+  for (const ImageSensor& sensor : ports.images) images.push_back(sensor.values());
+  rangesAhead.emplace(options.pool, ranges);
+  imagesAhead.emplace(options.pool, images);
+  otherImaging.clear();
+  for (std::size_t i = 1; imaging && i < std::min(imagesAhead->lanes(), ports.images.size()); ++i) {
+    otherImaging.push_back(
+        std::make_unique<ImageSensing>(scene->contents().renderScene, ports.images, ports.imageOwners));
+  }
+}
+
+void SimulationState::poseRanging(std::uint64_t step) {
+  if (!rangingValid || rangingStep != step) ranging->setPoses(posesAt(step));
+  rangingValid = true;
+  rangingStep = step;
+}
+
+void SimulationState::poseImaging(std::uint64_t step) {
+  if (!imagingValid || imagingStep != step) {
+    const auto present = posesAt(step);
+    imaging->setPoses(present);
+    for (const auto& other : otherImaging) other->setPoses(present);
+  }
+  imagingValid = true;
+  imagingStep = step;
+}
+
+void SimulationState::measure(std::size_t sensor, std::span<double> ranges) {
+  const std::uint64_t step = stepOf(rangeTiming[sensor]);
+  poseRanging(step);
+  if (step != steps) return ranging->measure(sensor, {options.noise, options.seed, step}, ranges);
+  rangesAhead->read(
+      sensor, steps, [this](std::size_t other) { return stepOf(rangeTiming[other]) == steps; },
+      [this](std::size_t, std::size_t one, std::span<double> values) {
+        ranging->measure(one, {options.noise, options.seed, steps}, values);
+      },
+      ranges);
+}
+
+void SimulationState::measureImage(std::size_t sensor, std::span<float> values) {
+  const std::uint64_t step = stepOf(imageTiming[sensor]);
+  poseImaging(step);
+  if (step != steps) return imaging->measure(sensor, {options.noise, options.seed, step}, values);
+  imagesAhead->read(
+      sensor, steps, [this](std::size_t other) { return stepOf(imageTiming[other]) == steps; },
+      [this](std::size_t lane, std::size_t one, std::span<float> image) {
+        ImageSensing& own = lane == 0 ? *imaging : *otherImaging[lane - 1];
+        own.measure(one, {options.noise, options.seed, steps}, image);
+      },
+      values);
+}
+
+void SimulationState::setImageErrors(std::size_t sensor, const SensorErrors& errors) {
+  const ImageSensing::Noise noise{true, options.seed, steps};
+  imaging->setErrors(sensor, errors, noise);
+  for (const auto& other : otherImaging) other->setErrors(sensor, errors, noise);
+}
+
+}  // namespace simcore

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/physics/OdeThread.h"
+
+#include <ode/ode.h>
+
+namespace simcore {
+
+void prepareOdeForThread() {
+  static const bool kInitialized = dInitODE2(0) != 0;
+  thread_local const bool kAllocated = kInitialized && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  (void)kAllocated;
+}
+
+}  // namespace simcore
