@@ -7,6 +7,7 @@
 
 #include "robotlink/base/Random.h"
 #include "simcore/physics/Contacts.h"
+#include "simcore/physics/FreeBodies.h"
 #include "simcore/physics/KinematicDrives.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeJoints.h"
@@ -51,8 +52,10 @@ void Physics::step(std::uint64_t seed) {
   ode_->wheelContactCount = 0;
   resist(*ode_);
   moveKinematicModels(*ode_);
+  prepareFreeBodies(*ode_);
   findContacts(*ode_);
   dWorldQuickStep(ode_->world, kStepSeconds);
+  letFreeBodiesRest(*ode_);
   settleWheels(*ode_);
   dJointGroupEmpty(ode_->contacts);
 }
