@@ -140,7 +140,7 @@ double periodOf(Bodies& bodies, double seconds) {
   return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
 }
 
-/// Of a bar about its end, for small amplitudes.
+/// The period of a bar about its end, for small amplitudes.
 double barPeriod() {
   return 2 * kPi * std::sqrt(1.0 / 3 / (kGravity * 0.5));
 }

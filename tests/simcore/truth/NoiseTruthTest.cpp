@@ -92,7 +92,7 @@ TEST(NoiseTruth, whiteNoiseOfEverySensorIsNormal) {
     simulation->step();
     for (const Port& port : ports) {
       const auto noisy = valuesOf(*simulation, port), exact = simulation->readTruth(port.info.path).value();
-      // Of an image a few pixels of each step suffice.
+      // A few pixels of each image suffice.
       const std::size_t stride = noisy.size() > 10 ? 11 : 1;
       for (std::size_t k = 0; k < noisy.size(); k += stride)
         samples[port.info.path].push_back((noisy[k] - exact[k]) / amountFor(port));
