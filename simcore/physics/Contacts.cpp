@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "simcore/physics/FreeBodies.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeWheels.h"
 
@@ -16,7 +17,10 @@ constexpr int kMaxContacts = 4;
 /// With a mesh, whose triangles each give contacts: the first four may all be at one corner of a body.
 constexpr int kMaxMeshContacts = 24;
 constexpr double kContactErrorReduction = 0.3;
+/// For bodies up to 1 kg; it is less for heavier ones, which would sink in otherwise instead of bouncing.
 constexpr double kContactSoftness = 1e-5;
+/// From this speed on, m/s, what touches slides.
+constexpr double kSlides = 0.02;
 constexpr double kMinBounceVelocity = 0.05;  // m/s
 /// The upward component of a contact's normal from which the other solid is a floor or a ramp rather than an
 /// obstacle.
@@ -61,6 +65,38 @@ void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double upward) {
   for (const OdeGeom* geom : {&a, &b}) {
     if (geom->body != OdeGeom::kNoBody) ode.obstacleBodies.push_back(geom->body);
   }
+}
+
+/// The mass that two bodies that meet have together: the reciprocal of the sum of their reciprocals, kg. Null
+/// is a body that does not move.
+double reducedMass(dBodyID a, dBodyID b) {
+  double reciprocals = 0;
+  for (const dBodyID body : {a, b}) {
+    if (body == nullptr) continue;
+    dMass mass;
+    dBodyGetMass(body, &mass);
+    reciprocals += 1 / mass.mass;
+  }
+  return reciprocals > 0 ? 1 / reciprocals : 0;
+}
+
+/// Directs friction against the way in which one body slides on the other. Without that, ODE's friction is up
+/// to the square root of 2 too large in directions between its two axes.
+void opposeSliding(dContact& contact, dBodyID a, dBodyID b) {
+  Vector3 velocity = Vector3::Zero();
+  const dReal* at = contact.geom.pos;
+  for (const dBodyID body : {a, b}) {
+    if (body == nullptr) continue;
+    dVector3 own;
+    dBodyGetPointVel(body, at[0], at[1], at[2], own);
+    velocity += (body == a ? 1 : -1) * Vector3(own[0], own[1], own[2]);
+  }
+  const Vector3 normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);
+  const Vector3 along = velocity - normal * normal.dot(velocity);
+  const double speed = along.norm();
+  if (!(speed > kSlides)) return;
+  contact.surface.mode |= dContactFDir1;
+  for (int i = 0; i < 3; ++i) contact.fdir1[i] = along[i] / speed;
 }
 
 /// The part of addContacts() for wheels.
@@ -115,18 +151,23 @@ void addJoints(OdeWorld& ode, const OdePair& pair) {
     if (ode.readsContacts) record(ode, pair, contact, &ode.wheelContacts[ode.wheelContactCount - 1].feedback);
     return;
   }
+  const dBodyID bodyA = movedBody(ode, *pair.first), bodyB = movedBody(ode, *pair.second);
+  const double softness = kContactSoftness / std::max(1.0, reducedMass(bodyA, bodyB));
   for (std::size_t i = pair.firstContact; i < pair.firstContact + pair.count; ++i) {
     dContact& contact = ode.found[i];
     dSurfaceParameters& surface = contact.surface;
     surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
     surface.mu = std::min(pair.first->friction, pair.second->friction);
     surface.soft_erp = kContactErrorReduction;
-    surface.soft_cfm = kContactSoftness;
+    surface.soft_cfm = softness;
     surface.bounce = std::max(pair.first->restitution, pair.second->restitution);
     surface.bounce_vel = kMinBounceVelocity;
     if (surface.bounce > 0) surface.mode |= dContactBounce;
+    opposeSliding(contact, bodyA, bodyB);
+    countContact(bodyA);
+    countContact(bodyB);
     const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contact);
-    dJointAttach(joint, movedBody(ode, *pair.first), movedBody(ode, *pair.second));
+    dJointAttach(joint, bodyA, bodyB);
     ++ode.contactCount;
     if (!ode.readsContacts) continue;
     dJointFeedback& exerted = ode.contactForces.emplace_back();

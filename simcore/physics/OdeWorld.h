@@ -79,6 +79,18 @@ struct OdeContactRecord {
   const dJointFeedback* exerted = nullptr;
 };
 
+/// The data attached to each body that no joint holds.
+struct OdeFreeBody {
+  dBodyID id = nullptr;
+  /// Whether its moments of inertia differ, so that it wobbles while it turns.
+  bool wobbles = false;
+  /// How many contacts it has in this step.
+  int contacts = 0;
+  // How it stood before this step.
+  dVector3 position = {};
+  dQuaternion rotation = {};
+};
+
 /// A passive joint that resists being moved.
 struct OdeResistance {
   dJointID joint = nullptr;
@@ -152,6 +164,8 @@ struct OdeWorld {
   /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
   std::deque<dJointFeedback> hingeForces;
   std::vector<OdeModel> models;
+  /// Bodies that no joint holds. A deque because ODE keeps pointers to its elements.
+  std::deque<OdeFreeBody> freeBodies;
   /// Joints that resist.
   std::vector<OdeResistance> resistances;
   /// The places of all moving models, updated only when they are needed.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simcore/physics/FollowingModels.h"
+#include "simcore/physics/FreeBodies.h"
 #include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/OdeDriveBuilder.h"
 #include "simcore/physics/OdeGeoms.h"
@@ -95,6 +96,10 @@ class WorldBuilder {
     for (const JointDescription& joint : type.joints) addJoint(ode_, model, joint, added.firstBody);
     pose(model, added.firstBody);
     if (type.guided && !type.vehicle && !model.follows()) addGuide(ode_, *type.guided, added);
+    for (std::size_t i = added.firstBody; !added.kinematic && i < ode_.bodies.size(); ++i) {
+      const OdeBody& body = ode_.bodies[i];
+      if (body.wheel < 0) addFreeBody(ode_, body.id);
+    }
     const OdeBody& first = ode_.bodies[added.firstBody];
     OdePlace place{index};
     place.radius = extentOf(type).radius + (type.links[0].poseInModel * first.centerInLink).head<2>().norm();

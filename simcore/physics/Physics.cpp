@@ -8,6 +8,7 @@
 #include "robotlink/base/Random.h"
 #include "simcore/physics/Contacts.h"
 #include "simcore/physics/FollowingModels.h"
+#include "simcore/physics/FreeBodies.h"
 #include "simcore/physics/KinematicDrives.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeJoints.h"
@@ -60,12 +61,14 @@ void Physics::step(std::uint64_t seed) {
   resist(*ode_);
   moveKinematicModels(*ode_);
   moveFollowers(*ode_);
+  prepareFreeBodies(*ode_);
   findContacts(*ode_);
   if (ode_->islands) {
     ode_->islands->step(kStepSeconds, static_cast<int>(ode_->hinges.size()) + ode_->contactCount);
   } else {
     dWorldQuickStep(ode_->world, kStepSeconds);
   }
+  letFreeBodiesRest(*ode_);
   settleFollowers(*ode_);
   settleWheels(*ode_);
   dJointGroupEmpty(ode_->contacts);

@@ -12,6 +12,8 @@ namespace {
 constexpr double kFarAway = 100'000;
 /// Visuals without a material.
 constexpr Rgb kPlain{200, 200, 200};
+/// No moment of inertia is larger, kg m^2.
+constexpr double kMaxMoment = 1e12;
 /// A link without mass gets this, so that the solver can move it.
 constexpr double kLeastMass = 1e-6, kReplacementMass = 0.01;  // kg
 constexpr double kReplacementInertia = 1e-5;                  // kg m^2
@@ -129,8 +131,12 @@ void readInertia(const sdf::Link& link, LinkDescription& result, const SdfContex
   inertia << moment("ixx", 1), xy, xz, xy, moment("iyy", 1), yz, xz, yz, moment("izz", 1);
   const Eigen::Matrix3d& rotation = centerInLink.linear();
   result.inertia = rotation * inertia * rotation.transpose();
-  if (!result.inertia.allFinite() || !result.centerOfMass.allFinite()) {
-    context.fail(link.Element(), "scene.inertia", "the inertia of '" + link.Name() + "' is not finite");
+  const bool isPossible = inertia.allFinite() && inertia.cwiseAbs().maxCoeff() <= kMaxMoment &&
+                          result.centerOfMass.allFinite() && result.centerOfMass.norm() <= kFarAway;
+  if (!isPossible) {
+    context.fail(inertial, "scene.inertia",
+                 "the moments of inertia of '" + link.Name() +
+                     "' must be at most 1e12 kg m^2, and its center of mass at most 100 km away");
     result.inertia.setIdentity();
     result.centerOfMass.setZero();
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 // Every input depends on its number alone, so that one that crashed can be run again.
 //
 //   NAME [--seconds N | --inputs N]   mutate for so long, or so often (1000 inputs by default)
+//   NAME --seconds N FROM             the same from the input with this number on
 //   NAME --only N                     run the input with this number alone
 //   NAME --write-seeds FOLDER         write the seeds as files, for libFuzzer
 //   NAME FILE...                      run files, such as those that libFuzzer left
@@ -30,6 +32,10 @@ namespace {
 using Random = std::mt19937_64;
 
 volatile std::sig_atomic_t runningInput = -1;
+
+/// No input takes so much time of the processor, s; where one does, it hangs. The same as in
+/// packaging/fuzz.sh.
+constexpr int kHangs = 30;
 
 /// Says which input it was and dies of the signal after all.
 void tellInput(int signal) {
@@ -149,6 +155,9 @@ std::string inputOf(std::uint64_t number, const std::vector<std::string>& seeds)
   if (number < seeds.size()) return seeds[number];
   Random random(number);
   std::string input = seeds[pick(random, seeds.size())];
+  // Three of four by the target's own mutations, if it has them.
+  if (fuzzMutation != nullptr && pick(random, 4) > 0)
+    return fuzzMutation(input, static_cast<unsigned>(random()));
   for (std::size_t i = 1 + pick(random, 4); i > 0; --i) mutate(input, seeds, random);
   return input;
 }
@@ -176,17 +185,19 @@ std::vector<std::string> allSeeds() {
 void run(const std::string& input) {
   // Its own memory, exactly as large, so that the address sanitizer sees what is read behind it.
   const std::vector<std::uint8_t> bytes(input.begin(), input.end());
+  const itimerval limit{{0, 0}, {kHangs, 0}};
+  ::setitimer(ITIMER_PROF, &limit, nullptr);
   LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
 }
 
-int runMany(double seconds, std::uint64_t inputs) {
+int runMany(double seconds, std::uint64_t inputs, std::uint64_t first = 0) {
   const std::vector<std::string> seeds = allSeeds();
   if (seeds.empty()) {
     std::fputs("there are no seeds\n", stderr);
     return 1;
   }
   const auto start = std::chrono::steady_clock::now();
-  std::uint64_t number = 0;
+  std::uint64_t number = first;
   for (;; ++number) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     if (seconds > 0 ? passed.count() >= seconds : number >= inputs) break;
@@ -212,6 +223,8 @@ int writeSeeds(const std::filesystem::path& folder) {
 int runAsTold(const std::vector<std::string>& words) {
   if (words.empty()) return runMany(0, 1000);
   if (words.size() == 2 && words[0] == "--seconds") return runMany(std::atof(words[1].c_str()), 0);
+  if (words.size() == 3 && words[0] == "--seconds")
+    return runMany(std::atof(words[1].c_str()), 0, std::strtoull(words[2].c_str(), nullptr, 10));
   if (words.size() == 2 && words[0] == "--inputs")
     return runMany(0, std::strtoull(words[1].c_str(), nullptr, 10));
   if (words.size() == 2 && words[0] == "--write-seeds") return writeSeeds(words[1]);
@@ -233,7 +246,8 @@ int runAsTold(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, &tellInput);
+  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPROF})
+    std::signal(signal, &tellInput);
   const int result = runAsTold({arguments + 1, arguments + count});
   if (fuzzEnd != nullptr) fuzzEnd();
   return result;

@@ -16,6 +16,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 /// Valid and nearly valid inputs to begin with; generated, and the same at every call.
 std::vector<std::string> fuzzSeeds();
 
+/// Mutates an input, depending on `seed` alone. A target may set it if most random mutations of its inputs
+/// would be refused at once; it then defines LLVMFuzzerCustomMutator() for libFuzzer, too.
+inline std::string (*fuzzMutation)(std::string input, unsigned seed) = nullptr;
+
 /// Called at the end of main() if a target sets it: ends what must not outlive main(), such as threads that
 /// draw. While the program exits, the libraries that they use are gone already.
 inline void (*fuzzEnd)() = nullptr;

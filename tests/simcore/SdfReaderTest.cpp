@@ -197,6 +197,12 @@ TEST_F(SdfReader, gravityHasALimit) {
   EXPECT_THAT(errors(), HasSubstr("gravity must be below 1000 m/s^2"));
 }
 
+TEST_F(SdfReader, momentsOfInertiaHaveALimit) {
+  model(replaced(kSmallModel, "<iyz>0<", "<iyz>1e300<"));
+  EXPECT_THAT(errors(), HasSubstr("m.sdf:6: small/foot"));
+  EXPECT_THAT(errors(), HasSubstr("the moments of inertia of 'foot' must be at most 1e12 kg m^2"));
+}
+
 TEST_F(SdfReader, aModelInTheWorldHasItsPlaceAndItsLine) {
   const WorldDescription placed =
       world("\n<model name=\"post\"><static>true</static><pose>1 2 0 0 0 0</pose><link name=\"l\"/></model>");

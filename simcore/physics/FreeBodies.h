@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simcore/physics/OdeWorld.h"
+
+namespace simcore {
+
+/// Notes a body among OdeWorld::freeBodies if no joint holds it. All joints must exist.
+void addFreeBody(OdeWorld& ode, dBodyID body);
+
+/// Before a step: exerts the gyroscopic torque on bodies that wobble, and notes where all of them stand.
+///
+/// ODE's own (implicit Euler) is stable for any speed, but takes the wobble out of a spinning top. Here the
+/// angular velocity w of a step is that in its middle, from the angular momentum L, which then is constant:
+/// R I R^T w = exp(-h w / 2) L, with the attitude R before the step. This is symmetric in time, so that
+/// energy does not drift. Bodies that turn so fast that the equation cannot be solved are left to ODE.
+void prepareFreeBodies(OdeWorld& ode);
+
+/// Counts the contacts of a body in this step; it may be null.
+void countContact(dBodyID body);
+
+/// After a step: what stands on at least three points and hardly moves stays where it is. The solver's small
+/// errors would let it creep otherwise, by millimeters a minute. What rolls has fewer points, and what slides
+/// gains more speed in a step unless it is within 2 % of the limit of friction.
+void letFreeBodiesRest(OdeWorld& ode);
+
+}  // namespace simcore
