@@ -102,9 +102,9 @@ struct Draft {
   LeftOuts leftOut;
 };
 
-Draft readSdfScene(const fs::path& file, const std::vector<fs::path>& folders, const SdfSpec& spec,
-                   Errors& errors) {
-  Draft draft{{}, {}, SceneFiles(file, folders, spec, errors), {}};
+Draft readSdfScene(const fs::path& file, const std::vector<fs::path>& folders, const SceneTexts& texts,
+                   const SdfSpec& spec, Errors& errors) {
+  Draft draft{{}, {}, SceneFiles(file, folders, texts, spec, errors), {}};
   MeshFiles meshes;
   const SdfSources sources{draft.files, spec, meshes, errors, draft.leftOut};
   if (draft.files.world() == nullptr) {
@@ -225,12 +225,13 @@ Scene::~Scene() = default;
 tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& file,
                                                                const RobotsToAdd& robots,
                                                                const LoadProgress& report,
-                                                               const std::vector<fs::path>& modelFolders) {
+                                                               const std::vector<fs::path>& modelFolders,
+                                                               const SceneTexts& texts) {
   Errors errors;
   const Progress progress(report, errors);
   if (!progress.reached(0)) return tl::unexpected(std::move(errors));
   Draft draft = isMapFile(file) ? readMapScene(file, progress, errors)
-                                : readSdfScene(file, modelFolders, SdfSpec::shared(), errors);
+                                : readSdfScene(file, modelFolders, texts, SdfSpec::shared(), errors);
   if (progress.reached(0.4) && robots.count > 0) putRobots(draft, robots, file, SdfSpec::shared(), errors);
   if (!progress.reached(0.8)) return tl::unexpected(std::move(errors));
   const std::shared_ptr<Scene> scene(new Scene);

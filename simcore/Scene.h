@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,10 @@ struct SceneModel {
   bool isStatic = false;
 };
 
+/// Texts that count instead of what files have, such as those that are being edited; by the whole path, with
+/// links resolved, of each file.
+using SceneTexts = std::map<std::filesystem::path, std::string>;
+
 /// Called with how much of a scene is loaded, in [0, 1]; returns whether to continue.
 using LoadProgress = std::function<bool(double share)>;
 
@@ -49,10 +54,10 @@ class Scene {
   /// scene cannot be known.
   ///
   /// Large maps take seconds: `progress` is called several times per second, and can end it with the error
-  /// "scene.given-up".
+  /// "scene.given-up". `texts` are for SDFormat files; maps are read from the disk.
   static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(
       const std::filesystem::path& file, const RobotsToAdd& robots = {}, const LoadProgress& progress = {},
-      const std::vector<std::filesystem::path>& modelFolders = {});
+      const std::vector<std::filesystem::path>& modelFolders = {}, const SceneTexts& texts = {});
 
   ~Scene();
 

@@ -89,12 +89,13 @@ void OpenPlatform::close() {
   platform_.close(outcomeOf(Change::kPlatform));
 }
 
-void OpenPlatform::reloadScene() {
-  const auto anew = [](const LoadedPlatform& loaded) {
-    return SimulationFeed::opening(loaded.sources.front(), [](RunOptions&) {});
+void OpenPlatform::reloadScene(const FileTexts& texts) {
+  const auto anew = [texts](const LoadedPlatform& loaded) {
+    return SimulationFeed::opening(loaded.sources.front(),
+                                   [texts](RunOptions& options) { options.texts = texts; });
   };
   if (const auto kept = keepKeys(); !kept) report({kept.error()});
-  platform_.reload(anew, outcomeOf(Change::kScene), [this](const auto& loaded) {
+  platform_.reload(texts, anew, outcomeOf(Change::kScene), [this](const auto& loaded) {
     outcomes_.push({Change::kPlatform, loaded});
   });
 }

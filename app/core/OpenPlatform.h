@@ -57,8 +57,8 @@ class OpenPlatform {
   /// Ends what runs.
   void close();
   /// Reads the scene of the simulation again, which was edited, and goes on in it; if its robots are others
-  /// now, it is opened from the start.
-  void reloadScene();
+  /// now, it is opened from the start. `texts` count instead of files until it is loaded again.
+  void reloadScene(const FileTexts& texts = {});
   /// Restarts the robots' programs in another layout.
   void setLayout(const std::filesystem::path& file);
 

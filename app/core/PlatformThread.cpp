@@ -164,12 +164,12 @@ void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) 
   });
 }
 
-void PlatformThread::reload(std::function<PlatformOpening(const LoadedPlatform&)> anew, LoadHandler inPlace,
-                            LoadHandler opened) {
-  postOther([this, anew = std::move(anew), inPlace = std::move(inPlace), opened = std::move(opened)] {
+void PlatformThread::reload(FileTexts texts, std::function<PlatformOpening(const LoadedPlatform&)> anew,
+                            LoadHandler inPlace, LoadHandler opened) {
+  postOther([this, texts = std::move(texts), anew = std::move(anew), inPlace = std::move(inPlace), opened = std::move(opened)] {
     tl::expected<bool, robotlink::Errors> done = tl::unexpected(
         robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
-    if (feed_) done = feed_->reload();
+    if (feed_) done = feed_->reload(texts);
     reportedAtEnd_.clear();
     if (!done) return inPlace(tl::unexpected(std::move(done.error())));
     if (!*done) return open(anew(feed_->describe()), {}, opened);

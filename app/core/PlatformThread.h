@@ -59,8 +59,8 @@ class PlatformThread {
   void setLayout(std::filesystem::path file, LoadHandler handler);
   /// Reads the file of what runs again and goes on in it, see PlatformFeed::reload(); where that is
   /// impossible what `anew` returns is opened instead, as open() does. One of the handlers is called.
-  void reload(std::function<PlatformOpening(const LoadedPlatform&)> anew, LoadHandler inPlace,
-              LoadHandler opened);
+  void reload(FileTexts texts, std::function<PlatformOpening(const LoadedPlatform&)> anew,
+              LoadHandler inPlace, LoadHandler opened);
   /// Ends the platform, as the destructor does; none runs then.
   void close(LoadHandler handler);
   /// Fulfills a request to a robot or to the platform; the session gets one result for each. Moves in a log

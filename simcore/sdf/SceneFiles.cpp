@@ -50,10 +50,21 @@ std::string problemOf(tinyxml2::XMLError error) {
   }
 }
 
+/// What counts as the contents of a file.
+robotlink::Result<std::string> contentsOf(const fs::path& file, const SceneFiles::Texts& texts) {
+  if (!texts.empty()) {
+    std::error_code unknown;
+    const auto text = texts.find(fs::weakly_canonical(fs::absolute(file, unknown), unknown));
+    if (text != texts.end()) return text->second;
+  }
+  return robotlink::readFile(file, kMaxFileBytes);
+}
+
 /// Reads and parses a whole file, a URDF after its conversion; returns false if it cannot be read or is not
 /// XML.
-bool readXml(const fs::path& file, tinyxml2::XMLDocument& document, Errors& errors) {
-  auto contents = robotlink::readFile(file, kMaxFileBytes);
+bool readXml(const fs::path& file, const SceneFiles::Texts& texts, tinyxml2::XMLDocument& document,
+             Errors& errors) {
+  auto contents = contentsOf(file, texts);
   if (!contents) {
     errors.push_back(contents.error());
     return false;
@@ -146,9 +157,9 @@ SceneFiles::~SceneFiles() = default;
 SceneFiles::SceneFiles(SceneFiles&&) noexcept = default;
 SceneFiles& SceneFiles::operator=(SceneFiles&&) noexcept = default;
 
-SceneFiles::SceneFiles(const fs::path& file, const std::vector<fs::path>& folders, const SdfSpec& spec,
-                       Errors& errors)
-    : file_(file), search_(file, folders) {
+SceneFiles::SceneFiles(const fs::path& file, const std::vector<fs::path>& folders, Texts texts,
+                       const SdfSpec& spec, Errors& errors)
+    : file_(file), texts_(std::move(texts)), search_(file, folders) {
   tinyxml2::XMLDocument* document = read(file, spec, errors);
   XMLElement* root = document != nullptr ? document->RootElement() : nullptr;
   if (root == nullptr) return;
@@ -169,7 +180,7 @@ tinyxml2::XMLDocument* SceneFiles::read(const fs::path& file, const SdfSpec& spe
   auto& document = documents_[file];
   if (document) return document.get();
   document = std::make_unique<tinyxml2::XMLDocument>();
-  if (!readXml(file, *document, errors)) {
+  if (!readXml(file, texts_, *document, errors)) {
     document->Clear();
     return nullptr;
   }

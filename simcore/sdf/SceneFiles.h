@@ -48,10 +48,13 @@ struct SceneInclude {
 /// then. One thread at a time.
 class SceneFiles {
  public:
+  /// Texts that count instead of files, by whole paths with links resolved (simcore::SceneTexts).
+  using Texts = std::map<std::filesystem::path, std::string>;
+
   /// Reads `file` and everything that it includes; appends problems to `errors`. `folders` are searched for
   /// models first.
   SceneFiles(const std::filesystem::path& file, const std::vector<std::filesystem::path>& folders,
-             const SdfSpec& spec, robotlink::Errors& errors);
+             Texts texts, const SdfSpec& spec, robotlink::Errors& errors);
   ~SceneFiles();
   SceneFiles(SceneFiles&&) noexcept;
   SceneFiles& operator=(SceneFiles&&) noexcept;
@@ -102,6 +105,7 @@ class SceneFiles {
                  const SdfSpec& spec, robotlink::Errors& errors);
 
   std::filesystem::path file_;
+  Texts texts_;
   std::map<std::filesystem::path, std::unique_ptr<tinyxml2::XMLDocument>> documents_;
   std::set<std::filesystem::path> modelsRead_;
   std::map<const tinyxml2::XMLElement*, std::filesystem::path> included_;

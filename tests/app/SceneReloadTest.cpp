@@ -2,6 +2,8 @@
 // The workbench goes on in a scene whose file was edited.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/core/Workbench.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Requests.pb.h"
@@ -68,6 +70,26 @@ const char* const kCan =
     "</collision></link></model></world>";
 
 }  // namespace
+
+TEST_F(SceneReloadTest, aTextThatIsNotSavedCountsUntilTheFileIsReadAgain) {
+  run("simulation.step");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 2; }));
+  std::string edited = text;
+  edited.replace(edited.find("</world>"), 8, kCan);
+  const FileTexts texts{{std::filesystem::weakly_canonical(file), edited}};
+  workbench.reloadScene(texts);
+  ASSERT_TRUE(waitFor([this] { return loads == 2; }));
+  EXPECT_TRUE(hasModel("can"));
+  EXPECT_EQ(status()->steps(), 2U);
+  EXPECT_EQ(robotlink::readFile(file).value_or(""), text);
+  // One that is wrong changes nothing.
+  workbench.reloadScene({{std::filesystem::weakly_canonical(file), "<sdf"}});
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_EQ(errors.front().where.file, file.string());
+  EXPECT_TRUE(hasModel("can"));
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return !hasModel("can"); }));
+}
 
 TEST_F(SceneReloadTest, theSimulationGoesOnWithWhatWasAdded) {
   run("simulation.step");

@@ -43,7 +43,7 @@ Result<void> PlatformFeed::requestReplay(const robotcontrol::Request&) {
   return robotlink::failure("replay.none", "no log is open; open one first");
 }
 
-tl::expected<bool, robotlink::Errors> PlatformFeed::reload() {
+tl::expected<bool, robotlink::Errors> PlatformFeed::reload(FileTexts) {
   return tl::unexpected(
       robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
 }

@@ -25,6 +25,10 @@ struct RobotDescription;
 
 namespace app {
 
+/// Texts that count instead of what files have, such as those that are being edited; by the whole path, with
+/// links resolved, of each file.
+using FileTexts = std::map<std::filesystem::path, std::string>;
+
 /// A description of the platform that runs in the workbench, for its window. A plain value; the default says
 /// that nothing is loaded.
 struct LoadedPlatform {
@@ -115,8 +119,8 @@ class PlatformFeed {
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;
   /// Reads the file of what runs again, which was edited, and goes on in it as far as that is possible.
   /// False: it has to be opened instead. Only simulations can do it. If it fails, everything continues as
-  /// before.
-  virtual tl::expected<bool, robotlink::Errors> reload();
+  /// before. `texts` count instead of files, until it is loaded again.
+  virtual tl::expected<bool, robotlink::Errors> reload(FileTexts texts);
   /// Whether describe() tells of other robots since this was called last, because a request was fulfilled.
   virtual bool takeDescriptionChange() { return false; }
   /// Describes what runs now.

@@ -26,7 +26,15 @@ bool containsName(const std::vector<std::string>& names, const std::string& name
 
 }  // namespace
 
-tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::reload() {
+tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::reload(simcore::SceneTexts texts) {
+  std::swap(options_.texts, texts);
+  auto done = goOn();
+  // What cannot be run must not be met again by the next one that reads the scene.
+  if (!done) std::swap(options_.texts, texts);
+  return done;
+}
+
+tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn() {
   auto scene = readScene();
   if (!scene) return tl::unexpected(std::move(scene.error()));
   const simcore::Scene& before = world_->simulation().scene();

@@ -68,7 +68,8 @@ tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOpti
 tl::expected<std::shared_ptr<const simcore::Scene>, Errors> SimulatedRun::readScene() {
   simcore::RobotsToAdd added = options_.robots.value_or(simcore::RobotsToAdd{});
   if (!options_.robots && simcore::isMapFile(options_.scene)) added.count = 1;
-  return simcore::Scene::load(options_.scene, added, std::exchange(options_.progress, {}), options_.models);
+  return simcore::Scene::load(options_.scene, added, std::exchange(options_.progress, {}), options_.models,
+                              options_.texts);
 }
 
 Errors SimulatedRun::load() {

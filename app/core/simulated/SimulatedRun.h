@@ -51,6 +51,8 @@ class RecordingTap;
 struct RunOptions {
   /// An SDFormat file or a map (.map).
   std::filesystem::path scene;
+  /// Texts that count instead of what files of the scene have, because they are not saved.
+  simcore::SceneTexts texts = {};
   /// The layout of all robots; empty: chosen by kind.
   std::filesystem::path layout;
   /// Layouts by kind of robot ("ers210"); kinds without one have the layout of their description.
@@ -182,11 +184,11 @@ class SimulatedRun {
     /// Models that could not keep their state, see simcore::SceneChange.
     std::vector<std::string> putBack = {};
   };
-  /// Reads the scene's file again and goes on in it: time, poses, joint angles and velocities of models that
-  /// have not changed stay, and so do the programs with all that they know. What was added, removed or
-  /// duplicated since it was opened is so in it, too. Fails with all errors of the file; then everything
-  /// continues as before.
-  tl::expected<Reloaded, robotlink::Errors> reload();
+  /// Reads the scene's files again, with texts that count instead of them, and goes on in it: time, poses,
+  /// joint angles and velocities of models that have not changed stay, and so do the programs with all that
+  /// they know. What was added, removed or duplicated since it was opened is so in it, too. Fails with all
+  /// errors of the file; then everything continues as before.
+  tl::expected<Reloaded, robotlink::Errors> reload(simcore::SceneTexts texts = {});
 
   // Changes of the models that there are, between two steps; the file of the scene stays as it is. The
   // program of a robot starts and ends with it, all others go on. The same change at the same step gives the
@@ -295,6 +297,8 @@ class SimulatedRun {
   robotlink::Errors checkHosting(const std::string& robot) const;
   /// Reads the scene of the options, with the robots that are added to it.
   tl::expected<std::shared_ptr<const simcore::Scene>, robotlink::Errors> readScene();
+  /// reload() with the texts of the options.
+  tl::expected<Reloaded, robotlink::Errors> goOn();
   /// Goes on in another scene with the same field and map, with the robots that it has.
   tl::expected<Reloaded, robotlink::Errors> goOnIn(std::shared_ptr<const simcore::Scene> scene,
                                                    simcore::Continuation how);

@@ -63,6 +63,7 @@ PlatformOpening SimulationFeed::opening(const std::filesystem::path& scene,
                      adapt = std::move(adapt)](const PlatformContext& context) -> PlatformOpening::Made {
     const std::shared_ptr<RunOptions> last = lastSimulation(context);
     RunOptions options = *last;
+    options.texts.clear();
     adapt(options);
     options.scene = scene;
     options.progress = context.progress;
@@ -344,8 +345,8 @@ robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
   return errors;
 }
 
-tl::expected<bool, robotlink::Errors> SimulationFeed::reload() {
-  auto done = run_->reload();
+tl::expected<bool, robotlink::Errors> SimulationFeed::reload(FileTexts texts) {
+  auto done = run_->reload(std::move(texts));
   if (!done) return tl::unexpected(std::move(done.error()));
   if (!done->inPlace) return false;
   restartPace();

@@ -56,7 +56,7 @@ class SimulationFeed final : public PlatformFeed {
   void step() override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   /// Also publishes the scene, and which models could not keep their state.
-  tl::expected<bool, robotlink::Errors> reload() override;
+  tl::expected<bool, robotlink::Errors> reload(FileTexts texts) override;
   bool takeDescriptionChange() override { return std::exchange(descriptionChanged_, false); }
   LoadedPlatform describe() const override;
   void publishStatus() override;
