@@ -337,4 +337,14 @@ void checkSdfTree(tinyxml2::XMLDocument& document, const std::string& file, cons
   checkSdfNames(*root, file, errors, leftOut);
 }
 
+std::vector<std::pair<std::string, std::string>> ownSdfElements() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const OwnElement& own : kOwnElements) {
+    for (const std::string_view parent : own.parents) {
+      if (!parent.empty()) all.emplace_back(own.name, parent);
+    }
+  }
+  return all;
+}
+
 }  // namespace simcore

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "robotlink/base/Error.h"
 #include "simcore/world/LeftOut.h"
@@ -29,5 +31,8 @@ void checkSdfTree(tinyxml2::XMLDocument& document, const std::string& file, cons
 /// sizes and inertias.
 void checkSdfNames(const tinyxml2::XMLElement& root, const std::string& file, robotlink::Errors& errors,
                    LeftOuts& leftOut);
+
+/// All elements of our own namespace, each with an element that it may be in.
+std::vector<std::pair<std::string, std::string>> ownSdfElements();
 
 }  // namespace simcore

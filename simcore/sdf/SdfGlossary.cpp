@@ -22,6 +22,16 @@ struct OwnElementHelp {
   const char* help;
 };
 
+/// In place of a parent: sensors, also those of joints, whose errors are described.
+constexpr char kErrors[] = "errors";
+
+bool isIn(const OwnElementHelp& own, const std::string& parent) {
+  const std::string_view place = own.parent;
+  if (place != kErrors) return place == parent;
+  return parent == "sensor" || parent == "robotcontrol:speed_sensor" ||
+         parent == "robotcontrol:load_sensor" || parent == "robotcontrol:position_sensor";
+}
+
 constexpr OwnElementHelp kOwnElementHelp[] = {
     {"world", "robotcontrol:palette", "", "", false, "Named colors for all files of the scene."},
     {"model", "robotcontrol:palette", "", "", false, "Named colors for all files of the scene."},
@@ -73,9 +83,98 @@ constexpr OwnElementHelp kOwnElementHelp[] = {
     {"joint", "robotcontrol:servo", "", "", false,
      "The joint is driven: it turns to a requested angle with the limit's velocity and effort."},
     {"robotcontrol:servo", "robotcontrol:initial_position", "double", "", false,
-     "The angle at the start, rad."},
+     "The angle at the start, rad; of a prismatic joint the position, m."},
     {"robotcontrol:servo", "robotcontrol:position_noise", "double", "", false,
-     "Standard deviation of the measured angle, rad."},
+     "Standard deviation of the measured angle, rad or m."},
+    {"robotcontrol:servo", "robotcontrol:control", "string", "", false,
+     "What its command is: position, velocity or torque (of a prismatic joint the force)."},
+    {"robotcontrol:servo", "robotcontrol:p", "double", "", false, "Gain of a position servo, N m per rad."},
+    {"robotcontrol:servo", "robotcontrol:i", "double", "", false, "Gain of a position servo, N m per rad s."},
+    {"robotcontrol:servo", "robotcontrol:d", "double", "", false, "Gain of a position servo, N m per rad/s."},
+    {"robotcontrol:servo", "robotcontrol:delay", "double", "", false,
+     "Seconds until a command counts, 0 to 1."},
+    {"joint", "robotcontrol:position_sensor", "", "", false,
+     "Noise and timing of the sensor of the joint's angle."},
+    {"joint", "robotcontrol:speed_sensor", "", "", false, "A sensor of the joint's speed, rad/s or m/s."},
+    {"joint", "robotcontrol:load_sensor", "", "", false,
+     "A sensor of the torque that turns the joint, N m, or of the force, N."},
+    {"joint", "robotcontrol:door", "", "sensor", false,
+     "The joint is a door, moved by its position servo. The sensor, a lidar, sonar, contact, switch or "
+     "whisker of "
+     "the same model, opens it; without one only commands do."},
+    {"robotcontrol:door", "robotcontrol:below", "double", "", false,
+     "It opens while the sensor of a distance reads less than this, m; needed with such a sensor."},
+    {"robotcontrol:door", "robotcontrol:open", "double", "", false,
+     "The position of the joint when it is open, rad or m; needed."},
+    {"robotcontrol:door", "robotcontrol:closed", "double", "", false,
+     "The position of the joint when it is closed, rad or m; default: the initial one."},
+    {"robotcontrol:door", "robotcontrol:seconds", "double", "", false,
+     "How long it stays open after the last reason to be open, s, 0 to 3600; default 3."},
+    {"model", "robotcontrol:guided", "", "kind name", false,
+     "The model moves as it is commanded. Kinds: free, omni, differential, skid, ackermann, walk."},
+    {"robotcontrol:guided", "robotcontrol:maximum_speed", "double", "", false, "m/s."},
+    {"robotcontrol:guided", "robotcontrol:maximum_rate", "double", "", false, "rad/s."},
+    {"robotcontrol:guided", "robotcontrol:acceleration", "double", "", false, "m/s^2."},
+    {"robotcontrol:guided", "robotcontrol:angular_acceleration", "double", "", false, "rad/s^2."},
+    {"robotcontrol:guided", "robotcontrol:track", "double", "", false,
+     "The distance of the wheels of the kinds differential and skid, m."},
+    {"robotcontrol:guided", "robotcontrol:skid", "double", "", false,
+     "The share of the turn of the kind skid, 0 to 1."},
+    {"robotcontrol:guided", "robotcontrol:wheelbase", "double", "", false,
+     "The distance of the axles of the kind ackermann, m."},
+    {"robotcontrol:guided", "robotcontrol:maximum_steering", "double", "", false,
+     "The largest steering angle of the kind ackermann, rad."},
+    {"world", "robotcontrol:radiation", "", "name", true, "A radiation class with its ambient intensity."},
+    {"robotcontrol:radiation", "robotcontrol:ambient", "double", "", false,
+     "The intensity of the class that is everywhere."},
+    {"visual", "robotcontrol:surface", "", "class", true, "What the surface does with a radiation class."},
+    {"robotcontrol:surface", "robotcontrol:reflects", "double", "", false,
+     "The share of the radiation that it reflects."},
+    {"robotcontrol:surface", "robotcontrol:emits", "double", "", false, "The intensity that it emits."},
+    {"link", "robotcontrol:emitter", "", "", true, "A point that emits radiation classes."},
+    {"robotcontrol:emitter", "robotcontrol:position", "string", "", false,
+     "Where it is in the link: x y z, m."},
+    {"robotcontrol:emitter", "robotcontrol:attenuation", "double", "", false, "Per square meter."},
+    {"robotcontrol:emitter", "robotcontrol:intensity", "double", "class", true,
+     "The intensity that it emits of a class."},
+    {"light", "robotcontrol:intensity", "double", "class", true,
+     "The intensity that the light emits of a class."},
+    {"camera", "robotcontrol:exposure", "double", "", false, "How long each row is exposed, s, up to 0.1."},
+    {"camera", "robotcontrol:readout", "double", "", false,
+     "The time between the first and the last row of a rolling shutter, s, up to 0.1."},
+    {"camera", "robotcontrol:class", "string", "", true,
+     "A radiation class that the camera senses: one channel each."},
+    {kErrors, "robotcontrol:noise", "double", "", false,
+     "Standard deviation of the noise of all channels, in the unit of the readings."},
+    {kErrors, "robotcontrol:mean", "double", "", false, "The mean of the noise."},
+    {kErrors, "robotcontrol:bias_mean", "double", "", false, "The mean of a bias that stays for a run."},
+    {kErrors, "robotcontrol:bias_stddev", "double", "", false, "Its standard deviation over runs."},
+    {kErrors, "robotcontrol:drift_stddev", "double", "", false, "Standard deviation of a bias that drifts."},
+    {kErrors, "robotcontrol:drift_time", "double", "", false, "How long a drift is remembered, s."},
+    {kErrors, "robotcontrol:precision", "double", "", false, "What readings are multiples of."},
+    {kErrors, "robotcontrol:delay", "double", "", false, "Seconds until a sample can be read, 0 to 1."},
+    {kErrors, "robotcontrol:rate", "double", "", false, "Samples per second; 0: one in each step."},
+    {kErrors, "robotcontrol:dropout", "double", "", false, "Share of samples that are lost, 0 to 1."},
+    {"sensor", "robotcontrol:whisker", "double", "", false,
+     "It is a whisker of this length, m, along x: 1 if it touches something, otherwise 0."},
+    {"sensor", "robotcontrol:switch", "", "", false,
+     "It is 1 if any collision of the link touches something."},
+    {"sensor", "robotcontrol:odometry", "", "", false, "It measures x, y and heading since the start."},
+    {"sensor", "robotcontrol:battery", "", "", false, "It measures voltage and charge of a battery."},
+    {"robotcontrol:battery", "robotcontrol:capacity", "double", "", false, "J."},
+    {"robotcontrol:battery", "robotcontrol:charge", "double", "", false, "The share at the start, 0 to 1."},
+    {"robotcontrol:battery", "robotcontrol:full_voltage", "double", "", false, "V."},
+    {"robotcontrol:battery", "robotcontrol:empty_voltage", "double", "", false, "V."},
+    {"robotcontrol:battery", "robotcontrol:idle_power", "double", "", false, "W."},
+    {"robotcontrol:battery", "robotcontrol:efficiency", "double", "", false, "Of the motors, 0 to 1."},
+    {"sensor", "robotcontrol:facette", "", "", false, "It is a spherical camera with few directions."},
+    {"robotcontrol:facette", "robotcontrol:azimuth", "string", "", false,
+     "First angle, last angle, number; rad."},
+    {"robotcontrol:facette", "robotcontrol:elevation", "string", "", false,
+     "First angle, last angle, number; rad."},
+    {"robotcontrol:facette", "robotcontrol:far", "double", "", false, "How far it sees, m."},
+    {"robotcontrol:facette", "robotcontrol:class", "string", "", true,
+     "A radiation class that it senses; without any it has Y, Cb and Cr."},
     {"camera", "robotcontrol:vertical_fov", "double", "", false,
      "Vertical opening angle, rad; without it pixels are square."},
     {"camera", "robotcontrol:vignetting", "double", "", false,
@@ -84,7 +183,6 @@ constexpr OwnElementHelp kOwnElementHelp[] = {
      "Further share of red and green missing in the corners, 0 to 1."},
     {"sensor", "robotcontrol:range", "double", "", false,
      "The largest acceleration (m/s^2) or rotation (rad/s) that it measures on an axis."},
-    {"sensor", "robotcontrol:noise", "double", "", false, "Standard deviation of a sonar's distance, m."},
     {"sensor", "robotcontrol:most_incidence", "double", "", false,
      "Angle to a surface's normal beyond which the sound of a sonar is reflected away, rad."},
 };
@@ -163,7 +261,7 @@ std::vector<SdfElementHelp> SdfGlossary::children(const Path& path) const {
       all.push_back(helpOf(description->GetElementDescription(i)));
   }
   for (const OwnElementHelp& own : kOwnElementHelp) {
-    if (path.back() == own.parent) all.push_back(helpOf(own));
+    if (isIn(own, path.back())) all.push_back(helpOf(own));
   }
   return all;
 }
@@ -173,7 +271,7 @@ std::optional<SdfElementHelp> SdfGlossary::element(const Path& path) const {
   const sdf::ElementPtr root = spec_.description().text->Root();
   if (const sdf::ElementPtr description = descriptionOf(path, root)) return helpOf(description);
   for (const OwnElementHelp& own : kOwnElementHelp) {
-    if (path.size() > 1 && path.back() == own.name && path[path.size() - 2] == own.parent) return helpOf(own);
+    if (path.size() > 1 && path.back() == own.name && isIn(own, path[path.size() - 2])) return helpOf(own);
   }
   return std::nullopt;
 }

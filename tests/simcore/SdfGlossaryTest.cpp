@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "simcore/sdf/SdfCheck.h"
 #include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
@@ -82,6 +83,16 @@ TEST(SdfGlossaryTest, theReaderKnowsAllOurElementsAtTheirPlaces) {
     const std::string errors = folder.errorsOf(textWithAllIn(path));
     EXPECT_THAT(errors, testing::Not(testing::HasSubstr("has no meaning in"))) << path.back();
     EXPECT_THAT(errors, testing::Not(testing::HasSubstr("there is no <robotcontrol"))) << path.back();
+  }
+}
+
+TEST(SdfGlossaryTest, everyElementOfOurNamespaceIsExplainedWhereItMayBe) {
+  for (const auto& [name, parent] : ownSdfElements()) {
+    const auto help = glossary().element({"sdf", parent, name});
+    ASSERT_TRUE(help.has_value()) << name << " in " << parent;
+    EXPECT_FALSE(help->help.empty()) << name;
+    const auto children = glossary().children({"sdf", parent});
+    EXPECT_NE(std::ranges::find(children, name, &SdfElementHelp::name), children.end()) << name;
   }
 }
 

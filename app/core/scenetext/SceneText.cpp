@@ -88,19 +88,6 @@ void forEachTag(std::string_view text, Found found) {
   }
 }
 
-/// Elements that the reader passes over because they are for other simulators.
-void addWarnings(const std::string& text, const fs::path& file, std::vector<SceneTextFinding>& findings) {
-  forEachTag(text, [&](const std::string& name, int line) {
-    const bool isForeign = name.find(':') != std::string::npos && !name.starts_with("robotcontrol:");
-    if (name != "plugin" && !isForeign) return;
-    findings.push_back({true,
-                        {"scene.unsupported",
-                         "<" + name + "> is for other simulators; this one ignores it",
-                         {name},
-                         {file.string(), line, 0}}});
-  });
-}
-
 bool describesWorld(const std::string& text) {
   bool has = false;
   forEachTag(text, [&](const std::string& name, int) { has = has || name == "world"; });
@@ -113,8 +100,9 @@ bool describesModel(const std::string& text) {
 }
 
 /// The errors of a scene's file, also those that show only when it begins to run; if there are none, what is
-/// left out of it.
-std::vector<SceneTextFinding> findingsOfScene(const fs::path& file, const ModelFolders& folders) {
+/// left out of `own`; what is left out of other files is not about this text.
+std::vector<SceneTextFinding> findingsOfScene(const fs::path& file, const fs::path& own,
+                                              const ModelFolders& folders) {
   std::vector<SceneTextFinding> findings;
   const auto scene = simcore::Scene::load(file, {}, {}, folders);
   if (!scene) {
@@ -125,6 +113,7 @@ std::vector<SceneTextFinding> findingsOfScene(const fs::path& file, const ModelF
   if (!simulation) return {{false, simulation.error()}};
   for (const simcore::LeftOuts* leftOut : {&(*scene)->leftOut(), &(*simulation)->overlaps()}) {
     for (const simcore::LeftOut& one : *leftOut) {
+      if (!one.where.file.empty() && one.where.file != own.string()) continue;
       const std::string object = one.object.empty() ? "" : one.object + ": ";
       findings.push_back(
           {true, {"scene.left-out", object + one.what + ": " + one.why, {one.what}, one.where}});
@@ -159,7 +148,7 @@ std::vector<SceneTextFinding> checkSceneText(const std::string& text, const fs::
   }
   std::error_code unknown;
   const std::string real = fs::weakly_canonical(copy, unknown).string();
-  findings = findingsOfScene(isAlone ? around : copy, folders);
+  findings = findingsOfScene(isAlone ? around : copy, isAlone ? fs::path(real) : copy, folders);
   const bool opens = std::ranges::all_of(findings, &SceneTextFinding::isWarning);
   for (SceneTextFinding& one : findings) {
     for (std::string* part : {&one.error.text, &one.error.where.file}) {
