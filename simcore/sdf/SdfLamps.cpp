@@ -47,6 +47,7 @@ void readLamps(const sdf::World& world, WorldDescription& result, const SdfConte
     const sdf::Light& light = *world.LightByIndex(i);
     if (light.Element()->HasElement("light_on") && !light.Element()->Get<bool>("light_on")) continue;
     result.lamps.push_back(readLamp(light, context));
+    result.lampNames.push_back(light.Name());
     result.lampRadiation.push_back(readIntensities(light.Element(), context));
   }
 }

@@ -210,6 +210,8 @@ struct WorldDescription {
   /// In the world's frame, T.
   Vector3 magneticField = {5.5645e-6, 22.8758e-6, -42.3884e-6};
   std::vector<RadiationClass> radiationClasses;
+  /// Their names in the world's file, by lamp.
+  std::vector<std::string> lampNames;
   /// What the lamps emit of radiation classes, by lamp.
   std::vector<std::vector<ClassIntensity>> lampRadiation;
   std::vector<ModelInstance> models;

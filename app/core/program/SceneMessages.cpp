@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/program/SceneMessages.h"
 
+#include <algorithm>
+
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Driving.pb.h"
@@ -143,6 +145,10 @@ std::vector<std::string> movableModels(const simcore::Simulation& simulation) {
   for (const auto& robot : simulation.scene().robots()) models.push_back(robot.name);
   const auto& balls = simulation.scene().balls();
   models.insert(models.end(), balls.begin(), balls.end());
+  for (const simcore::SceneModel& model : simulation.scene().models()) {
+    if (!model.isStatic && std::ranges::find(models, model.name) == models.end())
+      models.push_back(model.name);
+  }
   return models;
 }
 

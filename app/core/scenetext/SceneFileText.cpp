@@ -267,10 +267,12 @@ Result<std::string> withElement(const std::string& text, const std::string& file
   const std::string &first = parts.first, &name = parts.second;
   const bool isInstanceStep = first == "instance";
   const Element* at = firstBelow(*all, [&](const Element& each) {
-    return isInstanceStep ? isInstance(text, each, name) : each.name == first;
+    if (isInstanceStep) return isInstance(text, each, name);
+    return each.name == first && (name.empty() || each.label == name);
   });
   if (at == nullptr) {
-    return failure("scene.file", isInstanceStep ? "there is no model " + name : "there is no model in it",
+    return failure("scene.file",
+                   isInstanceStep ? "there is no model " + name : "there is no " + element.front() + " in it",
                    {file, 0, 0}, {name});
   }
   for (std::size_t i = 1; i < element.size(); ++i) {
@@ -288,18 +290,22 @@ Result<std::string> withElement(const std::string& text, const std::string& file
   return withContent(text, file, *at, value);
 }
 
-Result<void> writeSceneChanges(const std::filesystem::path& scene, const std::filesystem::path& models,
-                               const std::vector<SceneFileChange>& changes) {
+bool isFileOfScene(const std::filesystem::path& file, const std::filesystem::path& scene,
+                   const std::filesystem::path& models) {
   namespace fs = std::filesystem;
-  const auto isBelow = [](const fs::path& file, const fs::path& folder) {
+  const auto isBelow = [&](const fs::path& folder) {
     std::error_code error;
-    const fs::path relative = fs::relative(file, folder, error);
+    const fs::path relative = fs::relative(fs::absolute(file), folder, error);
     return !error && !relative.empty() && *relative.begin() != "..";
   };
-  const fs::path folder = fs::absolute(scene).parent_path(), shipped = fs::absolute(models);
+  return isBelow(fs::absolute(scene).parent_path()) || isBelow(fs::absolute(models));
+}
+
+Result<void> writeSceneChanges(const std::filesystem::path& scene, const std::filesystem::path& models,
+                               const std::vector<SceneFileChange>& changes) {
   std::map<std::string, std::string> before, texts;  // by file
   for (const SceneFileChange& change : changes) {
-    if (!isBelow(fs::absolute(change.file), folder) && !isBelow(fs::absolute(change.file), shipped))
+    if (!isFileOfScene(change.file, scene, models))
       return failure("scene.file", "it is no file of the open scene, so it is not changed",
                      {change.file, 0, 0});
     if (!texts.contains(change.file)) {

@@ -12,7 +12,7 @@ namespace app {
 /// A change of one element in a file of a scene. The steps to it are those of robotcontrol.WorldProperty:
 /// names of elements, perhaps with the value of their attribute "name" in brackets ("link[body]"), perhaps
 /// with alternatives ("lidar|ray"). The first one is "model", the first model of the file, or
-/// "instance[NAME]", the model of this name or the <include> that has it.
+/// "instance[NAME]", the model of this name or the <include> that has it, or "light[NAME]".
 struct SceneFileChange {
   std::string file;
   std::vector<std::string> element;
@@ -26,6 +26,10 @@ struct SceneFileChange {
 /// cannot be read as XML, or if the element is a pose in other units or another frame.
 robotlink::Result<std::string> withElement(const std::string& text, const std::string& file,
                                            const std::vector<std::string>& element, const std::string& value);
+
+/// Whether a file is one of a scene that may be changed: its own, one in its folder, or a model in `models`.
+bool isFileOfScene(const std::filesystem::path& file, const std::filesystem::path& scene,
+                   const std::filesystem::path& models);
 
 /// Writes changes into the files of a scene, each file completely or not at all; unchanged files stay
 /// untouched. Only files of the scene are written: its own, those in its folder, and the models in `models`.

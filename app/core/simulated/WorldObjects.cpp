@@ -83,31 +83,45 @@ const char* jointKind(simcore::JointDescription::Kind kind) {
   return "";
 }
 
-void addShape(WorldObject& to, const simcore::Shape& shape) {
+/// A property of a shape, and the elements in <geometry> that say it.
+struct ShapeNumbers {
+  robotcontrol::WorldProperty* property = nullptr;
+  Steps steps;
+};
+
+/// Adds what a shape is, and returns what of it can be changed.
+std::vector<ShapeNumbers> addShape(WorldObject& to, const simcore::Shape& shape) {
   using Kind = simcore::Shape::Kind;
+  std::vector<ShapeNumbers> numbers;
+  const auto add = [&](const char* name, std::initializer_list<double> values, const char* kind) {
+    numbers.push_back({&addNumbers(to, name, values, "m"), {"geometry", kind, name}});
+  };
   switch (shape.kind) {
     case Kind::kBox:
       addText(to, "shape", "box");
-      addNumbers(to, "size", {shape.size.x(), shape.size.y(), shape.size.z()}, "m");
+      add("size", {shape.size.x(), shape.size.y(), shape.size.z()}, "box");
       break;
     case Kind::kPlane:
       addText(to, "shape", "plane");
-      addNumbers(to, "size", {shape.size.x(), shape.size.y()}, "m");
+      add("size", {shape.size.x(), shape.size.y()}, "plane");
       break;
     case Kind::kSphere:
       addText(to, "shape", "sphere");
-      addNumbers(to, "radius", {shape.radius}, "m");
+      add("radius", {shape.radius}, "sphere");
       break;
     case Kind::kCylinder:
-    case Kind::kCapsule:
-      addText(to, "shape", shape.kind == Kind::kCylinder ? "cylinder" : "capsule");
-      addNumbers(to, "radius", {shape.radius}, "m");
-      addNumbers(to, "length", {shape.length}, "m");
+    case Kind::kCapsule: {
+      const char* kind = shape.kind == Kind::kCylinder ? "cylinder" : "capsule";
+      addText(to, "shape", kind);
+      add("radius", {shape.radius}, kind);
+      add("length", {shape.length}, kind);
       break;
+    }
     case Kind::kMesh:
       addText(to, "shape", "mesh");
       break;
   }
+  return numbers;
 }
 
 /// Adds the objects of one model.
@@ -166,8 +180,13 @@ class ModelWriter {
     addText(object, "type", type_.name);
     addText(object, "file", type_.file);
     // Its numbers are those of its pose at the start.
+    auto& pose = addNumbers(object, "initial_pose", {}, "m, rad");
     const robotlink::Vector3 place = model_.poseInWorld.translation();
-    auto& pose = addNumbers(object, "initial_pose", {place.x(), place.y(), place.z()}, "m");
+    const Eigen::Matrix3d turn = model_.poseInWorld.linear();
+    for (const double number :
+         {place.x(), place.y(), place.z(), std::atan2(turn(2, 1), turn(2, 2)),
+          std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)), std::atan2(turn(1, 0), turn(0, 0))})
+      pose.add_values(number);
     if (model_.where.line == 0) return;
     pose.set_file(sceneFile_);
     pose.add_element("instance[" + model_.name + "]");
@@ -197,18 +216,32 @@ class ModelWriter {
     WorldObject& object =
         add(WorldObject::SHAPE, linkPath(link) + "/visual:" + visual.name, visual.name, linkPath(link));
     place(object, link, visual.poseInLink);
-    addShape(object, visual.shape);
+    const Steps start{"link[" + type_.links[link].name + "]", "visual[" + visual.name + "]"};
+    locateShape(addShape(object, visual.shape), start);
     const robotlink::Rgb color = visual.teamColor && model_.teamColor ? *model_.teamColor : visual.color;
     auto& property = addNumbers(object, "color", {double(color.r), double(color.g), double(color.b)});
     property.set_text(visual.teamColor ? "team" : visual.colorName);
+    if (!property.text().empty()) return;
+    // Where the palette has no part in it, the material says the color.
+    auto& diffuse = addNumbers(object, "diffuse", {color.r / 255.0, color.g / 255.0, color.b / 255.0});
+    locate(diffuse, {start[0], start[1], "material", "diffuse"});
+  }
+
+  void locateShape(const std::vector<ShapeNumbers>& numbers, const Steps& start) const {
+    for (const ShapeNumbers& one : numbers) {
+      Steps steps = start;
+      steps.insert(steps.end(), one.steps.begin(), one.steps.end());
+      locate(*one.property, steps);
+    }
   }
 
   void addSolid(std::size_t link, const simcore::CollisionDescription& solid) {
     WorldObject& object =
         add(WorldObject::SOLID, linkPath(link) + "/solid:" + solid.name, solid.name, linkPath(link));
     place(object, link, solid.poseInLink);
-    addShape(object, solid.shape);
-    const Steps start{"link[" + type_.links[link].name + "]", "collision[" + solid.name + "]", "surface"};
+    const Steps own{"link[" + type_.links[link].name + "]", "collision[" + solid.name + "]"};
+    locateShape(addShape(object, solid.shape), own);
+    const Steps start{own[0], own[1], "surface"};
     const auto below = [&](std::initializer_list<const char*> names) {
       Steps steps = start;
       steps.insert(steps.end(), names.begin(), names.end());
@@ -349,19 +382,24 @@ class PortWriter {
       addNumbers(object, "angles", {sensor->range.startAngle, sensor->range.endAngle}, "rad");
     if (sensor->rate > 0) addNumbers(object, "rate", {sensor->rate}, "Hz");
     if (sensor->kind == Kind::kContact) return;
+    const bool isInScene = model->type->file == simulation_.scene().file().string();
+    const auto locate = [&](robotcontrol::WorldProperty& property, const Steps& steps) {
+      if (model->type->file.empty()) return;
+      property.set_file(model->type->file);
+      property.add_element(isInScene ? "instance[" + object.model() + "]" : "model");
+      property.add_element("link[" + link + "]");
+      property.add_element("sensor[" + name + "]");
+      for (const std::string& step : steps) property.add_element(step);
+    };
+    locate(addNumbers(object, "delay", {sensor->errors.delay}, "s"), {"robotcontrol:delay"});
+    locate(addNumbers(object, "dropout", {sensor->errors.dropout}), {"robotcontrol:dropout"});
     auto& noise = addNumbers(object, "noise", {whiteNoise(sensor->errors)},
                              isCamera ? "" : object.port().unit().c_str());
-    Steps steps = noiseSteps(sensor->kind);
-    if (steps.empty() || model->type->file.empty()) return;
-    const bool isInScene = model->type->file == simulation_.scene().file().string();
-    noise.set_file(model->type->file);
-    noise.add_element(isInScene ? "instance[" + object.model() + "]" : "model");
-    noise.add_element("link[" + link + "]");
-    noise.add_element("sensor[" + name + "]");
-    for (const std::string& step : steps) noise.add_element(step);
+    const Steps steps = noiseSteps(sensor->kind);
+    locate(noise, steps.empty() ? Steps{"robotcontrol:noise"} : steps);
   }
 
-  /// Empty for those that describe the noise of several axes.
+  /// Empty for those that describe the noise of several axes; one element of ours is for all of them.
   static Steps noiseSteps(simcore::SensorDescription::Kind kind) {
     using Kind = simcore::SensorDescription::Kind;
     if (kind == Kind::kCamera) return {"camera", "noise", "stddev"};
@@ -375,19 +413,28 @@ class PortWriter {
   std::set<std::string> known_;
 };
 
-void addLamps(const simcore::WorldDescription& world, robotcontrol::WorldObjects& to) {
+void addLamps(const simcore::WorldDescription& world, const std::string& file,
+              robotcontrol::WorldObjects& to) {
   for (std::size_t i = 0; i < world.lamps.size(); ++i) {
     const simcore::Lamp& lamp = world.lamps[i];
+    const bool isNamed = i < world.lampNames.size() && !world.lampNames[i].empty();
     WorldObject& object = *to.add_objects();
     object.set_kind(WorldObject::LIGHT);
-    object.set_name("light " + std::to_string(i + 1));
-    object.set_path(object.name());
+    object.set_name(isNamed ? world.lampNames[i] : "light " + std::to_string(i + 1));
+    object.set_path(isNamed ? "light:" + object.name() : object.name());
     object.set_frame("field");
     Pose3 pose = Pose3::Identity();
     pose.translate(lamp.position.cast<double>());
     robotlink::assign(*object.mutable_pose_in_frame(), pose);
-    addNumbers(object, "intensity", {static_cast<double>(lamp.intensity)});
-    addNumbers(object, "attenuation", {static_cast<double>(lamp.attenuation)}, "1/m^2");
+    const auto locate = [&](robotcontrol::WorldProperty& property, std::initializer_list<const char*> steps) {
+      if (!isNamed) return;
+      property.set_file(file);
+      property.add_element("light[" + object.name() + "]");
+      for (const char* step : steps) property.add_element(step);
+    };
+    locate(addNumbers(object, "intensity", {static_cast<double>(lamp.intensity)}), {"intensity"});
+    locate(addNumbers(object, "attenuation", {static_cast<double>(lamp.attenuation)}, "1/m^2"),
+           {"attenuation", "quadratic"});
   }
 }
 
@@ -415,7 +462,7 @@ std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Si
     const ModelWriter writer(model, file, isMovable, *message);
   }
   const PortWriter ports(simulation, *message);
-  addLamps(simulation.scene().world(), *message);
+  addLamps(simulation.scene().world(), file, *message);
   return message;
 }
 
