@@ -4,10 +4,14 @@
 #include <QMenu>
 #include <QStatusBar>
 
+#include "app/core/Workbench.h"
+#include "app/core/scenetext/SceneFileText.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "robotlink/base/Resources.h"
 #include "widgets/Icon.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneDialogs.h"
+#include "widgets/sceneedit/SceneEdits.h"
 
 namespace app {
 namespace {
@@ -25,6 +29,19 @@ void MainWindow::createScenes(const std::filesystem::path& userFolder) {
       statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kSceneMessageShownMs);
     if (!bad) forgetErrors("scene.failed");
   });
+  widgets::sceneEdits(context_).setHost(
+      [this](const widgets::SceneEdits::Texts& unsaved) -> robotlink::Result<void> {
+        const LoadedPlatform* loaded = workbench_.loaded();
+        if (loaded == nullptr || !loaded->isSimulated() || loaded->sources.empty())
+          return robotlink::failure("scene.file", "no scene is open here that could go on");
+        workbench_.reloadScene(unsaved);
+        return {};
+      },
+      [this](const std::filesystem::path& file) {
+        const LoadedPlatform* loaded = workbench_.loaded();
+        return loaded != nullptr && loaded->isSimulated() && !loaded->sources.empty() &&
+               isFileOfScene(file, loaded->sources.front(), robotlink::resource("scenes/models"));
+      });
   bench.startRecovery(userFolder / "scenes");
 }
 

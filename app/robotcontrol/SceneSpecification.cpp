@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/SceneSpecification.h"
 
+#include "app/core/scenetext/SceneFileText.h"
 #include "app/core/scenetext/SceneText.h"
 #include "simcore/sdf/SdfGlossary.h"
 
@@ -55,6 +56,19 @@ std::vector<widgets::SceneModelChoice> SceneSpecification::models(const std::fil
 std::optional<std::filesystem::path> SceneSpecification::modelFile(const std::string& uri,
                                                                    const std::filesystem::path& file) const {
   return sceneModelFile(uri, file, folders_());
+}
+
+robotlink::Result<std::string> SceneSpecification::withElement(const std::string& text,
+                                                               const std::filesystem::path& file,
+                                                               const std::vector<std::string>& element,
+                                                               const std::string& value) const {
+  return app::withElement(text, file.string(), element, value);
+}
+
+robotlink::Result<std::string> SceneSpecification::newObject(const std::string& kind, const std::string& name,
+                                                             double x, double y,
+                                                             const std::filesystem::path& file) const {
+  return newObjectText(kind, name, x, y, file);
 }
 
 robotlink::Result<std::string> SceneSpecification::newRoom(const widgets::RoomChoice& room,

@@ -29,6 +29,11 @@ class SceneSpecification final : public widgets::SceneLanguage {
   std::vector<widgets::SceneModelChoice> models(const std::filesystem::path& file) const override;
   std::optional<std::filesystem::path> modelFile(const std::string& uri,
                                                  const std::filesystem::path& file) const override;
+  robotlink::Result<std::string> withElement(const std::string& text, const std::filesystem::path& file,
+                                             const std::vector<std::string>& element,
+                                             const std::string& value) const override;
+  robotlink::Result<std::string> newObject(const std::string& kind, const std::string& name, double x,
+                                           double y, const std::filesystem::path& file) const override;
   robotlink::Result<std::string> newRoom(const widgets::RoomChoice& room,
                                          const std::filesystem::path& file) const override;
 

@@ -114,6 +114,29 @@ TEST_F(SceneTextTest, aNewRoomHasNoErrorsWhateverRobotIsInIt) {
   EXPECT_EQ(check(*empty), "");
 }
 
+TEST_F(SceneTextTest, newObjectsOfAllKindsStandInARoomWithoutErrors) {
+  const auto file = folder_.path() / "room.sdf";
+  const std::string room = newRoomText({}, file).value_or("");
+  for (const char* kind : {"box", "ball", "cylinder", "lamp", "camera", "burger", "sliding_door"}) {
+    const auto object = newObjectText(kind, "thing", 1, -1, file);
+    ASSERT_TRUE(object.has_value()) << kind << ": " << object.error().describe();
+    EXPECT_EQ(object->find('@'), std::string::npos) << kind;
+    std::string text = room;
+    text.insert(text.find("  </world>"), *object);
+    EXPECT_EQ(check(text), "") << kind;
+  }
+  EXPECT_FALSE(newObjectText("unicorn", "u", 0, 0, file).has_value());
+  EXPECT_FALSE(newObjectText("box", "b", 1e9, 0, file).has_value());
+}
+
+TEST_F(SceneTextTest, whatIsLeftOutOfTheTextIsAWarningThatSaysWhatThatMeans) {
+  const std::string told =
+      check(world("<physics type='ode'><max_step_size>0.001</max_step_size></physics>\n"
+                  "<audio><device>default</device></audio>"));
+  EXPECT_THAT(told, HasSubstr("warning"));
+  EXPECT_THAT(told, HasSubstr("room.sdf:4"));
+}
+
 TEST_F(SceneTextTest, aRoomThatMakesNoSenseIsRefused) {
   const auto file = folder_.path() / "room.sdf";
   EXPECT_FALSE(newRoomText({.name = "a b"}, file).has_value());

@@ -3,9 +3,9 @@
 
 #include <QFont>
 #include <QStringList>
-#include <cmath>
 
 #include "robotcontrol/World.pb.h"
+#include "widgets/objects/PropertyRule.h"
 
 namespace widgets {
 namespace {
@@ -37,6 +37,9 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"axis", QT_TR_NOOP("axis")},
       {"center_of_mass", QT_TR_NOOP("center of mass")},
       {"color", QT_TR_NOOP("color")},
+      {"delay", QT_TR_NOOP("delay")},
+      {"diffuse", QT_TR_NOOP("color: red, green, blue, 0 to 1")},
+      {"dropout", QT_TR_NOOP("share of lost readings")},
       {"file", QT_TR_NOOP("file")},
       {"friction", QT_TR_NOOP("friction")},
       {"inertia", QT_TR_NOOP("inertia")},
@@ -77,8 +80,8 @@ void PropertiesModel::show(const robotcontrol::WorldObject* object, const std::o
       PropertyRow row{property.name(), textOf(property), QString::fromStdString(property.unit())};
       row.file = property.file();
       row.element.assign(property.element().begin(), property.element().end());
-      // A pose is written as a whole, from where the model is.
-      row.isEditable = isWritable && !row.file.empty() && property.values_size() == 1;
+      row.count = property.values_size();
+      row.isEditable = isWritable && !row.file.empty() && row.count > 0;
       if (const auto edit = edits_.find({row.file, row.element}); !row.file.empty() && edit != edits_.end()) {
         row.isChanged = true;
         row.value = QString::fromStdString(edit->second);
@@ -137,15 +140,21 @@ Qt::ItemFlags PropertiesModel::flags(const QModelIndex& index) const {
 bool PropertiesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::EditRole || !index.isValid() || index.column() != kValue) return false;
   const PropertyRow edited = row(index.row());
-  bool isNumber = false;
-  const double number = value.toString().trimmed().toDouble(&isNumber);
-  if (!edited.isEditable || !isNumber || !std::isfinite(number)) return false;
+  if (!edited.isEditable) return false;
+  const auto numbers =
+      propertyNumbers(value.toString(), edited.name, edited.count, titleOf(edited.name), edited.unit);
+  if (!numbers) {
+    Q_EMIT refused(QString::fromStdString(numbers.error().text));
+    return false;
+  }
   if (edited.poseIndex >= 0) {
-    Q_EMIT poseEdited(edited.poseIndex, number);
+    Q_EMIT poseEdited(edited.poseIndex, numbers->front());
     return true;
   }
   if (value.toString() == edited.value) return true;
-  addEdit({edited.file, edited.element, QString::number(number, 'g', 12).toStdString()});
+  QStringList texts;
+  for (const double number : *numbers) texts << QString::number(number, 'g', 12);
+  addEdit({edited.file, edited.element, texts.join(QLatin1Char(' ')).toStdString()});
   return true;
 }
 

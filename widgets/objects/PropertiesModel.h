@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QVariant>
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "widgets/RowModel.h"
+#include "widgets/world/ObjectPose.h"
 #include "widgets/world/SceneFileEdit.h"
 
 namespace robotcontrol {
@@ -31,10 +31,9 @@ struct PropertyRow {
   /// Whether the user changed it, which is not in the file yet.
   bool isChanged = false;
   bool isEditable = false;
+  /// How many numbers it has.
+  int count = 1;
 };
-
-/// The pose of an object in the field's frame: x, y, z in m, then roll, pitch and heading in rad.
-using ObjectPose = std::array<double, 6>;
 
 /// What is known of an object of a scene, and what the user changed of all objects. Numbers that are edited
 /// are announced; the model keeps those that are for files until they are taken. GUI thread.
@@ -60,6 +59,8 @@ class PropertiesModel final : public RowModel<PropertyRow> {
  Q_SIGNALS:
   /// A number of the pose was edited; m or rad.
   void poseEdited(int index, double value);
+  /// What was typed is not taken, with the reason.
+  void refused(const QString& reason);
   /// A change for a file was added, or all were cleared.
   void editsChanged();
 

@@ -9,7 +9,6 @@
 #include <QTableView>
 #include <QToolButton>
 #include <algorithm>
-#include <cmath>
 
 #include "robotcontrol/World.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -19,6 +18,9 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
+#include "widgets/sceneedit/SceneBench.h"
+#include "widgets/sceneedit/SceneEdits.h"
+#include "widgets/world/ObjectPose.h"
 #include "widgets/world/SceneSelection.h"
 
 namespace widgets {
@@ -29,16 +31,21 @@ const ViewRegistration kPropertiesRegistration{
      QT_TRANSLATE_NOOP("View", "Pose, mass, size, friction and noise of the selected object of the scene"),
      "settings", false, create<PropertiesView>}};
 
-/// Roll about x first, then pitch about y, then heading about z.
-ObjectPose numbersOf(const robotlink::Pose3& pose) {
-  const auto& at = pose.translation();
-  const Eigen::Matrix3d r = pose.linear();
-  return {at.x(),
-          at.y(),
-          at.z(),
-          std::atan2(r(2, 1), r(2, 2)),
-          std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
-          std::atan2(r(1, 0), r(0, 0))};
+/// Asks to place a model at a pose of which a number was changed.
+robotcontrol::Request requestFor(const std::string& model, const ObjectPose& pose, int index) {
+  robotcontrol::Request request;
+  auto& details = *request.mutable_place_model();
+  details.set_model(model);
+  details.mutable_pose_in_field()->set_x(pose[0]);
+  details.mutable_pose_in_field()->set_y(pose[1]);
+  details.mutable_pose_in_field()->set_heading(pose[5]);
+  // Otherwise it keeps its height and how it is tilted.
+  if (index >= 2 && index <= 4) {
+    details.set_height(pose[2]);
+    details.set_roll(pose[3]);
+    details.set_pitch(pose[4]);
+  }
+  return request;
 }
 
 }  // namespace
@@ -92,11 +99,24 @@ void PropertiesView::connectSignals() {
   connect(&model_, &PropertiesModel::poseEdited, this, &PropertiesView::place);
   connect(&model_, &PropertiesModel::editsChanged, this, &PropertiesView::showEdits);
   connect(save_, &QAction::triggered, this, &PropertiesView::save);
+  connect(&model_, &PropertiesModel::refused, this,
+          [this](const QString& reason) { showOutcome(*outcome_, reason, true); });
   connect(discard_, &QAction::triggered, this, [this] {
+    if (edits().canChange()) return report(edits().undo(), tr("Undone."));
     model_.clearEdits();
     tick();
   });
+  connect(&edits(), &SceneEdits::historyChanged, this, &PropertiesView::showEdits);
+  connect(&sceneBench(context()), &SceneBench::filesChanged, this, &PropertiesView::showEdits);
   connect(keepPose_, &QAction::triggered, this, &PropertiesView::keepPose);
+}
+
+SceneEdits& PropertiesView::edits() const {
+  return sceneEdits(context());
+}
+
+void PropertiesView::report(const robotlink::Result<void>& done, const QString& text) {
+  showOutcome(*outcome_, done ? text : QString::fromStdString(done.error().describe()), !done);
 }
 
 const robotcontrol::WorldObject* PropertiesView::object() const {
@@ -107,10 +127,8 @@ const robotcontrol::WorldObject* PropertiesView::object() const {
 }
 
 std::optional<ObjectPose> PropertiesView::pose(const robotcontrol::WorldObject& object) {
-  if (!object.has_pose_in_frame()) return std::nullopt;
-  const auto frame = scene_.framePose(object.frame());
-  if (!frame) return std::nullopt;
-  return numbersOf(*frame * robotlink::pose3(object.pose_in_frame()));
+  const auto pose = worldPose(object, scene_);
+  return pose ? std::optional(objectPose(*pose)) : std::nullopt;
 }
 
 void PropertiesView::tick() {
@@ -121,14 +139,15 @@ void PropertiesView::tick() {
   scene_.update(store, session().timeline().shown());
   const auto* shown = object();
   title_->setText(shown == nullptr ? QString() : QString::fromStdString(shown->path()));
-  keepPose_->setEnabled(shown != nullptr && shown->is_movable() && context().writeScene != nullptr);
+  const bool canWrite = edits().canChange() || context().writeScene != nullptr;
+  keepPose_->setEnabled(shown != nullptr && shown->is_movable() && canWrite);
   hint_->setHint(shown != nullptr ? QString()
                  : objects_
                      ? tr("Nothing is selected: click an object in the view Scene tree, or a robot in Scene.")
                      : tr("No objects: start a simulation (File > Open scene…)."));
   // A number that is being typed must not be replaced.
   if (table_->findChild<QLineEdit*>() != nullptr && table_->findChild<QLineEdit*>()->hasFocus()) return;
-  model_.show(shown, shown == nullptr ? std::nullopt : pose(*shown), context().writeScene != nullptr);
+  model_.show(shown, shown == nullptr ? std::nullopt : pose(*shown), canWrite);
 }
 
 void PropertiesView::place(int index, double value) {
@@ -136,19 +155,12 @@ void PropertiesView::place(int index, double value) {
   auto wanted = moved == nullptr ? std::nullopt : pose(*moved);
   if (!wanted) return;
   (*wanted)[static_cast<std::size_t>(index)] = value;
-  robotcontrol::Request request;
-  auto& details = *request.mutable_place_model();
-  details.set_model(moved->model());
-  details.mutable_pose_in_field()->set_x((*wanted)[0]);
-  details.mutable_pose_in_field()->set_y((*wanted)[1]);
-  details.mutable_pose_in_field()->set_heading((*wanted)[5]);
-  // Otherwise it keeps its height and how it is tilted.
-  if (index >= 2 && index <= 4) {
-    details.set_height((*wanted)[2]);
-    details.set_roll((*wanted)[3]);
-    details.set_pitch((*wanted)[4]);
-  }
-  ask(session(), {}, std::move(request), this, [this](bool accepted, const QString& reason) {
+  const ObjectPose before = *pose(*moved);
+  const std::string& model = moved->model();
+  const robotcontrol::Request request = requestFor(model, *wanted, index);
+  edits().addRequests(tr("Move %1").arg(QString::fromStdString(model)), requestFor(model, before, index),
+                      request);
+  ask(session(), {}, request, this, [this](bool accepted, const QString& reason) {
     showOutcome(*outcome_, accepted ? QString() : tr("It cannot be placed there: %1").arg(reason), !accepted);
   });
 }
@@ -157,21 +169,23 @@ void PropertiesView::keepPose() {
   const auto* kept = object();
   const auto now = kept == nullptr ? std::nullopt : pose(*kept);
   if (!now) return;
+  if (edits().canChange())
+    return report(edits().setPose(kept->path(), *now), tr("It begins here from now on; save to keep that."));
   const auto initial =
       std::ranges::find(kept->properties(), "initial_pose", &robotcontrol::WorldProperty::name);
   if (initial == kept->properties().end() || initial->file().empty()) {
     showOutcome(*outcome_, tr("The scene's file does not say where %1 begins.").arg(title_->text()), true);
     return;
   }
-  QStringList numbers;
-  for (const double number : *now) numbers << QString::number(std::abs(number) < 5e-7 ? 0.0 : number, 'g', 6);
-  model_.addEdit({initial->file(),
-                  {initial->element().begin(), initial->element().end()},
-                  numbers.join(QLatin1Char(' ')).toStdString()});
+  model_.addEdit({initial->file(), {initial->element().begin(), initial->element().end()}, poseText(*now)});
   tick();
 }
 
 void PropertiesView::save() {
+  if (edits().canChange()) {
+    report(sceneBench(context()).saveAll(), tr("Saved."));
+    return showEdits();
+  }
   if (!context().writeScene) return;
   const auto done = context().writeScene(model_.edits());
   if (done) model_.clearEdits();
@@ -182,10 +196,23 @@ void PropertiesView::save() {
   tick();
 }
 
+void PropertiesView::applyEdits() {
+  const auto changes = model_.edits();
+  const QString what = tr("Change %1").arg(title_->text());
+  model_.clearEdits();
+  report(edits().change(changes, what), tr("The simulation goes on with it; save to keep it."));
+  tick();
+}
+
 void PropertiesView::showEdits() {
-  const bool hasEdits = !model_.edits().empty();
-  save_->setEnabled(hasEdits && context().writeScene != nullptr);
-  discard_->setEnabled(hasEdits);
+  const bool hasEdits = !model_.edits().empty(), canChange = edits().canChange();
+  if (hasEdits && canChange) return applyEdits();
+  save_->setEnabled(canChange ? sceneBench(context()).hasUnsaved()
+                              : hasEdits && context().writeScene != nullptr);
+  discard_->setEnabled(canChange ? edits().canUndo() : hasEdits);
+  discard_->setText(canChange ? tr("Undo") : tr("Discard"));
+  discard_->setToolTip(canChange ? tr("Undoes: %1").arg(edits().undoTitle())
+                                 : tr("Forgets what was changed and not saved"));
 }
 
 }  // namespace widgets

@@ -20,11 +20,14 @@ class WorldObjects;
 namespace widgets {
 
 class EmptyHint;
+class SceneEdits;
 class SceneSelection;
 
 /// The properties of the selected object of a simulated scene: its pose now, mass, size, color, friction,
 /// noise and what else the scene's files say of it. The pose of what can be moved is edited in the
-/// simulation; other numbers are changed in the files, on request, and hold when the scene is opened again.
+/// simulation; other numbers are changed in the texts of the scene's files, in which the simulation then goes
+/// on, and are saved on request. Where it cannot go on they are only written, on request, and hold when the
+/// scene is opened again.
 ///
 /// Registered as "scene-properties". GUI thread.
 class PropertiesView final : public View {
@@ -48,6 +51,10 @@ class PropertiesView final : public View {
   void keepPose();
   void save();
   void showEdits();
+  /// Has the simulation go on with what was typed.
+  void applyEdits();
+  void report(const robotlink::Result<void>& done, const QString& text);
+  SceneEdits& edits() const;
 
   SceneSelection& selection_;
   SceneState scene_;

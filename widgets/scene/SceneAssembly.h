@@ -55,8 +55,10 @@ struct SceneHit {
   std::string model;
   /// In the field's frame.
   robotlink::Vector3 point;
-  /// The path of the object that is hit; null: not known.
-  std::shared_ptr<const std::string> object = {};
+  /// The path of the object, see SceneBody::object; empty: not known.
+  std::string object = {};
+  /// The model that it belongs to, also one that cannot be moved; empty: not known.
+  std::string owner() const { return model.empty() ? object.substr(0, object.find('/')) : model; }
 };
 /// Unset if the ray, which is in the field's frame, hits nothing.
 std::optional<SceneHit> firstHit(const std::vector<SceneBody>& bodies, const Ray& ray);

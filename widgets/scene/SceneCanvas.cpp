@@ -34,6 +34,7 @@ SceneCanvas::SceneCanvas(RenderThread::MakeRenderer makeRenderer, QWidget* paren
   setToolTipDuration(4000);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  setAcceptDrops(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(120, 90);
   // A queued call into the GUI thread; it is dropped if this widget, which outlives the thread, is destroyed.
@@ -162,6 +163,7 @@ void SceneCanvas::paintEvent(QPaintEvent*) {
     painter.drawImage(QRectF(rect()), shown_.image);
     if (labels_) paintLabels(painter, size(), shown_.frame->camera, shown_.frame->contents.labels);
     paintAxes(painter, size(), shown_.frame->camera);
+    paintHand(painter);
   }
   const QString error = QString::fromStdString(thread_->error());
   if (!error.isEmpty()) {
@@ -216,6 +218,11 @@ bool SceneCanvas::startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers) 
 SceneCanvas::Mode SceneCanvas::modeFor(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier))
     return Mode::kPanning;
+  hot_ = gizmo_ ? gizmo_->handleAt(camera_, size(), event.localPos()) : GizmoHandle::kNone;
+  if (hot_ != GizmoHandle::kNone) {
+    gizmoDrag_.emplace(hot_, *gizmo_, camera_, size(), event.localPos());
+    return Mode::kHandling;
+  }
   return startDrag(event.localPos(), event.modifiers()) ? Mode::kDragging : Mode::kOrbiting;
 }
 
@@ -223,6 +230,7 @@ void SceneCanvas::mousePressEvent(QMouseEvent* event) {
   if (mode_ != Mode::kIdle) return;
   last_ = pressed_ = event->localPos();
   moved_ = false;
+  speed_ = {};
   mode_ = modeFor(*event);
   setCursor(Qt::ClosedHandCursor);
 }
@@ -233,8 +241,12 @@ void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
   moved_ = moved_ || (last_ - pressed_).manhattanLength() >= kSceneClickSlack;
   SceneCamera camera = camera_;
   switch (mode_) {
-    case Mode::kIdle:
-      return highlight(movableAt(last_, event->modifiers()));
+    case Mode::kIdle: {
+      const GizmoHandle before =
+          std::exchange(hot_, gizmo_ ? gizmo_->handleAt(camera_, size(), last_) : GizmoHandle::kNone);
+      if (hot_ != before) update();
+      return highlight(hot_ != GizmoHandle::kNone ? std::string() : movableAt(last_, event->modifiers()));
+    }
     case Mode::kOrbiting:
       camera.orbit(by);
       return setCamera(camera);
@@ -242,17 +254,53 @@ void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
       camera.pan(size(), by);
       return setCamera(camera);
     case Mode::kDragging:
-      break;
+    case Mode::kHandling:
+      return dragTo(last_, event->modifiers(), event->timestamp());
   }
-  const auto ground = camera_.ray(size(), last_).onPlane(dragHeight_);
+}
+
+void SceneCanvas::dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers, std::uint64_t time) {
   // A click must not move what it selects.
-  if (ground && moved_) Q_EMIT dragMoved(ground->x(), ground->y());
+  if (!moved_) return;
+  const bool isSnapping = modifiers.testFlag(Qt::ControlModifier);
+  if (gizmoDrag_) {
+    readout_ = gizmoDrag_->readout(at, isSnapping);
+    update();
+    return Q_EMIT gizmoMoved(gizmoDrag_->poseAt(at, isSnapping));
+  }
+  const auto ground = camera_.ray(size(), at).onPlane(dragHeight_);
+  if (!ground) return;
+  speed_.add(time, ground->head<2>());
+  // Where dragging takes Control, that cannot mean anything else.
+  Q_EMIT dragMoved(ground->x(), ground->y(), isSnapping && moveAlways_);
+}
+
+bool SceneCanvas::cancelDrag() {
+  if (!isDragging()) return false;
+  const bool isGizmo = std::exchange(mode_, Mode::kIdle) == Mode::kHandling;
+  gizmoDrag_.reset();
+  readout_.clear();
+  // The button is still pressed; its release is no click.
+  moved_ = true;
+  unsetCursor();
+  request();
+  isGizmo ? Q_EMIT gizmoCanceled() : Q_EMIT dragCanceled();
+  return true;
 }
 
 void SceneCanvas::mouseReleaseEvent(QMouseEvent* event) {
   const Mode ended = std::exchange(mode_, Mode::kIdle);
   unsetCursor();
-  if (ended == Mode::kDragging) Q_EMIT dragEnded();
+  readout_.clear();
+  if (ended == Mode::kDragging) {
+    const robotlink::Vector2 speed = speed_.at(event->timestamp());
+    Q_EMIT dragEnded(speed.x(), speed.y());
+  }
+  if (const auto drag = std::exchange(gizmoDrag_, std::nullopt); drag && ended == Mode::kHandling) {
+    const bool isSnapping = event->modifiers().testFlag(Qt::ControlModifier);
+    moved_ ? Q_EMIT gizmoEnded(drag->poseAt(event->localPos(), isSnapping)) : Q_EMIT gizmoCanceled();
+    moved_ = true;
+  }
   if (event->button() == Qt::LeftButton && !moved_) click(event->localPos());
   if (event->button() == Qt::RightButton && !moved_) {
     Q_EMIT customContextMenuRequested(event->pos());
@@ -269,13 +317,14 @@ void SceneCanvas::setSelected(const std::string& model) {
 }
 
 void SceneCanvas::click(const QPointF& at) {
-  const auto hit = firstHit(contents_.bodies, camera_.ray(size(), at));
-  if (hit && !hit->model.empty()) Q_EMIT modelClicked(QString::fromStdString(hit->model));
+  const auto hit = hitAt(at);
+  if (hit && !hit->owner().empty()) Q_EMIT modelClicked(QString::fromStdString(hit->owner()));
 }
 
 void SceneCanvas::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
   event->accept();
+  if (mode_ == Mode::kHandling) return;
   if (mode_ == Mode::kDragging) return Q_EMIT dragTurned(notches * kSceneTurnStep);
   SceneCamera camera = camera_;
   camera.zoom(size(), std::pow(1.2, notches), event->position());
@@ -284,6 +333,7 @@ void SceneCanvas::wheelEvent(QWheelEvent* event) {
 
 void SceneCanvas::keyPressEvent(QKeyEvent* event) {
   QPointF by;
+  if (event->key() == Qt::Key_Escape && cancelDrag()) return;
   switch (event->key()) {
     case Qt::Key_Left:
       by = {kKeyStep, 0};

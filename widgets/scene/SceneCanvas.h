@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "widgets/scene/SceneAssembly.h"
+#include "widgets/scene/gizmo/Gizmo.h"
+#include "widgets/scene/gizmo/HandSpeed.h"
 #include "widgets/scene/render/RenderThread.h"
 
 namespace widgets {
@@ -17,7 +19,8 @@ namespace widgets {
 /// RenderThread whenever something changed. Object name "sceneCanvas". GUI thread.
 ///
 /// Mouse: drag to orbit, right or middle button or Shift to pan, wheel to zoom; dragging a movable model
-/// moves it, and the wheel turns it then.
+/// moves it, and the wheel turns it then. The handles of the gizmo move and turn what it is at; Control snaps
+/// to a grid, Esc ends a drag as if there had been none. What is dragged from a ScenePalette is dropped.
 class SceneCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -34,6 +37,14 @@ class SceneCanvas final : public QWidget {
   void setMovable(std::vector<std::string> models, bool always);
   /// Highlights a model while no other one is under the cursor; empty: none.
   void setSelected(const std::string& model);
+  /// Shows the handles at an object; unset: none. While one is dragged its drag goes on as it began.
+  void setGizmo(const std::optional<Gizmo>& gizmo);
+  /// Whether a handle or a model is being dragged.
+  bool isDragging() const { return mode_ == Mode::kDragging || mode_ == Mode::kHandling; }
+  /// The first thing at a place of the widget; unset: there is none.
+  std::optional<SceneHit> hitAt(const QPointF& at) const;
+  /// The place of the ground at one of the widget, or of what stands there; unset: there is none.
+  std::optional<robotlink::Vector3> placeAt(const QPointF& at) const;
   /// A sentence at the upper edge; empty: none.
   void setNotice(const QString& text);
   /// A sentence in the middle while the scene is empty.
@@ -70,11 +81,19 @@ class SceneCanvas final : public QWidget {
   /// The user drags a model; positions are meters in the field's frame, in the horizontal plane through the
   /// point that was grabbed; turning is in rad, counterclockwise.
   void dragStarted(const QString& model, double x, double y);
-  void dragMoved(double x, double y);
+  void dragMoved(double x, double y, bool isSnapping);
   void dragTurned(double angle);
-  void dragEnded();
+  /// The velocity, m/s, is that of the mouse in that plane when the button was released; 0 if it stood still.
+  void dragEnded(double vx, double vy);
+  void dragCanceled();
+  /// A handle of the gizmo was dragged to a pose in the field's frame; then that ended.
+  void gizmoMoved(const robotlink::Pose3& pose);
+  void gizmoEnded(const robotlink::Pose3& pose);
+  void gizmoCanceled();
   /// The user pressed and released the left button on a model without moving it.
   void modelClicked(const QString& model);
+  /// An object of a ScenePalette was dropped at a place of the ground, m.
+  void dropped(const QString& kind, double x, double y);
 
  protected:
   /// Shows what is drawn under the cursor as a tool tip.
@@ -89,10 +108,14 @@ class SceneCanvas final : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragMoveEvent(QDragMoveEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   /// What the pressed button does.
-  enum class Mode : std::uint8_t { kIdle, kOrbiting, kPanning, kDragging };
+  enum class Mode : std::uint8_t { kIdle, kOrbiting, kPanning, kDragging, kHandling };
 
   /// Requests a picture; `smooth`: with several samples per pixel.
   void request(bool smooth = false);
@@ -106,6 +129,12 @@ class SceneCanvas final : public QWidget {
   Mode modeFor(const QMouseEvent& event);
   /// False: there is no movable model.
   bool startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers);
+  /// Moves what is dragged after the mouse.
+  void dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers, std::uint64_t time);
+  /// Ends the drag as if there had been none; false: there is none.
+  bool cancelDrag();
+  /// Paints the handles, and the numbers beside the mouse.
+  void paintHand(QPainter& painter);
   /// Highlights a model; empty: none.
   void highlight(const std::string& model);
   /// Emits modelClicked() if a model is at the point.
@@ -130,6 +159,13 @@ class SceneCanvas final : public QWidget {
   /// Height of the point that was grabbed, m.
   double dragHeight_ = 0;
   QPointF last_;
+  std::optional<Gizmo> gizmo_;
+  GizmoHandle hot_ = GizmoHandle::kNone;
+  std::optional<GizmoDrag> gizmoDrag_;
+  /// How fast the mouse moves in the plane of a drag.
+  HandSpeed speed_;
+  /// Numbers of the drag; empty: none are shown.
+  QString readout_;
   /// The newest request, and the picture that is shown.
   std::shared_ptr<const SceneFrame> requested_;
   RenderThread::Picture shown_;

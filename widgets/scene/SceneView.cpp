@@ -28,6 +28,8 @@
 #include "widgets/picture/PoseMenu.h"
 #include "widgets/scene/SceneCanvas.h"
 #include "widgets/scene/SceneModes.h"
+#include "widgets/scene/SceneHands.h"
+#include "widgets/world/ObjectPose.h"
 #include "widgets/world/SceneSelection.h"
 #include "widgets/world/ShownMap.h"
 #include "widgets/world/WorldDrawings.h"
@@ -101,6 +103,7 @@ void SceneView::createCameraActions() {
 void SceneView::createViews() {
   canvas_ = new SceneCanvas(SceneRenderer::create, this);
   canvas_->setContextMenuPolicy(Qt::PreventContextMenu);
+  hands_ = new SceneHands(context(), *canvas_, scene_, *this);
   const Side side = makeDrawings({QStringLiteral("field"), QStringLiteral("robot")});
   assemble({createToolRow(side.toggle)}, canvas_, side, {});
 }
@@ -112,6 +115,8 @@ QWidget* SceneView::createToolRow(QAction* showDrawings) {
   row->addWidget(robots_);
   row->addSpacing(6);
   addButtons(row, {reset_, fromAbove_, behind_, follow_, firstPerson_});
+  row->addSpacing(6);
+  addButtons(row, {hands_->palette(), hands_->undo(), hands_->redo(), hands_->handles(), hands_->ownAxes()});
   state_ = addWideLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
   addPoses(row);
   addButtons(row, {move_, modes_->wireFrame()});
@@ -171,13 +176,27 @@ void SceneView::connectCamera() {
 void SceneView::connectDrag() {
   connect(canvas_, &SceneCanvas::dragStarted, this, [this](const QString& model, double x, double y) {
     const auto pose = scene_.modelPose(model.toStdString());
-    if (pose) drag_.begin(model.toStdString(), robotlink::groundPose(*pose), {x, y});
+    if (!pose) return;
+    drag_.begin(model.toStdString(), robotlink::groundPose(*pose), {x, y});
+    hands_->beginDrag(model.toStdString());
   });
-  connect(canvas_, &SceneCanvas::dragMoved, this, [this](double x, double y) { drag_.moveTo({x, y}); });
+  connect(canvas_, &SceneCanvas::dragMoved, this, [this](double x, double y, bool isSnapping) {
+    drag_.moveTo({x, y}, isSnapping ? GizmoDrag::kSnapLength : 0);
+  });
   connect(canvas_, &SceneCanvas::dragTurned, this, [this](double angle) { drag_.turn(angle); });
-  connect(canvas_, &SceneCanvas::dragEnded, this, [this] {
+  connect(canvas_, &SceneCanvas::dragEnded, this, [this](double, double) {
     drag_.end(session());
+    hands_->endDrag(drag_.model(), drag_.wanted());
     tick();
+  });
+  connect(canvas_, &SceneCanvas::dragCanceled, this, [this] {
+    drag_.cancel();
+    hands_->cancelDrag(drag_.model());
+    tick();
+  });
+  connect(hands_, &SceneHands::followWanted, this, [this](const QString& robot) {
+    robots_->setChoice(robot);
+    follow_->setChecked(true);
   });
 }
 
@@ -201,7 +220,8 @@ void SceneView::tick() {
   ownModels_.update(context(), scene_, beliefs_, shown);
   drag_.tick(session());
   const QString refusal = drag_.refusal();
-  canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));
+  hands_->tick();
+  canvas_->setNotice(refusal.isEmpty() ? hands_->notice() : tr("It cannot be placed here: %1").arg(refusal));
   const bool log = session().store().find(robotlink::streams::kReplay) != nullptr;
   canvas_->setHint(
       log ? tr("This log holds no scene; the field view shows the estimated poses of its robots.")
@@ -224,6 +244,7 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   if (sensors_->isChecked()) std::ranges::copy(ownModels_.sensors(), std::back_inserter(contents.drawings));
   showState(std::ranges::any_of(drawings, &WorldDrawing::old));
   contents.ghosts = ghosts(contents.bodies);
+  std::ranges::copy(hands_->ghosts(contents.bodies), std::back_inserter(contents.ghosts));
   contents.light = sceneLight(session().store().latestAs<robotcontrol::SimulationStatus>(
       robotlink::streams::kSimulation, session().timeline().shown()));
   contents.refused = !drag_.refusal().isEmpty();
@@ -255,14 +276,12 @@ std::vector<SceneBody> SceneView::ghosts(const std::vector<SceneBody>& bodies) c
 }
 
 void SceneView::showSelection(std::vector<SceneLabel>& labels) {
-  const std::string& selected = sceneSelection(context()).object();
-  const robotcontrol::WorldObject* found = parts_.objects().find(selected);
+  const auto* found = worldObject(session(), sceneSelection(context()).object());
   canvas_->setSelected(found == nullptr ? std::string() : found->model());
-  if (found == nullptr || !found->has_pose_in_frame() || found->path() == found->model()) return;
-  const auto frame = scene_.framePose(found->frame());
-  if (!frame) return;
-  const robotlink::Pose3 pose = *frame * robotlink::pose3(found->pose_in_frame());
-  labels.push_back({pose.translation(), QString::fromStdString(found->name()), Qt::white, 11, true});
+  if (found == nullptr || std::ranges::find(session().robots(), found->path()) != session().robots().end())
+    return;
+  if (const auto pose = worldPose(*found, scene_))
+    labels.push_back({pose->translation(), QString::fromStdString(found->name()), Qt::white, 11, true});
 }
 
 void SceneView::addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const {
@@ -297,7 +316,7 @@ void SceneView::letGo() {
 
 void SceneView::follow() {
   // Following would move the dragged model away from the mouse.
-  if (drag_.active()) return;
+  if (drag_.active() || canvas_->isDragging()) return;
   if (firstPerson_->isChecked()) return lookOut();
   const auto followed = subject();
   if (!followed) return ride_.forget();
@@ -329,7 +348,8 @@ void SceneView::showContextMenu(const QPoint& at) {
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("sceneMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  if (const auto hit = canvas_->hitAt(at)) addObjectMenus(*menu, hit->object ? *hit->object : hit->model);
+  hands_->fillMenu(*menu, at);
+  if (const auto hit = canvas_->hitAt(at)) addObjectMenus(*menu, hit->object.empty() ? hit->model : hit->object);
   if (const int hidden = parts_.looks().hiddenCount(); hidden > 0) {
     QAction* show = menu->addAction(icon("eye"), tr("Show %n hidden part(s) again", nullptr, hidden), this,
                                     [this] { showObject({}); });
@@ -353,6 +373,8 @@ void SceneView::keepChoices() {
   keep("grid", grid_);
   keep("labels", labels_);
   keep("move", move_);
+  keep("handles", hands_->handles());
+  keep("ownAxes", hands_->ownAxes());
   keep("sensors", sensors_);
   keep("robot", robots_);
   keep(

@@ -29,6 +29,7 @@ namespace widgets {
 class RobotChoice;
 class SceneCanvas;
 class SceneModes;
+class SceneHands;
 struct SceneCamera;
 
 /// The world in three dimensions, with the robots' drawings. The camera orbits, pans, zooms and follows a
@@ -142,6 +143,7 @@ class SceneView final : public PictureView {
   /// The camera before the first person.
   std::optional<SceneCamera> before_;
   SceneCanvas* canvas_ = nullptr;
+  SceneHands* hands_ = nullptr;
   RobotChoice* robots_ = nullptr;
   QLabel* state_ = nullptr;
   QAction *reset_ = nullptr, *fromAbove_ = nullptr, *behind_ = nullptr, *follow_ = nullptr;

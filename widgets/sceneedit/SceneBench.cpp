@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/AtomicFile.h"
 #include "robotlink/commands/CommandTable.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
@@ -105,6 +106,29 @@ Result<SceneFile*> SceneBench::open(const std::filesystem::path& path) {
   Q_EMIT filesChanged();
   setCurrent(&file);
   return &file;
+}
+
+Result<SceneFile*> SceneBench::ensure(const std::filesystem::path& path) {
+  SceneFile* const before = current_;
+  const auto whole = wholePath(path);
+  if (SceneFile* known = find(whole); known != nullptr && !known->isChanged()) {
+    const auto text = robotlink::readFile(whole, SceneFile::kMaxBytes);
+    const bool isOther = text && QString::fromStdString(*text).remove(QLatin1Char('\r')) != known->text();
+    if (const auto read = isOther ? known->read(whole) : Result<void>(); !read)
+      return tl::unexpected(read.error());
+    return known;
+  }
+  auto opened = open(path);
+  if (before != nullptr) setCurrent(before);
+  return opened;
+}
+
+std::map<std::filesystem::path, std::string> SceneBench::unsavedTexts() const {
+  std::map<std::filesystem::path, std::string> texts;
+  for (const SceneFile* file : files_) {
+    if (file->isChanged() && !file->path().empty()) texts[file->path()] = file->text().toStdString();
+  }
+  return texts;
 }
 
 SceneFile& SceneBench::startAnew(const QString& text, const std::filesystem::path& path,

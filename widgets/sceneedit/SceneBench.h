@@ -47,6 +47,11 @@ class SceneBench final : public QObject {
 
   /// Makes a file the current one, and opens it if it is not open.
   robotlink::Result<SceneFile*> open(const std::filesystem::path& path);
+  /// Opens a file if it is not open, reads it again if another program has changed it, and leaves the current one as it is unless there is none.
+  robotlink::Result<SceneFile*> ensure(const std::filesystem::path& path);
+  /// The texts that are not saved, by path; new ones without a path are left out.
+  std::map<std::filesystem::path, std::string> unsavedTexts() const;
+
   /// Opens a text that is not saved; `path`: where it is to be, or `name`: what it is called without one.
   SceneFile& startAnew(const QString& text, const std::filesystem::path& path, const QString& name = {});
   /// Closes a file; unsaved changes are lost.

@@ -5,10 +5,17 @@
 #include <functional>
 #include <memory>
 
+#include "robotcontrol/World.pb.h"
 #include "robotlink/commands/CommandTable.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/Session.h"
 #include "widgets/sceneedit/SceneBench.h"
+#include "widgets/sceneedit/SceneEdits.h"
+#include "widgets/sceneedit/SceneLanguage.h"
 #include "widgets/sceneedit/SceneObjects.h"
+#include "widgets/world/ObjectPose.h"
 #include "widgets/world/SceneSelection.h"
+#include "widgets/world/SceneState.h"
 
 namespace widgets {
 namespace {
@@ -31,11 +38,62 @@ Result<void> editScene(SceneBench& bench, const std::string& what) {
   return bench.goTo(QString::fromStdString(what.empty() ? sceneSelection(bench.context()).object() : what));
 }
 
+using Object = std::function<Result<void>(SceneBench&, const std::string& object)>;
+
+/// Runs something with an object, the selected one if none is named.
+Object withObject(Object run) {
+  return [run = std::move(run)](SceneBench& bench, const std::string& named) -> Result<void> {
+    const std::string& object = named.empty() ? sceneSelection(bench.context()).object() : named;
+    if (object.empty()) return failure("scene.object", "nothing is selected in the scene; name an object");
+    return run(bench, object);
+  };
+}
+
+/// Where an object is now.
+Result<ObjectPose> poseNow(SceneBench& bench, const std::string& path) {
+  auto& session = bench.context().session;
+  SceneState state;
+  state.update(session.store(), session.timeline().newest());
+  const auto* object = worldObject(session, path);
+  const auto pose = object == nullptr ? std::nullopt : worldPose(*object, state);
+  if (!pose)
+    return failure("scene.object", "there is no object " + path + " with a place in the scene", {}, {path});
+  return objectPose(*pose);
+}
+
+Result<void> copyBeside(SceneBench& bench, const std::string& object) {
+  constexpr double kBeside = 0.5;  // m
+  auto pose = poseNow(bench, object);
+  if (!pose) return tl::unexpected(pose.error());
+  (*pose)[0] += kBeside;
+  (*pose)[1] += kBeside;
+  return sceneEdits(bench.context()).copy(object, *pose).map([](const std::string&) {});
+}
+
+Result<void> writePose(SceneBench& bench, const std::string& object) {
+  const auto pose = poseNow(bench, object);
+  if (!pose) return tl::unexpected(pose.error());
+  return sceneEdits(bench.context()).setPose(object, *pose);
+}
+
 /// The objects of the files that are open.
 std::vector<std::string> knownObjects(SceneBench& bench) {
   std::vector<std::string> names;
   for (const SceneFile* file : bench.files()) {
     for (const SceneObject& object : sceneObjects(file->text())) names.push_back(object.path.toStdString());
+  }
+  return names;
+}
+
+/// The models and lamps of the simulated scene.
+std::vector<std::string> worldModels(SceneBench& bench) {
+  std::vector<std::string> names;
+  auto& session = bench.context().session;
+  const auto* all = session.store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
+                                                                         session.timeline().newest());
+  if (all == nullptr) return names;
+  for (const auto& object : all->objects()) {
+    if (object.parent().empty()) names.push_back(object.path());
   }
   return names;
 }
@@ -46,13 +104,22 @@ void attachSceneEditorCommands(ViewContext& context) {
   if (context.commands.isAttached("scene.edit")) return;
   sceneBench(context);
   const std::weak_ptr<SceneBench> shared = context.scenes;
-  const auto attach = [&](const char* name, std::function<Result<void>(SceneBench&, const std::string&)> run,
-                          CommandTable::Offer offer) {
+  using Values = CommandTable::Values;
+  const auto attachAny = [&](const char* name, std::function<Result<void>(SceneBench&, const Values&)> run,
+                             CommandTable::Offer offer) {
     context.commands.attach(
         name,
-        [shared, run = std::move(run)](const CommandTable::Values& values) -> Result<void> {
-          if (const auto bench = shared.lock()) return run(*bench, sceneWord(values, 0));
+        [shared, run = std::move(run)](const Values& values) -> Result<void> {
+          if (const auto bench = shared.lock()) return run(*bench, values);
           return failure("scene.closed", "the window with the scene editor is closed");
+        },
+        std::move(offer));
+  };
+  const auto attach = [&](const char* name, Object run, CommandTable::Offer offer) {
+    attachAny(
+        name,
+        [run = std::move(run)](SceneBench& bench, const Values& values) {
+          return run(bench, values.empty() ? std::string() : sceneWord(values, 0));
         },
         std::move(offer));
   };
@@ -65,6 +132,39 @@ void attachSceneEditorCommands(ViewContext& context) {
            return file.empty() ? bench.save() : bench.saveAs(file);
          },
          {});
+  const auto objects = [shared](const auto& before) {
+    const auto bench = shared.lock();
+    return bench && before.empty() ? worldModels(*bench) : std::vector<std::string>();
+  };
+  attach("scene.apply",
+         [](SceneBench& bench, const std::string&) { return sceneEdits(bench.context()).apply(); }, {});
+  attach("scene.undo-edit",
+         [](SceneBench& bench, const std::string&) { return sceneEdits(bench.context()).undo(); }, {});
+  attach("scene.redo-edit",
+         [](SceneBench& bench, const std::string&) { return sceneEdits(bench.context()).redo(); }, {});
+  attach("scene.copy", withObject(copyBeside), objects);
+  attach("scene.write", withObject(writePose), objects);
+  attach("scene.erase", withObject([](SceneBench& bench, const std::string& object) {
+           return sceneEdits(bench.context()).erase(object);
+         }),
+         objects);
+  attachAny(
+      "scene.rename",
+      [](SceneBench& bench, const Values& values) {
+        return sceneEdits(bench.context()).rename(sceneWord(values, 0), sceneWord(values, 1));
+      },
+      objects);
+  attachAny(
+      "scene.insert",
+      [](SceneBench& bench, const Values& values) {
+        return sceneEdits(bench.context())
+            .insert(sceneWord(values, 0), std::get<double>(values[1]), std::get<double>(values[2]))
+            .map([](const std::string&) {});
+      },
+      [](const auto& before) {
+        return before.empty() ? std::vector<std::string>(kSceneObjectKinds.begin(), kSceneObjectKinds.end())
+                              : std::vector<std::string>();
+      });
 }
 
 }  // namespace widgets

@@ -2,6 +2,7 @@
 #include "widgets/sceneedit/SceneFile.h"
 
 #include <QPlainTextDocumentLayout>
+#include <QTextCursor>
 #include <QTextDocument>
 #include <algorithm>
 
@@ -78,6 +79,25 @@ Result<void> SceneFile::write(const std::filesystem::path& path) {
   document_->setModified(false);
   Q_EMIT titleChanged();
   return {};
+}
+
+void SceneFile::replaceText(const QString& text) {
+  replaceDocumentText(*document_, text);
+}
+
+void replaceDocumentText(QTextDocument& document, const QString& after) {
+  const QString before = document.toPlainText();
+  const int shorter = std::min(after.size(), before.size());
+  int same = 0, sameEnd = 0;
+  while (same < shorter && after[same] == before[same]) ++same;
+  while (sameEnd < shorter - same && after[after.size() - 1 - sameEnd] == before[before.size() - 1 - sameEnd])
+    ++sameEnd;
+  QTextCursor cursor(&document);
+  cursor.beginEditBlock();
+  cursor.setPosition(same);
+  cursor.setPosition(before.size() - sameEnd, QTextCursor::KeepAnchor);
+  cursor.insertText(after.mid(same, after.size() - same - sameEnd));
+  cursor.endEditBlock();
 }
 
 void SceneFile::setProblems(std::vector<SceneProblem> problems, int revision) {

@@ -45,6 +45,9 @@ class SceneFile final : public QObject {
   /// Writes the text as a whole or not at all; it is the file's from then on.
   robotlink::Result<void> write(const std::filesystem::path& path);
 
+  /// Replaces the text as one step of the history of the document; only the part that differs is touched.
+  void replaceText(const QString& text);
+
   /// What was found by the last check; the first one is for this text if isChecked().
   const std::vector<SceneProblem>& problems() const { return problems_; }
   bool isChecked() const { return checkedRevision_ == revision_; }
@@ -68,5 +71,9 @@ class SceneFile final : public QObject {
   std::vector<SceneProblem> problems_;
   int revision_ = 0, checkedRevision_ = -1;
 };
+
+/// Replaces the text of a document as one step of its history; only the part that differs is touched, so
+/// that cursors elsewhere stay.
+void replaceDocumentText(QTextDocument& document, const QString& text);
 
 }  // namespace widgets

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -43,6 +44,9 @@ struct SceneModelChoice {
   bool isRobot = false;
 };
 
+/// The objects that can be added besides models: their names in commands.
+inline constexpr std::array kSceneObjectKinds{"box", "ball", "cylinder", "lamp", "camera"};
+
 /// What a new room shall have; lengths in m.
 struct RoomChoice {
   std::string name;
@@ -73,6 +77,16 @@ class SceneLanguage {
   /// The file of what this file includes by a URI.
   virtual std::optional<std::filesystem::path> modelFile(const std::string& uri,
                                                          const std::filesystem::path& file) const = 0;
+  /// The text of a file with the content of one element changed, and nothing else of it; the steps are those
+  /// of SceneFileEdit.
+  virtual robotlink::Result<std::string> withElement(const std::string& text,
+                                                     const std::filesystem::path& file,
+                                                     const std::vector<std::string>& element,
+                                                     const std::string& value) const = 0;
+  /// The elements of a new object for a world in `file`, which stands on the ground at x and y (m). `kind`:
+  /// one of kSceneObjectKinds, or the name of a model.
+  virtual robotlink::Result<std::string> newObject(const std::string& kind, const std::string& name, double x,
+                                                   double y, const std::filesystem::path& file) const = 0;
   /// The text of a new world with a room, to be saved in this file.
   virtual robotlink::Result<std::string> newRoom(const RoomChoice& room,
                                                  const std::filesystem::path& file) const = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/sceneedit/SceneObjects.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 #include <array>
@@ -156,7 +157,7 @@ std::optional<SceneObject> sceneObjectAt(const QString& text, int position, cons
   return found;
 }
 
-QString withInclude(const QString& text, const QString& uri, const QString& name, int* position) {
+QString withElements(const QString& text, const QString& xml, int* position) {
   const auto elements = xmlElements(text);
   const XmlElement* around = nullptr;
   for (const char* wanted : {"world", "model"}) {
@@ -171,13 +172,49 @@ QString withInclude(const QString& text, const QString& uri, const QString& name
   while (at > around->openEnd && (text[at - 1] == QLatin1Char(' ') || text[at - 1] == QLatin1Char('\t')))
     --at;
   const bool hasLine = at > 0 && text[at - 1] == QLatin1Char('\n');
-  const QString added = QStringLiteral(
-                            "    <include>\n      <uri>%1</uri>\n      <name>%2</name>\n"
-                            "      <pose>0 0 0 0 0 0</pose>\n    </include>\n")
-                            .arg(uri.toHtmlEscaped(), name.toHtmlEscaped());
   const QString before = hasLine ? QString() : QStringLiteral("\n");
-  if (position != nullptr) *position = at + before.size() + 4;
-  return text.left(at) + before + added + text.mid(at);
+  int blanks = 0;
+  while (blanks < xml.size() && xml[blanks] == QLatin1Char(' ')) ++blanks;
+  if (position != nullptr) *position = at + before.size() + blanks;
+  return text.left(at) + before + xml + text.mid(at);
+}
+
+QString withInclude(const QString& text, const QString& uri, const QString& name, int* position) {
+  return withElements(text,
+                      QStringLiteral("    <include>\n      <uri>%1</uri>\n      <name>%2</name>\n"
+                                     "      <pose>0 0 0 0 0 0</pose>\n    </include>\n")
+                          .arg(uri.toHtmlEscaped(), name.toHtmlEscaped()),
+                      position);
+}
+
+QString withoutObject(const QString& text, const SceneObject& object) {
+  int begin = object.begin, end = object.end;
+  const auto isBlank = [&](int at) { return text[at] == QLatin1Char(' ') || text[at] == QLatin1Char('\t'); };
+  while (begin > 0 && isBlank(begin - 1)) --begin;
+  while (end < text.size() && isBlank(end)) ++end;
+  const bool beginsLine = begin == 0 || text[begin - 1] == QLatin1Char('\n');
+  const bool endsLine = end == text.size() || text[end] == QLatin1Char('\n');
+  if (!beginsLine || !endsLine) return text.left(object.begin) + text.mid(object.end);
+  return text.left(begin) + text.mid(std::min(end + 1, text.size()));
+}
+
+QString renamedObject(const QString& element, const QString& name) {
+  const auto elements = xmlElements(element);
+  if (elements.empty()) return element;
+  const XmlElement& outer = elements.front();
+  if (outer.name == QLatin1String("include")) {
+    for (const XmlElement& one : elements) {
+      if (one.parent == 0 && one.name == QLatin1String("name"))
+        return element.left(one.openEnd) + name.toHtmlEscaped() + element.mid(one.closeBegin);
+    }
+    return element.left(outer.openEnd) + QStringLiteral("<name>%1</name>").arg(name.toHtmlEscaped()) +
+           element.mid(outer.openEnd);
+  }
+  static const QRegularExpression kName(QStringLiteral("(\\sname\\s*=\\s*)(\"[^\"]*\"|'[^']*')"));
+  const auto match = kName.match(element.left(outer.openEnd));
+  if (!match.hasMatch()) return element;
+  return element.left(match.capturedStart(2)) + QStringLiteral("\"%1\"").arg(name.toHtmlEscaped()) +
+         element.mid(match.capturedEnd(2));
 }
 
 QString freeObjectName(const QString& text, const QString& name) {

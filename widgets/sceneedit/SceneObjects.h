@@ -42,6 +42,13 @@ std::optional<SceneObject> sceneObjectAt(const QString& text, int position, cons
 /// The text with an <include> added at the end of its world, or of its model if it has no world; as it is if
 /// it has neither. `position`: where the new element begins.
 QString withInclude(const QString& text, const QString& uri, const QString& name, int* position);
+/// The text with elements added in the same place; `xml` ends with a line break. The name of no other object
+/// is checked.
+QString withElements(const QString& text, const QString& xml, int* position);
+/// The text without one of its objects and the lines that only it was in.
+QString withoutObject(const QString& text, const SceneObject& object);
+/// The text of an object, from its first tag to its last, called otherwise; as it is if it has no name.
+QString renamedObject(const QString& element, const QString& name);
 /// `name` if no object is called so, otherwise with the first number that makes it new: p3at, p3at2.
 QString freeObjectName(const QString& text, const QString& name);
 

@@ -12,6 +12,7 @@
 
 #include "widgets/Controls.h"
 #include "widgets/sceneedit/SceneCompletion.h"
+#include "widgets/sceneedit/SceneFile.h"
 #include "widgets/sceneedit/XmlColors.h"
 #include "widgets/sceneedit/XmlPlace.h"
 #include "widgets/sceneedit/XmlText.h"
@@ -100,18 +101,7 @@ void SceneTextEdit::select(int begin, int end) {
 }
 
 void SceneTextEdit::replaceText(const QString& after) {
-  const QString before = toPlainText();
-  const int shorter = std::min(after.size(), before.size());
-  int same = 0, sameEnd = 0;
-  while (same < shorter && after[same] == before[same]) ++same;
-  while (sameEnd < shorter - same && after[after.size() - 1 - sameEnd] == before[before.size() - 1 - sameEnd])
-    ++sameEnd;
-  QTextCursor cursor(document());
-  cursor.beginEditBlock();
-  cursor.setPosition(same);
-  cursor.setPosition(before.size() - sameEnd, QTextCursor::KeepAnchor);
-  cursor.insertText(after.mid(same, after.size() - same - sameEnd));
-  cursor.endEditBlock();
+  replaceDocumentText(*document(), after);
 }
 
 void SceneTextEdit::indentAll() {

@@ -29,8 +29,9 @@ void ModelDrag::begin(const std::string& model, const robotlink::Pose2& pose,
   answer_ = std::make_shared<Answer>();
 }
 
-void ModelDrag::moveTo(const robotlink::Vector2& cursor) {
-  const robotlink::Vector2 place = cursor + offset_;
+void ModelDrag::moveTo(const robotlink::Vector2& cursor, double step) {
+  robotlink::Vector2 place = cursor + offset_;
+  if (step > 0) place = (place / step).array().round() * step;
   if (!active_ || place == wanted_.translation()) return;
   wanted_.x = place.x();
   wanted_.y = place.y();
@@ -51,6 +52,11 @@ void ModelDrag::tick(robotlink::Session& session) {
 void ModelDrag::end(robotlink::Session& session) {
   if (unsent_) send(session);
   active_ = false;
+  ticksSinceEnd_ = 0;
+}
+
+void ModelDrag::cancel() {
+  active_ = unsent_ = false;
   ticksSinceEnd_ = 0;
 }
 

@@ -25,13 +25,17 @@ class ModelDrag {
   /// the cursor stays at this point of the model during the drag.
   void begin(const std::string& model, const robotlink::Pose2& pose, const robotlink::Vector2& grabbed);
   /// The mouse was dragged to a point in the same plane.
-  void moveTo(const robotlink::Vector2& cursor);
+  /// `step`: what x and y are multiples of, m; 0: anything.
+  void moveTo(const robotlink::Vector2& cursor, double step = 0);
   /// Turns the model by an angle, counterclockwise.
   void turn(double by);
   /// Requests the pose if it changed since the last request. Called 30 times a second.
   void tick(robotlink::Session& session);
   /// The button was released: requests the last pose if that has not been done.
   void end(robotlink::Session& session);
+
+  /// Ends the drag without a request.
+  void cancel();
 
   /// Whether the button is pressed.
   bool active() const { return active_; }

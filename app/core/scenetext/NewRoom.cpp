@@ -55,10 +55,10 @@ struct Wall {
 std::vector<Wall> wallsOf(const NewRoom& room) {
   const double middleX = (room.width + kWallThickness) / 2, middleY = (room.depth + kWallThickness) / 2;
   const double outer = room.width + 2 * kWallThickness;
-  std::vector<Wall> walls{{"north", 0, middleY, outer, kWallThickness},
-                          {"south", 0, -middleY, outer, kWallThickness},
-                          {"east", middleX, 0, kWallThickness, room.depth},
-                          {"west", -middleX, 0, kWallThickness, room.depth}};
+  std::vector<Wall> walls{{"wall_north", 0, middleY, outer, kWallThickness},
+                          {"wall_south", 0, -middleY, outer, kWallThickness},
+                          {"wall_east", middleX, 0, kWallThickness, room.depth},
+                          {"wall_west", -middleX, 0, kWallThickness, room.depth}};
   if (room.doorway) {
     const double length = (room.depth - kDoorway) / 2, middle = (room.depth + kDoorway) / 4;
     walls.push_back({"left_of_doorway", 0, middle, kWallThickness, length});
@@ -138,6 +138,15 @@ Result<std::string> robotText(const NewRoom& room, const fs::path& file, const M
                          {"pose", lengthText(-room.width / 4) + " 0 " + lengthText(*height) + " 0 0 0"}});
 }
 
+/// The <include> of a model at a place of the ground.
+Result<std::string> includeText(const std::string& uri, const std::string& name, double x, double y,
+                                double z) {
+  return filledTemplate("include.sdf",
+                        {{"uri", uri},
+                         {"name", name},
+                         {"pose", lengthText(x) + " " + lengthText(y) + " " + lengthText(z) + " 0 0 0"}});
+}
+
 Result<void> checkRoom(const NewRoom& room) {
   const bool isName = !room.name.empty() && std::ranges::all_of(room.name, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
@@ -152,6 +161,29 @@ Result<void> checkRoom(const NewRoom& room) {
 }
 
 }  // namespace
+
+Result<std::string> newObjectText(const std::string& kind, const std::string& name, double x, double y,
+                                  const fs::path& file, const ModelFolders& folders) {
+  constexpr double kMaxPlace = 1000;
+  if (!(std::abs(x) <= kMaxPlace) || !(std::abs(y) <= kMaxPlace))
+    return failure("scene.place", "an object is placed within 1000 m of the middle of the scene");
+  for (const char* simple : {"box", "ball", "cylinder", "lamp", "camera"}) {
+    if (kind == simple)
+      return filledTemplate((kind + ".sdf").c_str(),
+                            {{"name", name}, {"x", lengthText(x)}, {"y", lengthText(y)}});
+  }
+  const auto models = sceneModels(file, folders);
+  const auto model = std::ranges::find(models, kind, &SceneModelFile::name);
+  if (model == models.end())
+    return failure(
+        "scene.unknown-model",
+        "there is no model '" + kind + "'; beside models there are box, ball, cylinder, lamp, camera", {},
+        {kind});
+  if (!model->isRobot) return includeText(model->uri, name, x, y, 0);
+  const auto height = standingHeight({.robot = kind}, model->file);
+  if (!height) return tl::unexpected(height.error());
+  return includeText(model->uri, name, x, y, *height);
+}
 
 Result<std::string> newRoomText(const NewRoom& room, const fs::path& file, const ModelFolders& folders) {
   if (const auto checked = checkRoom(room); !checked) return tl::unexpected(checked.error());

@@ -63,4 +63,10 @@ struct NewRoom {
 robotlink::Result<std::string> newRoomText(const NewRoom& room, const std::filesystem::path& file,
                                            const ModelFolders& folders = {});
 
+/// The elements of a new object for a world in `file`, which stands on the ground at x and y (m): a box, ball
+/// or cylinder that moves, a lamp, a camera, or a model by its name. Robots stand on their feet or wheels,
+/// other models have z = 0. `name` must be free.
+robotlink::Result<std::string> newObjectText(const std::string& kind, const std::string& name, double x,
+                                             double y, const std::filesystem::path& file);
+
 }  // namespace app

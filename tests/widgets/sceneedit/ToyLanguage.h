@@ -49,6 +49,28 @@ class ToyLanguage final : public SceneLanguage {
     const auto model = file.parent_path() / (uri.substr(uri.rfind('/') + 1) + ".sdf");
     return std::filesystem::exists(model) ? std::optional(model) : std::nullopt;
   }
+  /// Puts the value into the first element of the last step's name in the object that the first step names.
+  robotlink::Result<std::string> withElement(const std::string& text, const std::filesystem::path& file,
+                                             const std::vector<std::string>& element,
+                                             const std::string& value) const override {
+    const std::string& first = element.front();
+    const std::size_t bracket = first.find('[');
+    const std::string name =
+        bracket == std::string::npos ? "" : first.substr(bracket + 1, first.size() - bracket - 2);
+    const std::size_t object = name.empty() ? 0 : text.find(name);
+    const std::string open = "<" + element.back() + ">", close = "</" + element.back() + ">";
+    const std::size_t begin = object == std::string::npos ? object : text.find(open, object);
+    if (begin == std::string::npos)
+      return robotlink::failure("toy", "no such element", {file.string(), 0, 0});
+    const std::size_t content = begin + open.size();
+    return text.substr(0, content) + value + text.substr(text.find(close, content));
+  }
+  robotlink::Result<std::string> newObject(const std::string& kind, const std::string& name, double x,
+                                           double y, const std::filesystem::path&) const override {
+    if (kind == "nothing") return robotlink::failure("toy", "there is no such kind");
+    return "    <model name=\"" + name + "\"><pose>" + std::to_string(int(x)) + " " + std::to_string(int(y)) +
+           " 0 0 0 0</pose></model>\n";
+  }
   robotlink::Result<std::string> newRoom(const RoomChoice& room,
                                          const std::filesystem::path&) const override {
     if (room.name.find(' ') != std::string::npos)

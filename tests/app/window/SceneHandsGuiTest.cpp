@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Objects of a simulated room, added, moved, changed and saved by hand, with the simulator.
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTableView>
+
+#include "robotcontrol/World.pb.h"
+#include "robotlink/base/AtomicFile.h"
+#include "tests/app/window/Desk.h"
+#include "tests/app/window/WindowTest.h"
+#include "widgets/objects/PropertiesModel.h"
+#include "widgets/sceneedit/SceneBench.h"
+#include "widgets/sceneedit/SceneEdits.h"
+#include "widgets/sceneedit/SceneLanguage.h"
+#include "widgets/world/SceneSelection.h"
+
+namespace app::test {
+namespace {
+
+/// A desk with a simulated room of its own.
+struct RoomDesk : Desk {
+  explicit RoomDesk(const std::filesystem::path& home)
+      : Desk(home, Opens::kNothing), file(home / "rooms" / "hall.sdf") {
+    const auto text = window.context().sceneLanguage->newRoom({.name = "hall", .doorway = true}, file);
+    if (!text) qFatal("no room: %s", text.error().text.c_str());
+    std::filesystem::create_directories(file.parent_path());
+    if (!robotlink::writeFileAtomically(file, *text)) qFatal("the room cannot be written");
+    if (!run("simulation.open '" + file.string() + "'").isEmpty()) qFatal("the room cannot be opened");
+  }
+  /// Why a command fails; empty: it does not.
+  QString run(const std::string& line) {
+    const auto done = workbench.commands().runLine(line);
+    return done ? QString() : QString::fromStdString(done.error().describe());
+  }
+  /// An object; null: there is none.
+  const robotcontrol::WorldObject* object(const std::string& path) {
+    const auto* all = workbench.session().store().latestAs<robotcontrol::WorldObjects>(
+        "objects", workbench.session().timeline().newest());
+    if (all == nullptr) return nullptr;
+    const auto found = std::ranges::find(all->objects(), path, &robotcontrol::WorldObject::path);
+    return found == all->objects().end() ? nullptr : &*found;
+  }
+  bool has(const std::string& path) { return object(path) != nullptr; }
+  std::string saved() const { return robotlink::readFile(file).value_or(""); }
+  widgets::SceneBench& bench() { return *window.context().scenes; }
+
+  const std::filesystem::path file;
+};
+
+}  // namespace
+
+class SceneHandsGuiTest : public WindowTest {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aDoorAndABoxAreAddedAndTheSimulationGoesOn() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
+    const std::string before = desk.saved();
+    QCOMPARE(desk.run("simulation.step"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status()->steps() == 2, kWaitMs);
+    QCOMPARE(desk.run("scene.insert sliding_door 0 0"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("sliding_door"), kWaitMs);
+    QCOMPARE(desk.run("scene.insert box 1.5 1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("box"), kWaitMs);
+    QVERIFY(desk.object("box")->is_movable());
+    QCOMPARE(desk.status()->steps(), 2U);
+    QCOMPARE(desk.saved(), before);
+    QCOMPARE(desk.run("scene.undo-edit"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.has("box"), kWaitMs);
+    QCOMPARE(desk.run("scene.redo-edit"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("box"), kWaitMs);
+    QVERIFY(desk.bench().saveAll().has_value());
+    QVERIFY(desk.saved().find("<uri>model://sliding_door</uri>") != std::string::npos);
+    QCOMPARE(desk.run("scene.reload"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading(), kWaitMs);
+    QVERIFY(desk.has("box"));
+  }
+
+  void whatDoesNotFitIsRefusedAndNothingChanges() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
+    QVERIFY(desk.run("scene.insert box 0 1.5").contains(QStringLiteral("inside")));
+    QVERIFY(!desk.bench().hasUnsaved());
+    QVERIFY(desk.run("scene.insert unicorn 0 0").contains(QStringLiteral("unicorn")));
+    QVERIFY(!desk.run("scene.erase nobody").isEmpty());
+  }
+
+  void aPropertyIsChangedInTheRunningSceneAndSaved() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
+    QCOMPARE(desk.run("scene.insert ball 1 1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("ball/link:body"), kWaitMs);
+    QCOMPARE(desk.run("view.show scene-properties"), QString());
+    widgets::sceneSelection(desk.window.context()).select("ball/link:body");
+    auto& table = desk.find<QTableView>("propertiesTable");
+    const auto mass = [&]() -> QModelIndex {
+      for (int row = 0; row < table.model()->rowCount(); ++row) {
+        const QModelIndex name = table.model()->index(row, widgets::PropertiesModel::kName);
+        if (name.data().toString() == QStringLiteral("mass"))
+          return name.siblingAtColumn(widgets::PropertiesModel::kValue);
+      }
+      return {};
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(mass().isValid(), kWaitMs);
+    QCOMPARE(mass().data().toString(), QStringLiteral("0.3"));
+    QVERIFY(!table.model()->setData(mass(), QStringLiteral("-3")));
+    QVERIFY(table.model()->setData(mass(), QStringLiteral("0.7")));
+    const auto isHeavier = [&] {
+      const auto* link = desk.object("ball/link:body");
+      return link != nullptr && link->properties(0).values(0) == 0.7;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isHeavier(), kWaitMs);
+    QVERIFY(desk.saved().find("<mass>0.7</mass>") == std::string::npos);
+    desk.find<QAction>("propertiesSaveAction").trigger();
+    QVERIFY(desk.saved().find("<mass>0.7</mass>") != std::string::npos);
+  }
+
+  void lampsAndWallsAreMovedInTheText() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("light:lamp"), kWaitMs);
+    auto& edits = widgets::sceneEdits(desk.window.context());
+    QVERIFY(edits.isOwn("light:lamp") && edits.isOwn("wall_east"));
+    QVERIFY(edits.setPose("light:lamp", {1, 1, 3, 0, 0, 0}).has_value());
+    const auto isThere = [&] {
+      const auto* lamp = desk.object("light:lamp");
+      return lamp != nullptr && lamp->pose_in_frame().position().x() == 1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isThere(), kWaitMs);
+    QVERIFY(edits.setPose("left_of_doorway", {1, 1.25, 0.5, 0, 0, 0}).has_value());
+    QVERIFY(edits.undo().has_value() && edits.undo().has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(!isThere(), kWaitMs);
+  }
+};
+
+const widgets::test::GuiTest<SceneHandsGuiTest> kSceneHandsGuiTest;
+
+}  // namespace app::test
+
+#include "SceneHandsGuiTest.moc"

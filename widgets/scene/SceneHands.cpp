@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/SceneHands.h"
+
+#include <QAction>
+#include <QInputDialog>
+#include <QMenu>
+
+#include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
+#include "robotlink/commands/CommandTable.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/Requests.h"
+#include "widgets/scene/SceneCanvas.h"
+#include "widgets/scene/ScenePalette.h"
+#include "widgets/sceneedit/SceneBench.h"
+#include "widgets/sceneedit/SceneEdits.h"
+#include "widgets/world/ObjectPose.h"
+#include "widgets/world/SceneSelection.h"
+#include "widgets/world/SceneState.h"
+#include "widgets/world/WorldDrawings.h"
+
+namespace widgets {
+namespace {
+
+using robotlink::Pose3;
+
+constexpr int kHandNoticeTicks = 150;
+/// Beside what it is copied from, m.
+constexpr double kCopyShift = 0.5;
+
+QString words(const robotlink::Error& error) {
+  return QString::fromStdString(error.describe());
+}
+
+}  // namespace
+
+SceneHands::SceneHands(ViewContext& context, SceneCanvas& canvas, const SceneState& scene, QWidget& view)
+    : QObject(&view), context_(context), canvas_(canvas), scene_(scene) {
+  setObjectName(QStringLiteral("sceneHands"));
+  palette_ = new ScenePalette(&view);
+  createActions(view);
+  createMoreActions(view);
+  connectSignals();
+  showHistory();
+}
+
+SceneHands::~SceneHands() = default;
+
+SceneEdits& SceneHands::edits() const {
+  return sceneEdits(context_);
+}
+
+void SceneHands::createActions(QWidget& view) {
+  handles_ =
+      makeToggle(&view, "goal",
+                 {"sceneHandles", tr("Handles"),
+                  tr("Shows handles at the selected object that move and turn it; Control: in steps of "
+                     "0.1 m and 15°, Esc: back"),
+                  Qt::Key_H},
+                 true);
+  ownAxes_ =
+      makeToggle(&view, "rotate",
+                 {"sceneOwnAxes", tr("Own axes"),
+                  tr("The handles point where the object does, instead of where the field does"), Qt::Key_X});
+  undo_ = makeAction(&view, "undo", {"sceneEditUndo", tr("Undo"), {}, QKeySequence::Undo});
+  redo_ = makeAction(&view, "redo", {"sceneEditRedo", tr("Redo"), {}, QKeySequence::Redo});
+  showPalette_ =
+      makeAction(&view, "add",
+                 {"sceneShowPalette", tr("Add objects…"),
+                  tr("Lists objects and models that can be dragged into the scene"), Qt::Key_Insert});
+}
+
+void SceneHands::createMoreActions(QWidget& view) {
+  duplicate_ = makeAction(&view, "copy",
+                          {"sceneDuplicate", tr("Duplicate"),
+                           tr("Adds another one beside it to the scene's text"), tr("Ctrl+D")});
+  erase_ = makeAction(
+      &view, "remove",
+      {"sceneErase", tr("Delete"), tr("Removes the object from the scene's text"), QKeySequence::Delete});
+  rename_ =
+      makeAction(&view, "edit",
+                 {"sceneRename", tr("Rename…"), tr("Renames the object in the scene's text"), Qt::Key_F2});
+  write_ = makeAction(&view, "send",
+                      {"sceneWrite", tr("Write to the scene"),
+                       tr("Writes into the scene's text that the object begins where it is now; the file is "
+                          "saved when you save it"),
+                       tr("Ctrl+Shift+W")});
+  goToText_ = makeAction(
+      &view, "labels",
+      {"sceneGoToText", tr("Go to its text"), tr("Shows the object in the scene editor"), tr("Ctrl+G")});
+  properties_ = makeAction(
+      &view, "settings",
+      {"sceneShowProperties", tr("Properties"), tr("Shows the properties of the object"), tr("Alt+Return")});
+}
+
+void SceneHands::connectSignals() {
+  connect(&canvas_, &SceneCanvas::gizmoMoved, this, &SceneHands::moveGizmo);
+  connect(&canvas_, &SceneCanvas::gizmoEnded, this, &SceneHands::endGizmo);
+  connect(&canvas_, &SceneCanvas::gizmoCanceled, this, &SceneHands::cancelGizmo);
+  connect(&canvas_, &SceneCanvas::dropped, this, &SceneHands::insert);
+  connect(palette_, &ScenePalette::chosen, this, &SceneHands::insertInView);
+  connect(undo_, &QAction::triggered, this, [this] { walk(true); });
+  connect(redo_, &QAction::triggered, this, [this] { walk(false); });
+  connect(duplicate_, &QAction::triggered, this, &SceneHands::duplicate);
+  connect(erase_, &QAction::triggered, this, &SceneHands::erase);
+  connect(rename_, &QAction::triggered, this, &SceneHands::rename);
+  connect(write_, &QAction::triggered, this, &SceneHands::write);
+  connect(goToText_, &QAction::triggered, this,
+          [this] { run("scene.edit", sceneSelection(context_).object()); });
+  connect(properties_, &QAction::triggered, this, [this] { run("view.show", "scene-properties"); });
+  connect(showPalette_, &QAction::triggered, this, [this] {
+    palette_->fill(sceneBench(context_));
+    palette_->show();
+    palette_->raise();
+  });
+  connect(&edits(), &SceneEdits::historyChanged, this, &SceneHands::showHistory);
+}
+
+std::optional<SceneHands::Target> SceneHands::target() const {
+  const auto* selected = worldObject(context_.session, sceneSelection(context_).object());
+  if (selected == nullptr) return std::nullopt;
+  const bool isPart = !selected->model().empty() && selected->path() != selected->model();
+  const auto* whole = isPart ? worldObject(context_.session, selected->model()) : selected;
+  const auto pose = whole == nullptr ? std::nullopt : worldPose(*whole, scene_);
+  if (!pose) return std::nullopt;
+  return Target{whole->path(), *pose, whole->is_movable()};
+}
+
+void SceneHands::tick() {
+  if (unsent_ && dragged_ && dragged_->isLive) ask(placeRequest(dragged_->object, wanted_));
+  unsent_ = false;
+  if (noticeTicks_ > 0 && --noticeTicks_ == 0) notice_.clear();
+  const auto at = handles_->isChecked() ? target() : std::nullopt;
+  const bool canMove = at && (at->isLive || edits().canChange());
+  if (!canMove) return canvas_.setGizmo(std::nullopt);
+  Gizmo gizmo{dragged_ ? wanted_ : at->pose, Eigen::Matrix3d::Identity()};
+  if (ownAxes_->isChecked()) gizmo.axes = gizmo.pose.linear();
+  canvas_.setGizmo(gizmo);
+}
+
+std::vector<SceneBody> SceneHands::ghosts(const std::vector<SceneBody>& bodies) const {
+  std::vector<SceneBody> ghosts;
+  if (!dragged_) return ghosts;
+  const auto now = target();
+  if (!now || now->object != dragged_->object) return ghosts;
+  const Pose3 move = wanted_ * now->pose.inverse();
+  for (const SceneBody& body : bodies) {
+    const bool isPart = body.object && body.object->starts_with(dragged_->object + "/");
+    if (isPart || body.model == dragged_->object) ghosts.push_back({body.shape, move * body.inField, {}});
+  }
+  return ghosts;
+}
+
+// ---- Moving
+
+void SceneHands::moveGizmo(const Pose3& pose) {
+  if (!dragged_) dragged_ = target();
+  wanted_ = pose;
+  unsent_ = true;
+}
+
+void SceneHands::endGizmo(const Pose3& pose) {
+  if (!dragged_) return;
+  const Target moved = *dragged_;
+  dragged_.reset();
+  unsent_ = false;
+  if (moved.isLive) {
+    ask(placeRequest(moved.object, pose));
+    return addMove(moved.object, moved.pose, pose);
+  }
+  const auto done = edits().setPose(moved.object, objectPose(pose));
+  report(done ? QString() : words(done.error()));
+}
+
+void SceneHands::cancelGizmo() {
+  if (dragged_ && dragged_->isLive) ask(placeRequest(dragged_->object, dragged_->pose));
+  dragged_.reset();
+  unsent_ = false;
+}
+
+void SceneHands::beginDrag(const std::string& model) {
+  const auto* object = worldObject(context_.session, model);
+  ground_ = object == nullptr ? std::nullopt : worldPose(*object, scene_);
+}
+
+void SceneHands::endDrag(const std::string& model, const robotlink::Pose2& wanted) {
+  const auto before = std::exchange(ground_, std::nullopt);
+  if (!before) return;
+  // It keeps its height and how it is tilted.
+  const Pose3 after = poseOnGround(wanted) * poseOnGround(robotlink::groundPose(*before)).inverse() * *before;
+  if (!after.isApprox(*before, 1e-6)) addMove(model, *before, after);
+}
+
+void SceneHands::cancelDrag(const std::string& model) {
+  const auto before = std::exchange(ground_, std::nullopt);
+  if (before) ask(placeRequest(model, *before));
+}
+
+void SceneHands::addMove(const std::string& model, const Pose3& before, const Pose3& after) {
+  edits().addRequests(tr("Move %1").arg(QString::fromStdString(model)), placeRequest(model, before),
+                      placeRequest(model, after));
+}
+
+// ---- The scene's text
+
+void SceneHands::insert(const QString& kind, double x, double y) {
+  const auto name = edits().insert(kind.toStdString(), x, y);
+  if (name) sceneSelection(context_).select(*name);
+  report(name ? QString() : words(name.error()));
+}
+
+void SceneHands::insertInView(const QString& kind) {
+  const auto place = canvas_.placeAt(QPointF(canvas_.width() / 2.0, canvas_.height() / 2.0));
+  if (place) insert(kind, place->x(), place->y());
+}
+
+void SceneHands::duplicate() {
+  const auto at = target();
+  if (!at) return;
+  Pose3 pose = at->pose;
+  pose.translation() += robotlink::Vector3(kCopyShift, kCopyShift, 0);
+  const auto name = edits().copy(at->object, objectPose(pose));
+  if (name) sceneSelection(context_).select(*name);
+  report(name ? QString() : words(name.error()));
+}
+
+void SceneHands::erase() {
+  const auto at = target();
+  if (!at) return;
+  const auto done = edits().erase(at->object);
+  if (done) sceneSelection(context_).select({});
+  report(done ? QString() : words(done.error()));
+}
+
+void SceneHands::rename() {
+  const auto at = target();
+  if (!at) return;
+  const std::string before = at->object.substr(at->object.find(':') + 1);
+  bool accepted = false;
+  const QString name =
+      QInputDialog::getText(&canvas_, tr("Rename"), tr("New name of %1:").arg(QString::fromStdString(before)),
+                            QLineEdit::Normal, QString::fromStdString(before), &accepted);
+  if (!accepted) return;
+  const auto done = edits().rename(at->object, name.toStdString());
+  if (done)
+    sceneSelection(context_).select(at->object.substr(0, at->object.find(':') + 1) + name.toStdString());
+  report(done ? QString() : words(done.error()));
+}
+
+void SceneHands::write() {
+  const auto at = target();
+  if (!at) return;
+  const auto done = edits().setPose(at->object, objectPose(at->pose));
+  report(done ? tr("%1 begins here; save the scene to keep that").arg(QString::fromStdString(at->object))
+              : words(done.error()));
+}
+
+// ---- Menu and history
+
+void SceneHands::fillMenu(QMenu& menu, const QPoint& at) {
+  const auto hit = canvas_.hitAt(at);
+  if (hit && !hit->owner().empty()) sceneSelection(context_).select(hit->owner());
+  const auto on = target();
+  if (on) {
+    const bool isOwn = edits().isOwn(on->object);
+    menu.addSection(QString::fromStdString(on->object));
+    for (QAction* action : {duplicate_, erase_, rename_, write_}) action->setEnabled(isOwn);
+    menu.addActions({duplicate_, erase_, rename_, write_});
+    const auto& robots = context_.session.robots();
+    if (std::ranges::find(robots, on->object) != robots.end()) {
+      const QString robot = QString::fromStdString(on->object);
+      auto* follow =
+          menu.addAction(tr("Follow %1").arg(robot), this, [this, robot] { Q_EMIT followWanted(robot); });
+      follow->setObjectName(QStringLiteral("sceneFollowThis"));
+    }
+    menu.addActions({goToText_, properties_});
+    menu.addSeparator();
+  }
+  const auto place = canvas_.placeAt(at);
+  if (place && edits().canChange()) {
+    QMenu* add = menu.addMenu(tr("Add here"));
+    add->setObjectName(QStringLiteral("sceneAddMenu"));
+    for (const ScenePalette::Entry& entry : ScenePalette::entries(sceneBench(context_))) {
+      QAction* action = add->addAction(entry.title, this, [this, kind = entry.kind, where = *place] {
+        insert(kind, where.x(), where.y());
+      });
+      action->setObjectName(QStringLiteral("sceneAdd.") + entry.kind);
+    }
+  }
+  menu.addActions({showPalette_, undo_, redo_});
+  menu.addSeparator();
+  // The keys are for what is selected then.
+  connect(
+      &menu, &QMenu::aboutToHide, this,
+      [this] {
+        for (QAction* action : {duplicate_, erase_, rename_, write_}) action->setEnabled(true);
+      },
+      Qt::QueuedConnection);
+}
+
+void SceneHands::walk(bool isUndo) {
+  const auto done = isUndo ? edits().undo() : edits().redo();
+  report(done ? QString() : words(done.error()));
+}
+
+void SceneHands::showHistory() {
+  const SceneEdits& history = edits();
+  undo_->setEnabled(history.canUndo());
+  redo_->setEnabled(history.canRedo());
+  undo_->setToolTip(history.canUndo() ? tr("Undoes: %1").arg(history.undoTitle())
+                                      : tr("Nothing was done to the scene that could be undone"));
+  redo_->setToolTip(history.canRedo() ? tr("Does again: %1").arg(history.redoTitle())
+                                      : tr("Nothing was undone that could be done again"));
+}
+
+void SceneHands::ask(robotcontrol::Request request) {
+  widgets::ask(context_.session, {}, std::move(request), this, [this](bool accepted, const QString& reason) {
+    report(accepted ? QString() : tr("This cannot be done: %1").arg(reason));
+  });
+}
+
+void SceneHands::run(const char* command, const std::string& word) {
+  const auto done = context_.commands.run(command, {word});
+  report(done ? QString() : words(done.error()));
+}
+
+void SceneHands::report(const QString& text) {
+  notice_ = text;
+  noticeTicks_ = text.isEmpty() ? 0 : kHandNoticeTicks;
+}
+
+}  // namespace widgets

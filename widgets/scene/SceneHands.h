@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Geometry.h"
+#include "widgets/scene/render/SceneFrame.h"
+
+class QAction;
+class QMenu;
+class QPoint;
+class QWidget;
+
+namespace robotcontrol {
+class Request;
+}
+
+namespace widgets {
+
+class SceneCanvas;
+class SceneEdits;
+class ScenePalette;
+class SceneState;
+struct ViewContext;
+
+/// What the mouse and the keys do with the objects of a scene view: the handles at the selected object, the
+/// menu of an object, adding, deleting, and one history of all of it (SceneEdits).
+///
+/// What moves in the simulation is moved there, by requests; what is fixed, such as a wall or a lamp, is
+/// moved in the text of the scene, in which the simulation then goes on. GUI thread.
+class SceneHands final : public QObject {
+  Q_OBJECT
+ public:
+  /// The canvas, the state and the view, which gets the actions, must outlive it.
+  SceneHands(ViewContext& context, SceneCanvas& canvas, const SceneState& scene, QWidget& view);
+  ~SceneHands() override;
+
+  /// Shows the handles where the object is now, and sends what was moved. Called 30 times a second.
+  void tick();
+  /// What is in the tools of the view.
+  QAction* handles() const { return handles_; }
+  QAction* ownAxes() const { return ownAxes_; }
+  QAction* undo() const { return undo_; }
+  QAction* redo() const { return redo_; }
+  QAction* palette() const { return showPalette_; }
+  /// Fills the menu of what is at a place of the canvas, and selects it.
+  void fillMenu(QMenu& menu, const QPoint& at);
+  /// The bodies of the object whose handle is dragged, where it is wanted.
+  std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
+  /// Why the last thing could not be done; empty: it could. Cleared after some seconds.
+  const QString& notice() const { return notice_; }
+
+  /// A model is about to be dragged on the ground; then it was, to a pose.
+  void beginDrag(const std::string& model);
+  void endDrag(const std::string& model, const robotlink::Pose2& wanted);
+  void cancelDrag(const std::string& model);
+
+ Q_SIGNALS:
+  /// The camera is to follow a robot.
+  void followWanted(const QString& robot);
+
+ private:
+  /// What is selected, as something that can be moved.
+  struct Target {
+    /// A model's name, or the path of a lamp.
+    std::string object;
+    robotlink::Pose3 pose;
+    /// Whether the simulation moves it; else its text is changed.
+    bool isLive = false;
+  };
+  std::optional<Target> target() const;
+  void createActions(QWidget& view);
+  void createMoreActions(QWidget& view);
+  void connectSignals();
+  void moveGizmo(const robotlink::Pose3& pose);
+  void endGizmo(const robotlink::Pose3& pose);
+  void cancelGizmo();
+  /// Sends a request, and shows why it was refused.
+  void ask(robotcontrol::Request request);
+  /// Adds a step to the history that places a model.
+  void addMove(const std::string& model, const robotlink::Pose3& before, const robotlink::Pose3& after);
+  void insert(const QString& kind, double x, double y);
+  void insertInView(const QString& kind);
+  void duplicate();
+  void erase();
+  void rename();
+  void write();
+  void walk(bool isUndo);
+  void showHistory();
+  /// Runs a command of the window.
+  void run(const char* command, const std::string& word);
+  void report(const QString& text);
+  SceneEdits& edits() const;
+
+  ViewContext& context_;
+  SceneCanvas& canvas_;
+  const SceneState& scene_;
+  ScenePalette* palette_ = nullptr;
+  QAction *handles_ = nullptr, *ownAxes_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
+  QAction *duplicate_ = nullptr, *erase_ = nullptr, *rename_ = nullptr, *write_ = nullptr;
+  QAction *goToText_ = nullptr, *properties_ = nullptr, *showPalette_ = nullptr;
+  /// What is dragged by a handle, since its press.
+  std::optional<Target> dragged_;
+  robotlink::Pose3 wanted_ = robotlink::Pose3::Identity();
+  bool unsent_ = false;
+  /// Where the model was that is dragged on the ground.
+  std::optional<robotlink::Pose3> ground_;
+  QString notice_;
+  int noticeTicks_ = 0;
+};
+
+}  // namespace widgets
