@@ -68,7 +68,7 @@ robotlink::Result<std::string> SceneSpecification::withElement(const std::string
 robotlink::Result<std::string> SceneSpecification::newObject(const std::string& kind, const std::string& name,
                                                              double x, double y,
                                                              const std::filesystem::path& file) const {
-  return newObjectText(kind, name, x, y, file);
+  return newObjectText(kind, name, x, y, file, folders_());
 }
 
 robotlink::Result<std::string> SceneSpecification::newRoom(const widgets::RoomChoice& room,

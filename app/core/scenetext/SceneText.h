@@ -67,6 +67,7 @@ robotlink::Result<std::string> newRoomText(const NewRoom& room, const std::files
 /// or cylinder that moves, a lamp, a camera, or a model by its name. Robots stand on their feet or wheels,
 /// other models have z = 0. `name` must be free.
 robotlink::Result<std::string> newObjectText(const std::string& kind, const std::string& name, double x,
-                                             double y, const std::filesystem::path& file);
+                                             double y, const std::filesystem::path& file,
+                                             const ModelFolders& folders = {});
 
 }  // namespace app
