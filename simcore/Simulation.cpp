@@ -45,11 +45,14 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
   std::unique_ptr<Simulation> simulation(new Simulation);
   simulation->implementation_ = std::make_unique<Implementation>(std::move(scene), options);
   if (auto fits = simulation->implementation_->checkStart(); !fits) return tl::unexpected(fits.error());
+  simulation->startControllers();
   return simulation;
 }
 
 void Simulation::step() {
+  control();
   Implementation& i = *implementation_;
+  i.control.isDone = false;
   i.actuation->beforeStep(i.steps);
   i.physics->step(robotlink::hashBits(i.options.seed, kSolverStream, i.steps));
   ++i.steps;
@@ -79,6 +82,7 @@ robotlink::Duration Simulation::time() const {
 void Simulation::reset(std::uint64_t seed) {
   implementation_->options.seed = seed;
   implementation_->start();
+  startControllers();
 }
 
 const Scene& Simulation::scene() const {
@@ -210,7 +214,9 @@ robotlink::Duration Simulation::obstacleContactTime(const std::string& robot) co
 }
 
 std::uint64_t Simulation::digest() const {
-  return robotlink::mixBits(implementation_->physics->digest() ^ implementation_->steps);
+  const Implementation& i = *implementation_;
+  return robotlink::mixBits(i.physics->digest() ^ i.steps ^ i.control.digest ^
+                            i.control.controllers->digest());
 }
 
 }  // namespace simcore

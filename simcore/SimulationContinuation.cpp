@@ -2,6 +2,7 @@
 // How a simulation starts, and goes on in another scene: checkStart() and takeOver() of SimulationState.h,
 // continueIn() and continueFrom() of Simulation.h.
 #include <algorithm>
+#include <utility>
 
 #include "simcore/Simulation.h"
 #include "simcore/SimulationState.h"
@@ -162,12 +163,16 @@ robotlink::Result<SceneChange> Simulation::continueIn(std::shared_ptr<const Scen
   next->chosenErrors = implementation_->chosenErrors;
   for (const auto& [sensor, errors] : next->chosenErrors)
     next->sensing->setErrors(sensor, errors, next->noise());
-  implementation_ = std::move(next);
+  const auto before = std::exchange(implementation_, std::move(next));
+  startControllers();
+  implementation_->takeOverControl(*before);
   return SceneChange{true, std::move(putBack)};
 }
 
 std::vector<std::string> Simulation::continueFrom(const Simulation& before) {
-  return implementation_->takeOver(*before.implementation_);
+  std::vector<std::string> putBack = implementation_->takeOver(*before.implementation_);
+  implementation_->takeOverControl(*before.implementation_);
+  return putBack;
 }
 
 }  // namespace simcore

@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "simcore/PortList.h"
 #include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
+#include "simcore/control/ControlState.h"
 #include "simcore/devices/Actuation.h"
 #include "simcore/devices/Doors.h"
 #include "simcore/devices/Ports.h"
@@ -65,9 +67,6 @@ struct TimedSensor {
 /// Solids that rest on each other overlap a little, m; a deeper overlap means an impossible pose.
 inline constexpr double kMaxOverlap = 0.003;
 
-/// All ports, first those of devices, then the truth about each model.
-std::vector<Port> portsOf(const Ports& ports, const WorldDescription& world);
-
 /// Everything that a simulation consists of. One thread at a time.
 struct SimulationState {
   std::shared_ptr<const Scene> scene;
@@ -86,6 +85,7 @@ struct SimulationState {
   // Keyed by range sensor, image sensor and camera.
   std::vector<TimedSensor> rangeTiming, imageTiming, cameraTiming;
   PoseHistory history;
+  ControlState control;
   // Perfect sensors, made when they are needed first; and what they measure.
   std::vector<RangeSensor> trueRangeSensors;
   std::unique_ptr<RangeSensing> trueRanging;
@@ -141,6 +141,14 @@ struct SimulationState {
     for (std::size_t i = 0; i < allPorts.size(); ++i) portsByPath.emplace(allPorts[i].info.path, i);
     start();
   }
+
+  // Controllers (SimulationControl.cpp).
+  void addOutputPorts();
+  /// Fills in what the ray of an event hits now.
+  void pick(ViewEvent& event);
+  robotlink::Result<std::vector<double>> readOutput(std::size_t index) const;
+  /// Has controllers go on as those of another simulation do.
+  void takeOverControl(const SimulationState& before);
 
   /// The smallest number that the sensor of a door reads now.
   double readingFor(const Door& door);

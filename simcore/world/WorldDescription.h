@@ -11,6 +11,7 @@
 #include "robotlink/base/Image.h"
 #include "simcore/world/ActuatorDescription.h"
 #include "simcore/world/CameraModel.h"
+#include "simcore/world/ControllerDescription.h"
 #include "simcore/world/Radiation.h"
 #include "simcore/world/RenderScene.h"
 #include "simcore/world/SensorDescription.h"
@@ -168,6 +169,7 @@ struct ModelDescription {
   std::optional<DriveDescription> drive;
   std::optional<GuidedMotion> guided;
   std::vector<HomeDescription> homes;
+  std::vector<ControllerDescription> controllers;
 };
 
 /// A model in the world.
@@ -195,6 +197,8 @@ struct WorldDescription {
   std::vector<RadiationClass> radiationClasses;
   /// What the lamps emit of radiation classes, by lamp.
   std::vector<std::vector<ClassIntensity>> lampRadiation;
+  /// Those that belong to no model.
+  std::vector<ControllerDescription> controllers;
   std::vector<ModelInstance> models;
 };
 
