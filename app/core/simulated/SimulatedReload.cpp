@@ -26,6 +26,8 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::reload() {
   auto scene = readScene();
   if (!scene) return tl::unexpected(std::move(scene.error()));
   if (!hasSameRobots(**scene)) return Reloaded{};
+  // Controllers are made anew, and may fail again.
+  endedControllers_.clear();
   // Threads of programs must not see a world that is exchanged; in lockstep nothing runs now.
   if (options_.executor() != ExecutorKind::kLockstep) return exchangeWorld(std::move(*scene));
   auto change = world_->continueIn(*scene);

@@ -375,6 +375,7 @@ void SimulatedRun::step() {
   if (ports_) ports_->deliver();
   for (const auto& robot : robots_) robot->endStep();
   if (kickOff_) watchGame();
+  watchControllers();
   if (tap_) recordStep();
 }
 
@@ -398,6 +399,7 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
   world_->reset(seed);
   for (const auto& robot : robots_) robot->beginAnew();
   if (kickOff_) kickOff_->restart();
+  endedControllers_.clear();
   options_.world.seed = seed;
   // Made again, so that what they have is that of the new world. If a file was broken just now, those of
   // before are as good.

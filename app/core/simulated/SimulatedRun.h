@@ -109,6 +109,9 @@ class SimulatedRun {
     std::function<void(const std::string& robot, robotlink::Instant time,
                        const robotcontrol::HostingStatus& status)>
         hosting = {};
+    /// Called with a sentence about a controller of the scene that was switched off.
+    std::function<void(const std::string& controller, robotlink::Instant time, const std::string& text)>
+        control = {};
   };
 
   /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.
@@ -243,6 +246,8 @@ class SimulatedRun {
   void reportTrouble(const robotlink::Process& process, const std::string& text);
   /// Lets the referee act, and reports goals and kick-offs.
   void watchGame();
+  /// Reports controllers that were switched off.
+  void watchControllers();
 
   RunOptions options_;
   Listeners listeners_;
@@ -258,6 +263,8 @@ class SimulatedRun {
   std::unique_ptr<RecordingTap> tap_;
   std::vector<std::unique_ptr<RobotHost>> robots_;
   std::vector<std::string> lostChoices_;
+  /// The controllers whose end was reported since the start or the last reset.
+  std::set<std::string> endedControllers_;
   /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
   /// With modules inside, and with programs in processes of their own; shared with stopSwitch_.

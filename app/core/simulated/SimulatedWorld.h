@@ -11,6 +11,7 @@
 #include "app/core/simulated/HeldActuators.h"
 #include "app/core/simulated/SimulatedPioneer.h"
 #include "app/core/simulated/TrueClasses.h"
+#include "app/core/simulated/control/PortCommands.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
@@ -18,6 +19,7 @@
 #include "simcore/rendering/CameraOptics.h"
 #include "simcore/rendering/CameraRenderer.h"
 #include "simcore/world/LightAdjustment.h"
+#include "simcore/world/ViewEvent.h"
 
 namespace app {
 
@@ -88,6 +90,12 @@ class SimulatedWorld {
   /// The actuators that a person holds; a reset forgets them.
   HeldActuators& held() { return held_; }
 
+  /// What controllers elsewhere command in each step; null: there are none. It must outlive this object, or
+  /// the next call.
+  void setCommands(PortCommands* commands) { commands_ = commands; }
+  /// The events of views that entered in the last advance().
+  std::span<const simcore::ViewEvent> events() const { return events_; }
+
   /// Returns null if the robot has none.
   SimulatedPioneer* pioneer(const std::string& robot) const;
 
@@ -141,6 +149,8 @@ class SimulatedWorld {
   std::unique_ptr<simcore::Simulation> simulation_;
   std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
   HeldActuators held_;
+  PortCommands* commands_ = nullptr;
+  std::vector<simcore::ViewEvent> events_;
   /// Null if there are no cameras.
   std::unique_ptr<simcore::CameraRenderer> renderer_;
   std::vector<CameraSetting> cameraSettings_;

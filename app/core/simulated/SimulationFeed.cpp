@@ -74,7 +74,7 @@ tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed:
   auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
-  feed->ports_ = std::make_unique<WorldPorts>(feed->run_->world());
+  feed->useWorld();
   return feed;
 }
 
@@ -90,7 +90,12 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
             gate_.publishPlatform(robot, time, text);
           },
           [this](const std::string& robot, robotlink::Instant time,
-                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); }};
+                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); },
+          [this](const std::string&, robotlink::Instant time, const std::string& text) {
+            controllersChanged_ = true;
+            if (run_ && !run_->robots().empty())
+              gate_.publishText(run_->robots().front(), "controllers", time, foxglove::Log::ERROR, text);
+          }};
 }
 
 void SimulationFeed::publishPortText(const std::string& text, int level) {
@@ -152,13 +157,14 @@ std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
     pace_.setSpeed(1);
     restartPace();
   }
-  if (running_) return pace_.due(now());
-  if (stepsWanted_ > 0) return Clock::now();
-  return std::nullopt;
+  if (!running_ && stepsWanted_ == 0) return std::nullopt;
+  const auto paced = running_ ? pace_.due(now()) : Clock::now();
+  return std::max(paced, external_.waitsUntil().value_or(paced));
 }
 
 void SimulationFeed::step() {
   pace_.forgetLag(Clock::now(), now());
+  beforeControl(Clock::now());
   if (ports_->holdsAny()) ports_->release(run_->stoppedRobots());
   run_->step();
   if (stepsWanted_ > 0) --stepsWanted_;
@@ -169,6 +175,7 @@ void SimulationFeed::step() {
     publishTransforms();
   }
   if (!ports_->isEmpty()) stepPorts(real);
+  afterControl(real);
   const bool isRead = demand_.anything || recorder_.active();
   if (isRead && (single || real - lastStatus_ >= kSimulationStatusEvery)) publishStatus();
   publishAnswers();
@@ -212,7 +219,10 @@ struct SimulationFeed::Handlers {
       {Request::kMoveDoor, &SimulationFeed::moveDoor},
       {Request::kHostProgram, &SimulationFeed::hostProgram},
       {Request::kSetActuator, &SimulationFeed::setActuator},
-      {Request::kReadPorts, &SimulationFeed::readPorts}};
+      {Request::kReadPorts, &SimulationFeed::readPorts},
+      {Request::kSendEvent, &SimulationFeed::sendEvent},
+      {Request::kAttachController, &SimulationFeed::attachController},
+      {Request::kSetPorts, &SimulationFeed::setPorts}};
 };
 
 bool SimulationFeed::fulfills(const robotcontrol::Request& request) {
@@ -329,6 +339,7 @@ tl::expected<bool, robotlink::Errors> SimulationFeed::reload() {
   auto done = run_->reload();
   if (!done) return tl::unexpected(std::move(done.error()));
   if (!done->inPlace) return false;
+  useWorld();
   restartPace();
   publishScene();
   if (run_->robots().empty()) return true;
@@ -354,7 +365,9 @@ robotlink::Result<void> SimulationFeed::reset() {
     return tl::unexpected(errors.front());
   }
   restartPace();
+  external_.restart();
   publishScene();
+  publishInputs(true);
   return {};
 }
 
@@ -363,10 +376,11 @@ void SimulationFeed::publishScene() {
   lastStatus_ = Clock::now();
   if (const auto map = run_->map()) gate_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
   gate_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
-  gate_.publish({robotlink::streams::kObjects, now(), worldObjects(run_->world().simulation())});
+  publishControllers();
   // After a reset nothing is held any more.
   if (lastPorts_ != Clock::time_point()) publishPorts();
   publishTransforms();
+  publishDrawings();
   publishStatus();
 }
 
