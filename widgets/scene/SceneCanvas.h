@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "widgets/scene/RenderThread.h"
+#include "widgets/world/SceneEvent.h"
 
 namespace widgets {
 
@@ -16,7 +17,8 @@ namespace widgets {
 /// RenderThread whenever something changed. Object name "sceneCanvas". GUI thread.
 ///
 /// Mouse: drag to orbit, right or middle button or Shift to pan, wheel to zoom; dragging a movable model
-/// moves it, and the wheel turns it then.
+/// moves it, and the wheel turns it then. While events are sent, the left button and the keys are those of
+/// the scene's controllers instead.
 class SceneCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -31,6 +33,9 @@ class SceneCanvas final : public QWidget {
   void setContents(VisibleScene contents);
   /// The models that can be dragged; without `always` only while Control is held.
   void setMovable(std::vector<std::string> models, bool always);
+  /// Whether keys and the left button are reported by eventHappened() instead of moving camera and models.
+  void setSendsEvents(bool sends) { sends_ = sends; }
+  bool sendsEvents() const { return sends_; }
   /// Highlights a model while no other one is under the cursor; empty: none.
   void setSelected(const std::string& model);
   /// A sentence at the upper edge; empty: none.
@@ -72,6 +77,8 @@ class SceneCanvas final : public QWidget {
   void dragEnded();
   /// The user pressed and released the left button on a model without moving it.
   void modelClicked(const QString& model);
+  /// Only with setSendsEvents(): a key, or the left button with a ray in the field's frame, m.
+  void eventHappened(const widgets::SceneEvent& event);
 
  protected:
   /// Shows what is drawn under the cursor as a tool tip.
@@ -85,11 +92,12 @@ class SceneCanvas final : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:
   /// What the pressed button does.
-  enum class Mode : std::uint8_t { kIdle, kOrbiting, kPanning, kDragging };
+  enum class Mode : std::uint8_t { kIdle, kOrbiting, kPanning, kDragging, kSending };
 
   /// Requests a picture; `smooth`: with several samples per pixel.
   void request(bool smooth = false);
@@ -105,6 +113,9 @@ class SceneCanvas final : public QWidget {
   bool startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers);
   /// Highlights a model; empty: none.
   void highlight(const std::string& model);
+  /// Emits eventHappened() for the left button or for a key.
+  void sendMouse(SceneEvent::Kind kind, const QPointF& at);
+  void sendKey(SceneEvent::Kind kind, const QKeyEvent& event);
   /// Emits modelClicked() if a model is at the point.
   void click(const QPointF& at);
   /// The model that a drag from here would move; empty: none. `point` gets the point that is hit, in the
@@ -114,7 +125,7 @@ class SceneCanvas final : public QWidget {
 
   VisibleScene contents_;
   std::vector<std::string> movable_;
-  bool moveAlways_ = true, wireFrame_ = false, grid_ = true, labels_ = true;
+  bool sends_ = false, moveAlways_ = true, wireFrame_ = false, grid_ = true, labels_ = true;
   QString notice_, hint_;
   SceneCamera camera_;
   /// Unset: the camera was moved.

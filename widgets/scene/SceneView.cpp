@@ -20,6 +20,7 @@
 #include "robotlink/packages/MapConversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
+#include "widgets/Requests.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/field/FieldPainter.h"
@@ -49,6 +50,7 @@ SceneView::SceneView(ViewContext& context, QWidget* parent)
   connectSignals();
   connectCamera();
   connectDrag();
+  connectEvents();
   keepChoices();
   canvas_->setOverview(box());
   tick();
@@ -78,6 +80,12 @@ void SceneView::createActions() {
                          "turns what is dragged"),
                       Qt::Key_M},
                      true);
+  send_ =
+      makeToggle(this, "send",
+                 {"sceneSend", tr("Keys and clicks for controllers"),
+                  tr("Keys and the left button are sent to the controllers of the simulated scene, such as "
+                     "that of a lift; the right and the middle button still move the camera"),
+                  Qt::Key_K});
 }
 
 void SceneView::createCameraActions() {
@@ -111,7 +119,7 @@ QWidget* SceneView::createToolRow(QAction* showDrawings) {
   addButtons(row, {reset_, fromAbove_, behind_, follow_});
   state_ = addWideLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
   addPoses(row);
-  addButtons(row, {move_, wireFrame_, grid_, labels_, sensors_, zoomOut(), zoomIn(), showDrawings});
+  addButtons(row, {move_, send_, wireFrame_, grid_, labels_, sensors_, zoomOut(), zoomIn(), showDrawings});
   return row->parentWidget();
 }
 
@@ -166,6 +174,27 @@ void SceneView::connectDrag() {
   connect(canvas_, &SceneCanvas::dragEnded, this, [this] {
     drag_.end(session());
     tick();
+  });
+}
+
+void SceneView::connectEvents() {
+  connect(send_, &QAction::toggled, this, [this](bool on) {
+    canvas_->setSendsEvents(on);
+    if (on) canvas_->setFocus();
+  });
+  connect(canvas_, &SceneCanvas::eventHappened, this, [this](const SceneEvent& happened) {
+    robotcontrol::Request request;
+    auto& event = *request.mutable_send_event();
+    event.set_kind(static_cast<robotcontrol::ViewEvent::Kind>(happened.kind));
+    event.set_view("scene");
+    event.set_key(happened.key.toStdString());
+    if (happened.kind >= SceneEvent::Kind::kMousePressed) {
+      event.set_button(1);
+      robotlink::assign(*event.mutable_origin(), happened.origin);
+      robotlink::assign(*event.mutable_direction(), happened.direction);
+    }
+    // Where nothing is simulated nobody misses them.
+    ask(session(), {}, std::move(request), this, [](bool, const QString&) {});
   });
 }
 
@@ -330,6 +359,7 @@ void SceneView::keepChoices() {
   keep("labels", labels_);
   keep("move", move_);
   keep("sensors", sensors_);
+  keep("send", send_);
   keep("robot", robots_);
   keep(
       "camera", [this] { return stateOf(canvas_->camera()); },
