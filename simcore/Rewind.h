@@ -27,6 +27,7 @@ enum class CommandKind : std::uint8_t {
   kDrag,
   kRelease,
   kPush,
+  kEvent,
 };
 
 /// The recent past of a simulation: its state each kPeriod steps, and all commands since the oldest of them,

@@ -6,8 +6,10 @@
 #include <optional>
 #include <set>
 
+#include "simcore/PortList.h"
 #include "simcore/SceneContents.h"
 #include "simcore/SceneFileKind.h"
+#include "simcore/control/ControllerCheck.h"
 #include "simcore/maps/MapWorld.h"
 #include "simcore/placement/RobotPlacement.h"
 #include "simcore/sdf/ModelWorld.h"
@@ -92,6 +94,15 @@ void checkNames(const WorldDescription& world, Errors& errors) {
     errors.push_back(
         {"scene.duplicate-name", "there is another model '" + model.name + "'", {}, model.where});
   }
+}
+
+/// Reports what controllers name and the world does not have.
+void checkControl(const WorldDescription& world, Errors& errors) {
+  const bool hasAny =
+      !world.controllers.empty() || std::ranges::any_of(world.models, [](const ModelInstance& model) {
+        return !model.type->controllers.empty();
+      });
+  if (hasAny) checkControllers(world, portsOf(Ports::of(world), world), errors);
 }
 
 /// A world under construction, from either kind of file.
@@ -233,6 +244,7 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
   Draft draft = isMapFile(file) ? readMapScene(file, progress, errors)
                                 : readSdfScene(file, modelFolders, texts, SdfSpec::shared(), errors);
   if (progress.reached(0.4) && robots.count > 0) putRobots(draft, robots, file, SdfSpec::shared(), errors);
+  checkControl(draft.world, errors);
   if (!progress.reached(0.8)) return tl::unexpected(std::move(errors));
   const std::shared_ptr<Scene> scene(new Scene);
   SceneContents& implementation = *scene->contents_;

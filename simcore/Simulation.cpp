@@ -45,12 +45,15 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
   std::unique_ptr<Simulation> simulation(new Simulation);
   simulation->implementation_ = std::make_unique<Implementation>(std::move(scene), options);
   if (auto fits = simulation->implementation_->checkStart(); !fits) return tl::unexpected(fits.error());
+  simulation->startControllers();
   return simulation;
 }
 
 void Simulation::step() {
   before_.reset();
+  control();
   Implementation& i = *implementation_;
+  i.control.isDone = false;
   i.actuation->beforeStep(i.steps, {i.options.noise, i.options.seed});
   i.hands->beforeStep();
   i.physics->step(robotlink::hashBits(i.options.seed, kSolverStream, i.steps));
@@ -83,6 +86,7 @@ void Simulation::reset(std::uint64_t seed) {
   before_.reset();
   implementation_->options.seed = seed;
   implementation_->start();
+  startControllers();
   implementation_->beginRewindAnew();
 }
 
@@ -231,7 +235,9 @@ robotlink::Duration Simulation::obstacleContactTime(const std::string& robot) co
 }
 
 std::uint64_t Simulation::digest() const {
-  return robotlink::mixBits(implementation_->physics->digest() ^ implementation_->steps);
+  const Implementation& i = *implementation_;
+  return robotlink::mixBits(i.physics->digest() ^ i.steps ^ i.control.digest ^
+                            i.control.controllers->digest());
 }
 
 }  // namespace simcore

@@ -23,7 +23,10 @@
 namespace simcore {
 
 class Scene;
+struct ControllerOutput;
+struct ControllerStatus;
 struct SimulationState;
+struct ViewEvent;
 
 /// How a placed model is tilted: turned by roll about x, then by pitch about y, then by the heading about z;
 /// rad.
@@ -63,8 +66,22 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Advances by one step: servos and drives first, then physics, then contact counters.
+  /// Advances by one step: controllers, servos and drives first, then physics, then contact counters.
   void step();
+  /// Calls the controllers of the scene for the step that comes, which step() does otherwise: commands that
+  /// are given after it override theirs.
+  void control();
+  /// Has an event of a view enter at the next step: what its ray hits is found then, and controllers get it.
+  /// Events are part of digest(). Fails if it is none, or if too many wait.
+  robotlink::Result<void> addEvent(ViewEvent event);
+  /// The events that entered at the last step, or at the one that comes after control(); valid until the next
+  /// call of a non-const function.
+  std::span<const ViewEvent> events() const;
+  /// How the controllers fare: those of the world first, then those of its models, in their order.
+  std::span<const ControllerStatus> controllers() const;
+  /// The views that controllers add, in the order of their ports; valid until the next reset.
+  std::span<const ControllerOutput* const> outputs() const;
+
   /// Steps since the start or the last reset.
   std::uint64_t steps() const;
   /// Simulated time since then.
@@ -248,12 +265,17 @@ class Simulation {
   std::uint64_t obstacleContacts(const std::string& robot) const;
   robotlink::Duration obstacleContactTime(const std::string& robot) const;
 
-  /// A hash of all poses and velocities, for tests of determinism.
+  /// A hash of all poses and velocities, events, and outputs of controllers, for tests of determinism.
   std::uint64_t digest() const;
 
  private:
   Simulation();
   using Implementation = SimulationState;
+  /// Makes the controllers anew.
+  /// Has new controllers go on by what those of a snapshot remembered.
+  void resumeControllers();
+  void startControllers();
+
   std::unique_ptr<Implementation> implementation_;
   /// What goBack() goes back to; null: nothing.
   std::unique_ptr<Implementation> before_;

@@ -257,6 +257,8 @@ robotlink::Result<SceneChange> Simulation::continueIn(std::shared_ptr<const Scen
   next->physics->readContacts(next->readsForces);
   next->rewind = std::move(implementation_->rewind);
   before_ = std::exchange(implementation_, std::move(next));
+  startControllers();
+  implementation_->takeOverControl(*before_);
   implementation_->beginRewindAnew();
   for (const auto& [path, errors] : before_->errorsByPath()) {
     // A sensor that is gone has none.
@@ -281,6 +283,7 @@ std::shared_ptr<const ModelMotion> Simulation::motionOf(const std::string& model
 
 std::vector<std::string> Simulation::continueFrom(const Simulation& before) {
   std::vector<std::string> putBack = *implementation_->takeOver(*before.implementation_, {});
+  implementation_->takeOverControl(*before.implementation_);
   implementation_->beginRewindAnew();
   return putBack;
 }

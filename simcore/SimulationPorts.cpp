@@ -112,6 +112,8 @@ robotlink::Result<std::vector<double>> Simulation::read(const std::string& path)
     case Port::Kind::kTruePose:
     case Port::Kind::kTrueVelocity:
       return i.truthOf(*found);
+    case Port::Kind::kOutput:
+      return i.readOutput(found->index);
   }
   return unknownPort(path, "port");
 }
@@ -131,6 +133,8 @@ robotlink::Result<std::vector<double>> Simulation::readTruth(const std::string& 
       return i.trueRanges(found->index);
     case Port::Kind::kImage:
       return i.trueImage(found->index);
+    case Port::Kind::kOutput:
+      return i.readOutput(found->index);
     default:
       return i.truthOf(*found);
   }

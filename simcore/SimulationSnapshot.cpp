@@ -110,6 +110,13 @@ void repeat(Simulation& simulation, const Rewind::Command& command) {
     case CommandKind::kPush:
       (void)simulation.push(command.text, vector(0), vector(3), at(6));
       return;
+    case CommandKind::kEvent: {
+      const std::size_t end = command.text.find('\n');
+      ViewEvent event{static_cast<ViewEvent::Kind>(command.index), command.text.substr(0, end),
+                      command.text.substr(end + 1), static_cast<int>(at(6)), vector(0), vector(3)};
+      (void)simulation.addEvent(std::move(event));
+      return;
+    }
   }
 }
 
@@ -177,6 +184,7 @@ void SimulationState::transfer(StateStream& stream) {
   stream.raw(ballContacts);
   stream.bits(touchedBall);
   for (TouchCount& touches : obstacles) touches.transfer(stream);
+  transferControl(stream);
   if (!stream.isReading()) return;
   readWheels();
   invalidate();
@@ -218,10 +226,12 @@ robotlink::Result<void> Simulation::restore(const Snapshot& snapshot) {
   if (!isRead) {
     StateStream back(before, StateStream::Trust::kOwn);
     i.transfer(back);
+    resumeControllers();
     return robotlink::failure("snapshot.damaged",
                               "the snapshot of " + snapshot.scene + " has a state that is not possible", {},
                               {snapshot.scene});
   }
+  resumeControllers();
   i.beginRewindAnew();
   return {};
 }
@@ -262,6 +272,7 @@ robotlink::Result<void> Simulation::rewindTo(std::uint64_t step) {
   const std::uint64_t from = i.rewind->stateBefore(step);
   StateStream stream(i.rewind->stateAt(from), StateStream::Trust::kOwn);
   i.transfer(stream);
+  resumeControllers();
   i.isRepeating = true;
   const auto again = [this](const Rewind::Command& command) { repeat(*this, command); };
   if (step == from) i.rewind->replay(from, from, [](const Rewind::Command&) {});

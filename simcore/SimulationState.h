@@ -10,9 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "simcore/PortList.h"
 #include "simcore/Rewind.h"
 #include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
+#include "simcore/control/ControlState.h"
 #include "simcore/devices/Actuation.h"
 #include "simcore/devices/Doors.h"
 #include "simcore/devices/Hands.h"
@@ -77,9 +79,6 @@ struct ModelMotion {
 /// Solids that rest on each other overlap a little, m; a deeper overlap means an impossible pose.
 inline constexpr double kMaxOverlap = 0.003;
 
-/// All ports, first those of devices, then the truth about each model.
-std::vector<Port> portsOf(const Ports& ports, const WorldDescription& world);
-
 /// Everything that a simulation consists of. One thread at a time.
 struct SimulationState {
   std::shared_ptr<const Scene> scene;
@@ -109,6 +108,7 @@ struct SimulationState {
   // Keyed by range sensor, image sensor and camera.
   std::vector<TimedSensor> rangeTiming, imageTiming, cameraTiming;
   PoseHistory history;
+  ControlState control;
   // Perfect sensors, made when they are needed first; and what they measure.
   std::vector<RangeSensor> trueRangeSensors;
   std::unique_ptr<RangeSensing> trueRanging;
@@ -165,6 +165,16 @@ struct SimulationState {
     for (std::size_t i = 0; i < allPorts.size(); ++i) portsByPath.emplace(allPorts[i].info.path, i);
     start();
   }
+
+  // Controllers (SimulationControl.cpp).
+  void addOutputPorts();
+  /// Fills in what the ray of an event hits now.
+  void pick(ViewEvent& event);
+  robotlink::Result<std::vector<double>> readOutput(std::size_t index) const;
+  /// Writes what controllers remember, or reads it for Simulation::resumeControllers().
+  void transferControl(StateStream& stream);
+  /// Has controllers go on as those of another simulation do.
+  void takeOverControl(const SimulationState& before);
 
   /// The smallest number that the sensor of a door reads now.
   double readingFor(const Door& door);
@@ -294,7 +304,8 @@ struct SimulationState {
   /// Notes a command for going back, if that is wanted.
   void note(CommandKind kind, std::size_t index, std::span<const double> values,
             const std::string& text = {}) {
-    if (rewind && !isRepeating) rewind->note(steps, kind, index, values, text);
+    // What controllers command, they command again.
+    if (rewind && !isRepeating && !control.isRunning) rewind->note(steps, kind, index, values, text);
   }
   void note(CommandKind kind, std::size_t index, std::initializer_list<double> values,
             const std::string& text = {}) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the programs into an empty folder, builds the shipped examples of plug-ins there with find_package(RobotControl), without the
 # sources, and uses what they add.
-# cmake -D BUILD_DIR=... -D GUI=ON|OFF -D COMPILER=... -D LAUNCHER=... -D WERROR=ON|OFF -P plugins.cmake
+# cmake -D BUILD_DIR=... -D GUI=ON|OFF -D COMPILER=... -D LAUNCHER=... -D WERROR=ON|OFF -D PYTHON=... -D CONTROLLERS=.../controllers.py -P plugins.cmake
 set(temporary $ENV{TMPDIR})
 if(NOT temporary)
   set(temporary /tmp)
@@ -62,6 +62,24 @@ expect("2 messages of the diary")
 expect("line 3 is no entry")
 run(0 "${prefix}/bin/robotctl" log search "${WORK_DIR}/night.mcap" "log.message =~ \"door\"")
 expect("a door opens")
+
+# A controller of scenes.
+set(patrol "${prefix}/share/robotcontrol/examples/plugins/patrol/patrol.sdf")
+run(0 "${prefix}/bin/robotctl" --plugin "${WORK_DIR}/build/patrol.so" scene check "${patrol}" --seconds 3 --json)
+expect("cart")
+run(1 "${prefix}/bin/robotctl" scene check "${patrol}" --seconds 1)
+expect("there is no controller 'patrol'")
+expect("patrol.sdf:12")
+
+# A controller elsewhere, in C++.
+run(0 ${CMAKE_COMMAND} -S "${prefix}/share/robotcontrol/examples/controllers" -B "${WORK_DIR}/controllers" -DCMAKE_PREFIX_PATH=${prefix}
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} ${flags})
+run(0 ${CMAKE_COMMAND} --build "${WORK_DIR}/controllers")
+run(2 "${WORK_DIR}/controllers/wander")
+expect("wander SERVER ROBOT")
+run(0 ${PYTHON} ${CONTROLLERS} "${prefix}/bin/robotctl" "${prefix}/share/robotcontrol/examples/controllers" "${prefix}/share/robotcontrol/scenes/pioneer.sdf"
+    "${WORK_DIR}/controllers/wander" "{url}" p3at1)
+expect("the controller steers the robot")
 
 # Those in the user's folder are loaded, others go on without one that fails.
 file(COPY "${WORK_DIR}/build/mean_ball.so" DESTINATION "${WORK_DIR}/config/robotcontrol/plugins")

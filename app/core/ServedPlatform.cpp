@@ -25,6 +25,7 @@
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Printable.h"
 #include "robotlink/dds/LocalAddresses.h"
@@ -89,6 +90,19 @@ void noteTrouble(ProgramTroubles& troubles, const robotlink::StreamMessage& mess
   if (isStop) troubles.note(robot, text->message());
 }
 
+/// Passes on, once each, which controllers were switched off; those elsewhere that are late are only named.
+void noteControllers(const std::shared_ptr<ProgramTroubles>& troubles, std::set<std::string>& noted,
+                     const robotlink::StreamMessage& message) {
+  const auto* states = dynamic_cast<const robotcontrol::ControllerStates*>(message.value.get());
+  if (states == nullptr) return;
+  for (const auto& state : states->controllers()) {
+    if (state.trouble().empty() || !noted.insert(state.path() + state.trouble()).second) continue;
+    troubles->note(state.path(), "Controller " + state.path() +
+                                     (state.is_external() ? ": " : std::string(" ") + kStoppedText) +
+                                     state.trouble());
+  }
+}
+
 /// What clients publish for bodies goes to these.
 void takeCommands(SessionServer& server, const std::shared_ptr<BodyInbox>& bodies) {
   server.takeFromClients(
@@ -130,6 +144,12 @@ class Service {
     if (options.troubles)
       session_.addListener({[troubles = options.troubles](const robotlink::StreamMessage& message) {
                               noteTrouble(*troubles, message);
+                            },
+                            {}});
+    if (options.troubles)
+      session_.addListener({[troubles = options.troubles, noted = std::set<std::string>()](
+                                const robotlink::StreamMessage& message) mutable {
+                              noteControllers(troubles, noted, message);
                             },
                             {}});
     if (!options.recordings.empty())

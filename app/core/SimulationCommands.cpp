@@ -7,6 +7,7 @@
 #include "app/core/OpenPlatform.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 
@@ -116,6 +117,39 @@ Result<void> setNoise(OpenPlatform& open, bool on) {
   return {};
 }
 
+void sendEvent(OpenPlatform& open, const robotcontrol::ViewEvent& event) {
+  robotcontrol::Request request;
+  *request.mutable_send_event() = event;
+  open.ask(std::move(request));
+}
+
+Result<void> pressKey(OpenPlatform& open, const std::string& key) {
+  robotcontrol::ViewEvent event;
+  event.set_view("command");
+  event.set_key(key);
+  sendEvent(open, event);
+  event.set_kind(robotcontrol::ViewEvent::KEY_RELEASED);
+  sendEvent(open, event);
+  return {};
+}
+
+Result<void> clickAt(OpenPlatform& open, const Values& values) {
+  robotcontrol::ViewEvent event;
+  event.set_view("command");
+  event.set_button(1);
+  event.set_kind(robotcontrol::ViewEvent::MOUSE_PRESSED);
+  event.mutable_origin()->set_x(number(values, 0));
+  event.mutable_origin()->set_y(number(values, 1));
+  event.mutable_origin()->set_z(number(values, 2));
+  event.mutable_direction()->set_x(number(values, 3) - number(values, 0));
+  event.mutable_direction()->set_y(number(values, 4) - number(values, 1));
+  event.mutable_direction()->set_z(number(values, 5) - number(values, 2));
+  sendEvent(open, event);
+  event.set_kind(robotcontrol::ViewEvent::MOUSE_RELEASED);
+  sendEvent(open, event);
+  return {};
+}
+
 }  // namespace
 
 void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
@@ -150,6 +184,9 @@ void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
     open.ask(std::move(request));
     return {};
   });
+  commands.attach("simulation.key",
+                  [&open](const Values& values) { return pressKey(open, text(values, 0)); });
+  commands.attach("simulation.click", [&open](const Values& values) { return clickAt(open, values); });
   commands.attach("simulation.light", [&open](const Values& values) -> Result<void> {
     robotcontrol::Request request;
     request.mutable_set_lighting()->set_brightness(number(values, 0));

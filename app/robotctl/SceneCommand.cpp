@@ -15,6 +15,7 @@
 #include "robotlink/base/Printable.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
+#include "simcore/control/Controllers.h"
 
 namespace app {
 namespace {
@@ -61,6 +62,11 @@ SceneReport reportOf(const simcore::Scene& scene, simcore::Simulation& simulatio
   const auto steps = static_cast<std::uint64_t>(std::llround(seconds / step));
   while (simulation.steps() < steps && Interrupt::signal() == 0) simulation.step();
   report.seconds = static_cast<double>(simulation.steps()) * step;
+  for (const simcore::ControllerStatus& each : simulation.controllers()) {
+    if (!each.isOn())
+      leaveOut(report.leftOut,
+               {{scene.file().string(), 1, 0}, each.path, "controller " + each.kind, each.trouble});
+  }
   for (ModelReport& model : report.models) {
     model.end = simulation.modelPose(model.name).value_or(model.start);
     if (!model.isStatic) model.touches = simulation.modelsTouching(model.name);

@@ -123,6 +123,36 @@ std::string wrongPorts(const Request& request) {
                                         : "a request names at most " + std::to_string(kMaxPorts) + " ports";
 }
 
+std::string wrongEvent(const Request& request) {
+  using robotcontrol::ViewEvent;
+  const ViewEvent& event = request.send_event();
+  if (!ViewEvent::Kind_IsValid(event.kind())) return "there is no such kind of event";
+  const bool isOfKey = event.kind() == ViewEvent::KEY_PRESSED || event.kind() == ViewEvent::KEY_RELEASED;
+  if (isOfKey) return event.key().empty() ? "an event of the keyboard needs a key" : "";
+  return event.has_origin() && event.has_direction() ? ""
+                                                     : "an event of the mouse needs origin and direction";
+}
+
+std::string wrongController(const Request& request) {
+  constexpr int kMaxSensors = 1000, kMaxOutputs = 100;
+  constexpr double kMaxPatience = 60;
+  const auto& attached = request.attach_controller();
+  if (attached.name().empty()) return "the controller has no name";
+  if (attached.sensors_size() > kMaxSensors || attached.outputs_size() > kMaxOutputs)
+    return "a controller has at most 1000 sensors and 100 outputs";
+  const bool isPatience = attached.patience() >= 0 && attached.patience() <= kMaxPatience;
+  return isPatience ? "" : "the patience of a controller is 0 to 60 s";
+}
+
+std::string wrongCommands(const Request& request) {
+  constexpr int kMaxCommands = 1000;
+  const auto& set = request.set_ports();
+  if (set.controller().empty()) return "the controller is not named";
+  return set.commands_size() <= kMaxCommands && set.outputs_size() <= kMaxCommands
+             ? ""
+             : "a controller sets at most 1000 ports at once";
+}
+
 /// A negative speed leaves the speed as it is, as does one that is left out.
 std::string wrongSimulationSpeed(const Request& request) {
   const auto& control = request.control_simulation();
@@ -264,7 +294,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 32> kKinds{{
+constexpr std::array<RequestKind, 35> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -387,6 +417,12 @@ constexpr std::array<RequestKind, 32> kKinds{{
      .words = "control snapshots",
      .wrong = wrongSnapshots,
      .file = fileOfSnapshot},
+    {.what = Request::kSendEvent, .doer = Doer::kSimulation, .words = "send event", .wrong = wrongEvent},
+    {.what = Request::kAttachController,
+     .doer = Doer::kSimulation,
+     .words = "attach controller",
+     .wrong = wrongController},
+    {.what = Request::kSetPorts, .doer = Doer::kSimulation, .words = "set ports", .wrong = wrongCommands},
     {.what = Request::kHostProgram,
      .doer = Doer::kSimulation,
      .words = "host program",

@@ -43,6 +43,10 @@ inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransfor
 inline constexpr char kObjects[] = "objects";        ///< WorldObjects
 inline constexpr char kPorts[] = "ports";            ///< PortReadings
 inline constexpr char kForces[] = "forces";          ///< WorldForces
+inline constexpr char kEvents[] = "events";          ///< ViewEvents
+inline constexpr char kControllers[] = "controllers";  ///< ControllerStates
+/// + name of a controller elsewhere: ControllerInputs
+inline constexpr char kControllerInputs[] = "sim/ports/";
 inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus
 inline constexpr char kRecording[] = "recording";    ///< RecordingStatus
 inline constexpr char kReplay[] = "replay";          ///< ReplayStatus

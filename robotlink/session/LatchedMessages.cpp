@@ -11,11 +11,12 @@
 namespace robotlink {
 
 bool isLatched(std::string_view path, std::string_view type) {
-  constexpr std::array<std::string_view, 11> kTypes{
-      "robotcontrol.BodyOffer",       "robotcontrol.ColorTable",    "robotcontrol.HostingStatus",
-      "robotcontrol.KeySubscribers",  "robotcontrol.KeyTable",      "robotcontrol.MotionTable",
-      "robotcontrol.ParameterValues", "robotcontrol.ProcessTable",  "robotcontrol.ProgramSetup",
-      "robotcontrol.SolutionTable",   "robotcontrol.SteeringStatus"};
+  constexpr std::array<std::string_view, 13> kTypes{
+      "robotcontrol.BodyOffer",        "robotcontrol.ColorTable",    "robotcontrol.ControllerInputs",
+      "robotcontrol.ControllerStates", "robotcontrol.HostingStatus", "robotcontrol.KeySubscribers",
+      "robotcontrol.KeyTable",         "robotcontrol.MotionTable",   "robotcontrol.ParameterValues",
+      "robotcontrol.ProcessTable",     "robotcontrol.ProgramSetup",  "robotcontrol.SolutionTable",
+      "robotcontrol.SteeringStatus"};
   return path == streams::kScene || path == streams::kMap || path == streams::kObjects ||
          path == streams::kSolids || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }

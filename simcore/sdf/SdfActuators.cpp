@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// readMotor(), readGuided(), readDoors() and the radiation of SdfDevices.h.
+// readMotor(), readGuided(), readDoors(), readControllers() and the radiation of SdfDevices.h.
 #include <algorithm>
 #include <sstream>
 
+#include "simcore/control/ControllerCheck.h"
 #include "simcore/sdf/SdfDevices.h"
 
 namespace simcore {
@@ -172,6 +173,30 @@ void readDoors(const sdf::Model& source, ModelDescription& model, const SdfConte
     if (described == nullptr || !described->Element()->HasElement("robotcontrol:door")) continue;
     readDoor(described->Element()->GetElement("robotcontrol:door"), prefix, model, joint, context);
   }
+}
+
+void readControllers(const sdf::ElementPtr& element, const std::string& prefix,
+                     std::vector<ControllerDescription>& to, const SdfContext& context) {
+  const auto textOf = [](const sdf::ElementPtr& of, const char* attribute) {
+    return of->HasAttribute(attribute) ? of->Get<std::string>(attribute) : std::string();
+  };
+  forEachOwn(element, "robotcontrol:controller", [&](const sdf::ElementPtr& child) {
+    ControllerDescription described;
+    described.kind = textOf(child, "name");
+    const std::string name = textOf(child, "as");
+    described.name = prefix + (name.empty() ? described.kind : name);
+    described.prefix = prefix;
+    described.where = context.placeOf(child);
+    forEachOwn(child, "robotcontrol:parameter", [&](const sdf::ElementPtr& parameter) {
+      described.arguments.push_back(
+          {textOf(parameter, "name"), parameter->Get<std::string>(), context.placeOf(parameter)});
+    });
+    const std::size_t before = context.errors.size();
+    if (described.name.find('/') != std::string::npos)
+      context.fail(child, "scene.controller", "the name of a controller has no '/'");
+    checkController(described, SdfContext::pathOf(element), context.errors);
+    if (context.errors.size() == before) to.push_back(std::move(described));
+  });
 }
 
 std::vector<SurfaceRadiation> readSurface(const sdf::ElementPtr& visual, const SdfContext& context) {

@@ -105,6 +105,8 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:closed", {"robotcontrol:door"}, 1},
     {"robotcontrol:below", {"robotcontrol:door"}, 1},
     {"robotcontrol:seconds", {"robotcontrol:door"}, 1},
+    {"robotcontrol:controller", {"model", "world"}, 0},
+    {"robotcontrol:parameter", {"robotcontrol:controller"}, 0},
     {"robotcontrol:guided", {"model"}, 0},
     {"robotcontrol:maximum_speed", {"robotcontrol:guided", "robotcontrol:walk"}, 1},
     {"robotcontrol:maximum_rate", {"robotcontrol:guided", "robotcontrol:walk"}, 1},

@@ -14,17 +14,6 @@ int lineOf(sdf::ElementPtr element) {
   return element ? *element->LineNumber() : 0;
 }
 
-/// Names of elements that contain one, and its own.
-std::string pathOf(sdf::ElementPtr element) {
-  std::string path;
-  for (; element; element = element->GetParent()) {
-    if (!element->HasAttribute("name")) continue;
-    const auto name = element->Get<std::string>("name");
-    if (!name.empty() && name != "__default__") path = path.empty() ? name : name + "/" + path;
-  }
-  return path;
-}
-
 std::string fileOf(sdf::ElementPtr element, const std::string& otherwise) {
   while (element && element->FilePath().empty()) element = element->GetParent();
   return element ? element->FilePath() : otherwise;
@@ -53,6 +42,21 @@ std::string shortNumber(double value) {
 }
 
 }  // namespace
+
+robotlink::FilePosition SdfContext::placeOf(const sdf::ElementPtr& element) const {
+  return {fileOf(element, file), std::max(1, lineOf(element)), 0};
+}
+
+/// Names of elements that contain one, and its own.
+std::string SdfContext::pathOf(sdf::ElementPtr element) {
+  std::string path;
+  for (; element; element = element->GetParent()) {
+    if (!element->HasAttribute("name")) continue;
+    const auto name = element->Get<std::string>("name");
+    if (!name.empty() && name != "__default__") path = path.empty() ? name : name + "/" + path;
+  }
+  return path;
+}
 
 void SdfContext::fail(const sdf::ElementPtr& element, std::string id, std::string text) const {
   const std::string path = pathOf(element);

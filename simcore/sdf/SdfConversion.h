@@ -40,6 +40,10 @@ struct SdfContext {
   /// Whether the model that is being converted never moves.
   bool isStatic = false;
 
+  /// The file and the line of an element.
+  robotlink::FilePosition placeOf(const sdf::ElementPtr& element) const;
+  /// The path of the object that an element is, or is in: "lift/cabin".
+  static std::string pathOf(sdf::ElementPtr element);
   /// Adds an error at an element: its file and line, and the path of the object.
   void fail(const sdf::ElementPtr& element, std::string id, std::string text) const;
   /// Notes what the simulator does not have, at an element.

@@ -44,6 +44,11 @@ void readMotion(const sdf::ElementPtr& element, ModelDescription& model, const S
 /// Reads <robotcontrol:guided> of a model, if it has one.
 void readGuided(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context);
 
+/// Reads the <robotcontrol:controller>s of a model or a world; the names of parts of a model in a model begin
+/// with `prefix`.
+void readControllers(const sdf::ElementPtr& element, const std::string& prefix,
+                     std::vector<ControllerDescription>& to, const SdfContext& context);
+
 /// Reads what a visual reflects and emits, the emitters of a link, what a lamp emits, and the classes of a
 /// world.
 std::vector<SurfaceRadiation> readSurface(const sdf::ElementPtr& visual, const SdfContext& context);

@@ -37,6 +37,14 @@ constexpr OwnElementHelp kOwnElementHelp[] = {
     {"model", "robotcontrol:palette", "", "", false, "Named colors for all files of the scene."},
     {"robotcontrol:palette", "robotcontrol:color", "string", "name", true,
      "A color of the palette: red, green and blue, 0 to 255."},
+    {"world", "robotcontrol:controller", "", "name as", true,
+     "A controller of this name: called before each step, it reads sensors, sets actuators and adds views. "
+     "Its outputs are called by 'as', if that is given."},
+    {"model", "robotcontrol:controller", "", "name as", true,
+     "A controller of this name: called before each step, it reads sensors, sets actuators and adds views. "
+     "Its outputs are called by 'as', if that is given."},
+    {"robotcontrol:controller", "robotcontrol:parameter", "string", "name", true,
+     "A parameter of the controller: a number, a text, a model, or the path of a port."},
     {"model", "robotcontrol:robot", "string", "", false,
      "The model is a robot, described in resources/robots/NAME.yaml."},
     {"model", "robotcontrol:ball", "bool", "", false,

@@ -75,6 +75,16 @@ void readAllJoints(const sdf::Model& source, const Pose3& sourceInModel, const s
   }
 }
 
+/// Adds the controllers of a model and of those in it.
+void readAllControllers(const sdf::Model& source, const std::string& prefix, ModelDescription& model,
+                        const SdfContext& context) {
+  readControllers(source.Element(), prefix, model.controllers, context);
+  for (std::uint64_t i = 0; i < source.ModelCount(); ++i) {
+    const sdf::Model& nested = *source.ModelByIndex(i);
+    readAllControllers(nested, prefix + nested.Name() + "::", model, context);
+  }
+}
+
 ModelDescription readModel(const sdf::Model& source, const SdfContext& context) {
   ModelDescription model;
   const sdf::ElementPtr element = source.Element();
@@ -100,6 +110,7 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
   readVehicle(source, model, context);
   readWalk(element, model, context);
   readMotion(element, model, context);
+  readAllControllers(source, "", model, context);
   return model;
 }
 
@@ -111,6 +122,7 @@ void readSurroundings(const sdf::World& world, WorldDescription& result, const S
   if (!(result.magneticField.norm() <= 100))
     context.fail(world.Element(), "scene.magnetic-field", "magnetic_field must be below 100 T");
   result.radiationClasses = readClasses(world.Element(), context);
+  readControllers(world.Element(), "", result.controllers, context);
   const auto byte = [](float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.F, 1.F) * 255.F));
   };

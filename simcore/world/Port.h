@@ -25,6 +25,8 @@ struct Port {
     kTruePose,
     /// True velocity of a model's origin and its turning rate, in the world.
     kTrueVelocity,
+    /// A view that a controller adds: numbers, an image or a drawing.
+    kOutput,
   };
   PortInfo info;
   Kind kind = Kind::kSensor;

@@ -11,6 +11,7 @@
 #include "robotlink/base/Image.h"
 #include "simcore/world/ActuatorDescription.h"
 #include "simcore/world/CameraModel.h"
+#include "simcore/world/ControllerDescription.h"
 #include "simcore/world/Radiation.h"
 #include "simcore/world/RenderScene.h"
 #include "simcore/world/SensorDescription.h"
@@ -174,6 +175,7 @@ struct ModelDescription {
   std::optional<WalkDescription> walk;
   MotionMode motion = MotionMode::kUnset;
   std::vector<HomeDescription> homes;
+  std::vector<ControllerDescription> controllers;
 };
 
 /// A model in the world.
@@ -214,6 +216,8 @@ struct WorldDescription {
   std::vector<std::string> lampNames;
   /// What the lamps emit of radiation classes, by lamp.
   std::vector<std::vector<ClassIntensity>> lampRadiation;
+  /// Those that belong to no model.
+  std::vector<ControllerDescription> controllers;
   std::vector<ModelInstance> models;
 };
 

@@ -140,6 +140,8 @@ QString SceneTreeModel::kindText(const WorldObject& object) {
       return tr("actuator");
     case WorldObject::LIGHT:
       return tr("light");
+    case WorldObject::CONTROLLER:
+      return tr("controller");
     default:
       return {};
   }

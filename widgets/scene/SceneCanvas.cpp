@@ -4,6 +4,7 @@
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QKeySequence>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -21,6 +22,15 @@ namespace {
 constexpr double kKeyStep = 24;      // pixels that an arrow key is worth
 constexpr int kSceneClickSlack = 4;  // pixels that a hand moves while it clicks
 constexpr double kSceneTurnStep = robotlink::radians(15);
+
+/// Whether a key may be meant for the scene. Those of the window stay what they are: Escape, with which
+/// robots are stopped, those of functions, and all with Ctrl or Alt.
+bool isSent(const QKeyEvent& event) {
+  const bool isOfWindow =
+      event.key() == Qt::Key_Escape || (event.key() >= Qt::Key_F1 && event.key() <= Qt::Key_F35);
+  return !isOfWindow && !event.modifiers().testFlag(Qt::ControlModifier) &&
+         !event.modifiers().testFlag(Qt::AltModifier);
+}
 
 }  // namespace
 
@@ -148,6 +158,11 @@ QImage SceneCanvas::rendered() const {
 }
 
 bool SceneCanvas::event(QEvent* event) {
+  // Keys that are sent do not act as shortcuts of the view.
+  if (event->type() == QEvent::ShortcutOverride && sends_ && isSent(static_cast<const QKeyEvent&>(*event))) {
+    event->accept();
+    return true;
+  }
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto& help = static_cast<const QHelpEvent&>(*event);
   const auto hits = drawingsAt(contents_.drawings, camera_, size(), QPointF(help.pos()));
@@ -218,6 +233,7 @@ bool SceneCanvas::startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers) 
 SceneCanvas::Mode SceneCanvas::modeFor(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier))
     return Mode::kPanning;
+  if (sends_) return Mode::kSending;
   hot_ = gizmo_ ? gizmo_->handleAt(camera_, size(), event.localPos()) : GizmoHandle::kNone;
   if (hot_ != GizmoHandle::kNone) {
     gizmoDrag_.emplace(hot_, *gizmo_, camera_, size(), event.localPos());
@@ -232,6 +248,7 @@ void SceneCanvas::mousePressEvent(QMouseEvent* event) {
   moved_ = false;
   speed_ = {};
   mode_ = modeFor(*event);
+  if (mode_ == Mode::kSending) return sendMouse(SceneEvent::Kind::kMousePressed, last_);
   setCursor(Qt::ClosedHandCursor);
 }
 
@@ -253,6 +270,8 @@ void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
     case Mode::kPanning:
       camera.pan(size(), by);
       return setCamera(camera);
+    case Mode::kSending:
+      return sendMouse(SceneEvent::Kind::kMouseMoved, last_);
     case Mode::kDragging:
     case Mode::kHandling:
       return dragTo(last_, event->modifiers(), event->timestamp());
@@ -290,6 +309,7 @@ bool SceneCanvas::cancelDrag() {
 
 void SceneCanvas::mouseReleaseEvent(QMouseEvent* event) {
   const Mode ended = std::exchange(mode_, Mode::kIdle);
+  if (ended == Mode::kSending) return sendMouse(SceneEvent::Kind::kMouseReleased, event->localPos());
   unsetCursor();
   readout_.clear();
   if (ended == Mode::kDragging) {
@@ -331,7 +351,23 @@ void SceneCanvas::wheelEvent(QWheelEvent* event) {
   setCamera(camera);
 }
 
+void SceneCanvas::sendMouse(SceneEvent::Kind kind, const QPointF& at) {
+  const Ray ray = camera_.ray(size(), at);
+  Q_EMIT eventHappened({kind, {}, ray.origin, ray.direction});
+}
+
+void SceneCanvas::sendKey(SceneEvent::Kind kind, const QKeyEvent& event) {
+  const QString key = QKeySequence(event.key()).toString(QKeySequence::PortableText);
+  if (!event.isAutoRepeat() && !key.isEmpty()) Q_EMIT eventHappened({kind, key});
+}
+
+void SceneCanvas::keyReleaseEvent(QKeyEvent* event) {
+  if (!sends_ || !isSent(*event)) return QWidget::keyReleaseEvent(event);
+  sendKey(SceneEvent::Kind::kKeyReleased, *event);
+}
+
 void SceneCanvas::keyPressEvent(QKeyEvent* event) {
+  if (sends_ && isSent(*event)) return sendKey(SceneEvent::Kind::kKeyPressed, *event);
   QPointF by;
   if (event->key() == Qt::Key_Escape && cancelDrag()) return;
   switch (event->key()) {

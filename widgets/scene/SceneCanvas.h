@@ -11,6 +11,7 @@
 #include "widgets/scene/gizmo/Gizmo.h"
 #include "widgets/scene/gizmo/HandSpeed.h"
 #include "widgets/scene/render/RenderThread.h"
+#include "widgets/world/SceneEvent.h"
 
 namespace widgets {
 
@@ -21,6 +22,7 @@ namespace widgets {
 /// Mouse: drag to orbit, right or middle button or Shift to pan, wheel to zoom; dragging a movable model
 /// moves it, and the wheel turns it then. The handles of the gizmo move and turn what it is at; Control snaps
 /// to a grid, Esc ends a drag as if there had been none. What is dragged from a ScenePalette is dropped.
+/// While events are sent, the left button and the keys are those of the scene's controllers instead.
 class SceneCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -35,6 +37,9 @@ class SceneCanvas final : public QWidget {
   void setContents(VisibleScene contents);
   /// The models that can be dragged; without `always` only while Control is held.
   void setMovable(std::vector<std::string> models, bool always);
+  /// Whether keys and the left button are reported by eventHappened() instead of moving camera and models.
+  void setSendsEvents(bool sends) { sends_ = sends; }
+  bool sendsEvents() const { return sends_; }
   /// Highlights a model while no other one is under the cursor; empty: none.
   void setSelected(const std::string& model);
   /// Shows the handles at an object; unset: none. While one is dragged its drag goes on as it began.
@@ -94,6 +99,8 @@ class SceneCanvas final : public QWidget {
   void modelClicked(const QString& model);
   /// An object of a ScenePalette was dropped at a place of the ground, m.
   void dropped(const QString& kind, double x, double y);
+  /// Only with setSendsEvents(): a key, or the left button with a ray in the field's frame, m.
+  void eventHappened(const widgets::SceneEvent& event);
 
  protected:
   /// Shows what is drawn under the cursor as a tool tip.
@@ -107,6 +114,7 @@ class SceneCanvas final : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dragMoveEvent(QDragMoveEvent* event) override;
@@ -115,7 +123,7 @@ class SceneCanvas final : public QWidget {
 
  private:
   /// What the pressed button does.
-  enum class Mode : std::uint8_t { kIdle, kOrbiting, kPanning, kDragging, kHandling };
+  enum class Mode : std::uint8_t { kIdle, kOrbiting, kPanning, kDragging, kHandling, kSending };
 
   /// Requests a picture; `smooth`: with several samples per pixel.
   void request(bool smooth = false);
@@ -137,6 +145,9 @@ class SceneCanvas final : public QWidget {
   void paintHand(QPainter& painter);
   /// Highlights a model; empty: none.
   void highlight(const std::string& model);
+  /// Emits eventHappened() for the left button or for a key.
+  void sendMouse(SceneEvent::Kind kind, const QPointF& at);
+  void sendKey(SceneEvent::Kind kind, const QKeyEvent& event);
   /// Emits modelClicked() if a model is at the point.
   void click(const QPointF& at);
   /// The model that a drag from here would move; empty: none. `point` gets the point that is hit, in the
@@ -146,7 +157,7 @@ class SceneCanvas final : public QWidget {
 
   VisibleScene contents_;
   std::vector<std::string> movable_;
-  bool moveAlways_ = true, grid_ = true, labels_ = true;
+  bool sends_ = false, moveAlways_ = true, grid_ = true, labels_ = true;
   QString notice_, hint_;
   SceneCamera camera_;
   /// Unset: the camera was moved.

@@ -22,6 +22,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
+#include "widgets/Requests.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/field/FieldPainter.h"
@@ -52,6 +53,7 @@ SceneView::SceneView(ViewContext& context, QWidget* parent)
   connectSignals();
   connectCamera();
   connectDrag();
+  connectEvents();
   keepChoices();
   canvas_->setOverview(box());
   tick();
@@ -79,6 +81,12 @@ void SceneView::createActions() {
                          "turns what is dragged"),
                       Qt::Key_M},
                      true);
+  send_ =
+      makeToggle(this, "send",
+                 {"sceneSend", tr("Keys and clicks for controllers"),
+                  tr("Keys and the left button are sent to the controllers of the simulated scene, such as "
+                     "that of a lift; the right and the middle button still move the camera"),
+                  Qt::Key_K});
 }
 
 void SceneView::createCameraActions() {
@@ -119,7 +127,7 @@ QWidget* SceneView::createToolRow(QAction* showDrawings) {
   addButtons(row, {hands_->palette(), hands_->undo(), hands_->redo(), hands_->handles(), hands_->ownAxes()});
   state_ = addWideLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
   addPoses(row);
-  addButtons(row, {move_, modes_->wireFrame()});
+  addButtons(row, {move_, send_, modes_->wireFrame()});
   row->addWidget(makeMenuButton(row->parentWidget(),
                                 {"sceneSurfacesButton", tr("Surfaces"), tr("How surfaces are drawn")},
                                 modes_->surfaces()));
@@ -197,6 +205,27 @@ void SceneView::connectDrag() {
   connect(hands_, &SceneHands::followWanted, this, [this](const QString& robot) {
     robots_->setChoice(robot);
     follow_->setChecked(true);
+  });
+}
+
+void SceneView::connectEvents() {
+  connect(send_, &QAction::toggled, this, [this](bool on) {
+    canvas_->setSendsEvents(on);
+    if (on) canvas_->setFocus();
+  });
+  connect(canvas_, &SceneCanvas::eventHappened, this, [this](const SceneEvent& happened) {
+    robotcontrol::Request request;
+    auto& event = *request.mutable_send_event();
+    event.set_kind(static_cast<robotcontrol::ViewEvent::Kind>(happened.kind));
+    event.set_view("scene");
+    event.set_key(happened.key.toStdString());
+    if (happened.kind >= SceneEvent::Kind::kMousePressed) {
+      event.set_button(1);
+      robotlink::assign(*event.mutable_origin(), happened.origin);
+      robotlink::assign(*event.mutable_direction(), happened.direction);
+    }
+    // Where nothing is simulated nobody misses them.
+    ask(session(), {}, std::move(request), this, [](bool, const QString&) {});
   });
 }
 
@@ -376,6 +405,7 @@ void SceneView::keepChoices() {
   keep("handles", hands_->handles());
   keep("ownAxes", hands_->ownAxes());
   keep("sensors", sensors_);
+  keep("send", send_);
   keep("robot", robots_);
   keep(
       "camera", [this] { return stateOf(before_.value_or(canvas_->camera())); },

@@ -79,6 +79,8 @@ class SceneView final : public PictureView {
   QWidget* createToolRow(QAction* showDrawings);
   void connectSignals();
   void connectCamera();
+  /// Sends keys and clicks to the simulation.
+  void connectEvents();
   /// Connects dragging of models with ModelDrag.
   void connectDrag();
 
@@ -148,7 +150,7 @@ class SceneView final : public PictureView {
   QLabel* state_ = nullptr;
   QAction *reset_ = nullptr, *fromAbove_ = nullptr, *behind_ = nullptr, *follow_ = nullptr;
   QAction *firstPerson_ = nullptr, *grid_ = nullptr, *labels_ = nullptr, *move_ = nullptr;
-  QAction* sensors_ = nullptr;
+  QAction *sensors_ = nullptr, *send_ = nullptr;
 };
 
 }  // namespace widgets

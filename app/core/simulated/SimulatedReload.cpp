@@ -42,6 +42,8 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn() {
   const bool isOther = before.field() != (*scene)->field() || before.groundMap() != nullptr ||
                        (*scene)->groundMap() != nullptr;
   if (isOther) return Reloaded{};
+  // Controllers are made anew, and may fail again.
+  endedControllers_.clear();
   auto done = goOnIn(withEdits(*scene), {});
   if (done) read_ = *scene;
   return done;

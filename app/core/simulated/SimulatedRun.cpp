@@ -321,6 +321,7 @@ void SimulatedRun::step() {
   if (ports_) ports_->deliver();
   for (const auto& robot : robots_) robot->endStep();
   if (kickOff_) watchGame();
+  watchControllers();
   if (tap_) recordStep();
   ++stepsMade_;
   if (again_ && world_->simulation().steps() >= again_->snapshot.step) endRunningAgain();
@@ -358,6 +359,7 @@ Errors SimulatedRun::restart(std::uint64_t seed, const std::map<std::string, Pro
     }
   }
   if (kickOff_) kickOff_->restart();
+  endedControllers_.clear();
   options_.world.seed = seed;
   // Made again, so that what they have is that of the new world. If a file was broken just now, those of
   // before are as good.

@@ -126,6 +126,9 @@ class SimulatedRun {
     std::function<void(const std::string& robot, robotlink::Instant time,
                        const robotcontrol::HostingStatus& status)>
         hosting = {};
+    /// Called with a sentence about a controller of the scene that was switched off.
+    std::function<void(const std::string& controller, robotlink::Instant time, const std::string& text)>
+        control = {};
   };
 
   /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.
@@ -349,6 +352,8 @@ class SimulatedRun {
 
   /// Lets the referee act, and reports goals and kick-offs.
   void watchGame();
+  /// Reports controllers that were switched off.
+  void watchControllers();
 
   RunOptions options_;
   Listeners listeners_;
@@ -378,6 +383,8 @@ class SimulatedRun {
   std::optional<Again> again_;
   std::optional<std::string> againOutcome_;
   robotlink::Duration programTime_{};
+  /// The controllers whose end was reported since the start or the last reset.
+  std::set<std::string> endedControllers_;
   /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
   /// With modules inside, and with programs in processes of their own; shared with stopSwitch_.

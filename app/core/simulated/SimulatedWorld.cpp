@@ -187,9 +187,15 @@ void SimulatedWorld::mixIntoDigest(std::uint64_t value) {
 }
 
 void SimulatedWorld::advance() {
+  events_.clear();
   for (Duration done{}; done < kStep; done += simcore::Simulation::kStep) {
     {
       const CostMeter meter(costs_.physics);
+      // Controllers override programs, and whoever holds an actuator overrides both.
+      simulation_->control();
+      const auto events = simulation_->events();
+      events_.insert(events_.end(), events.begin(), events.end());
+      if (commands_ != nullptr) commands_->apply(*simulation_);
       held_.apply(*simulation_);
       simulation_->step();
       ++costs_.steps;

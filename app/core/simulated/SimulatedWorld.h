@@ -12,12 +12,14 @@
 #include "app/core/simulated/CameraWork.h"
 #include "app/core/simulated/HeldActuators.h"
 #include "app/core/simulated/SimulatedPioneer.h"
+#include "app/core/simulated/control/PortCommands.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
 #include "robotlink/base/threads/ThreadPool.h"
 #include "simcore/Simulation.h"
 #include "simcore/world/LightAdjustment.h"
+#include "simcore/world/ViewEvent.h"
 
 namespace app {
 
@@ -112,6 +114,12 @@ class SimulatedWorld {
   /// The actuators that a person holds; a reset forgets them.
   HeldActuators& held() { return held_; }
 
+  /// What controllers elsewhere command in each step; null: there are none. It must outlive this object, or
+  /// the next call.
+  void setCommands(PortCommands* commands) { commands_ = commands; }
+  /// The events of views that entered in the last advance().
+  std::span<const simcore::ViewEvent> events() const { return events_; }
+
   /// Returns null if the robot has none.
   SimulatedPioneer* pioneer(const std::string& robot) const;
 
@@ -180,6 +188,8 @@ class SimulatedWorld {
   std::vector<std::unique_ptr<SimulatedPioneer>> gone_;
   HeldActuators held_;
   CameraWork cameraWork_;
+  PortCommands* commands_ = nullptr;
+  std::vector<simcore::ViewEvent> events_;
   std::vector<CameraSetting> cameraSettings_;
   /// What was set for a camera.
   struct KeptCamera {

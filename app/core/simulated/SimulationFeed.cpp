@@ -81,7 +81,7 @@ tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed:
   auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
-  feed->ports_ = std::make_unique<WorldPorts>(feed->run_->world());
+  feed->useWorld();
   return feed;
 }
 
@@ -97,7 +97,12 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
             gate_.publishPlatform(robot, time, text);
           },
           [this](const std::string& robot, robotlink::Instant time,
-                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); }};
+                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); },
+          [this](const std::string&, robotlink::Instant time, const std::string& text) {
+            controllersChanged_ = true;
+            if (run_ && !run_->robots().empty())
+              gate_.publishText(run_->robots().front(), "controllers", time, foxglove::Log::ERROR, text);
+          }};
 }
 
 void SimulationFeed::publishPortText(const std::string& text, int level) {
@@ -160,14 +165,15 @@ std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
     restartPace();
   }
   if (run_->ranAgain()) return Clock::now();
-  if (running_) return pace_.due(now());
-  if (stepsWanted_ > 0) return Clock::now();
-  return std::nullopt;
+  if (!running_ && stepsWanted_ == 0) return std::nullopt;
+  const auto paced = running_ ? pace_.due(now()) : Clock::now();
+  return std::max(paced, external_.waitsUntil().value_or(paced));
 }
 
 void SimulationFeed::step() {
   if (run_->ranAgain()) return runAgain();
   pace_.forgetLag(Clock::now(), now());
+  beforeControl(Clock::now());
   if (ports_->holdsAny()) ports_->release(run_->stoppedRobots());
   run_->step();
   if (stepsWanted_ > 0) --stepsWanted_;
@@ -179,6 +185,7 @@ void SimulationFeed::step() {
   }
   if (!ports_->isEmpty()) stepPorts(real);
   if (readsForces_) stepForces(real);
+  afterControl(real);
   const bool isRead = demand_.anything || recorder_.active();
   if (isRead && (single || real - lastStatus_ >= kSimulationStatusEvery)) publishStatus();
   publishAnswers();
@@ -231,7 +238,10 @@ struct SimulationFeed::Handlers {
       {Request::kHostProgram, &SimulationFeed::hostProgram},
       {Request::kReadPorts, &SimulationFeed::readPorts},
       {Request::kReadForces, &SimulationFeed::readForces},
-      {Request::kControlSnapshots, &SimulationFeed::controlSnapshots}};
+      {Request::kControlSnapshots, &SimulationFeed::controlSnapshots},
+      {Request::kSendEvent, &SimulationFeed::sendEvent},
+      {Request::kAttachController, &SimulationFeed::attachController},
+      {Request::kSetPorts, &SimulationFeed::setPorts}};
 };
 
 bool SimulationFeed::fulfills(const robotcontrol::Request& request) {
@@ -349,6 +359,7 @@ tl::expected<bool, robotlink::Errors> SimulationFeed::reload(FileTexts texts) {
   auto done = run_->reload(std::move(texts));
   if (!done) return tl::unexpected(std::move(done.error()));
   if (!done->inPlace) return false;
+  useWorld();
   restartPace();
   publishScene();
   say("The scene was loaded again; the simulation goes on in it.");
@@ -378,7 +389,9 @@ robotlink::Result<void> SimulationFeed::reset() {
     return tl::unexpected(errors.front());
   }
   restartPace();
+  external_.restart();
   publishScene();
+  publishInputs(true);
   return {};
 }
 
@@ -388,12 +401,13 @@ void SimulationFeed::publishScene() {
   if (const auto map = run_->map()) gate_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
   gate_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation(), now())});
   gate_.publish({robotlink::streams::kSolids, now(), solidsMessage(run_->world().simulation(), now())});
-  gate_.publish({robotlink::streams::kObjects, now(), worldObjects(run_->world().simulation(), now())});
   // Whoever wants to read forces finds their stream.
   gate_.publish({robotlink::streams::kForces, now(), std::make_shared<robotcontrol::WorldForces>()});
+  publishControllers();
   // After a reset nothing is held any more.
   if (lastPorts_ != Clock::time_point()) publishPorts();
   publishTransforms();
+  publishDrawings();
   publishStatus();
 }
 

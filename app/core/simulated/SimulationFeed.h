@@ -11,6 +11,7 @@
 #include "app/core/platform/PublishGate.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/WorldPorts.h"
+#include "app/core/simulated/control/ExternalControllers.h"
 #include "app/core/snapshots/SnapshotShelf.h"
 
 namespace robotcontrol {
@@ -95,6 +96,9 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> readPorts(const robotcontrol::Request& request);
   robotlink::Result<void> readForces(const robotcontrol::Request& request);
   robotlink::Result<void> controlSnapshots(const robotcontrol::Request& request);
+  robotlink::Result<void> sendEvent(const robotcontrol::Request& request);
+  robotlink::Result<void> attachController(const robotcontrol::Request& request);
+  robotlink::Result<void> setPorts(const robotcontrol::Request& request);
   struct Handlers;
 
   /// Resets the run with the same seed, and publishes the scene again.
@@ -131,6 +135,17 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> whetherFree(const robotcontrol::Request& request);
   /// Runs programs again for a moment.
   void runAgain();
+  /// Connects ports and controllers elsewhere with the world of the run, which may have been exchanged.
+  void useWorld();
+  /// A step's part that concerns controllers, before it and after it.
+  void beforeControl(Clock::time_point real);
+  void afterControl(Clock::time_point real);
+  /// What controllers elsewhere get before the next step; `newOnly`: those that have just begun.
+  void publishInputs(bool newOnly);
+  /// How the controllers fare, if there are any, and the scene's objects, which name them.
+  void publishControllers();
+  /// What controllers draw.
+  void publishDrawings();
   /// Publishes that at its rate, with the images that are due, and lets go what must not move.
   void stepPorts(Clock::time_point real);
 
@@ -144,6 +159,12 @@ class SimulationFeed final : public PlatformFeed {
   std::unique_ptr<WorldPorts> ports_;
   /// Whether there are other robots since takeDescriptionChange().
   bool descriptionChanged_ = false;
+  ExternalControllers external_;
+  /// Whether controllers are to be published: one has begun, ended, or fallen behind.
+  bool controllersChanged_ = false;
+  /// Whether there was a controller since the simulation was opened.
+  bool hadControllers_ = false;
+  Clock::time_point lastDrawings_;
   bool running_ = false;
   /// Single steps that were requested and not made yet.
   int stepsWanted_ = 0;

@@ -5,22 +5,18 @@
 
 #include "app/core/simulated/SimulatedWorld.h"
 #include "app/core/simulated/WorldObjects.h"
+#include "app/core/simulated/control/ExternalControllers.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/Spelling.h"
 #include "robotlink/packages/Conversions.h"
+#include "simcore/control/ControllerOutput.h"
 
 namespace app {
 namespace {
 
-std::vector<std::string> sensorNames(const simcore::Simulation& simulation) {
-  std::vector<std::string> names;
-  for (const auto& sensor : simulation.sensors()) names.push_back(sensor.info.path);
-  for (const auto& sensor : simulation.rangeSensors()) names.push_back(sensor.info.path);
-  for (const auto& camera : simulation.cameras()) names.push_back(camera.info.path);
-  return names;
-}
+constexpr robotlink::Duration kControllerImages = std::chrono::milliseconds(40);
 
 void addReading(google::protobuf::RepeatedPtrField<robotcontrol::PortReading>& to, const std::string& port,
                 const std::vector<double>& values) {
@@ -31,13 +27,44 @@ void addReading(google::protobuf::RepeatedPtrField<robotcontrol::PortReading>& t
 
 }  // namespace
 
+WorldPorts::WorldPorts(SimulatedWorld& world, const ExternalControllers* external, const WorldPorts* before)
+    : world_(world), external_(external) {
+  if (before == nullptr) return;
+  for (const std::string& name : sensorNames())
+    if (before->read_.contains(name)) read_.insert(name);
+}
+
+std::vector<std::string> WorldPorts::sensorNames() const {
+  const simcore::Simulation& simulation = world_.simulation();
+  std::vector<std::string> names;
+  for (const auto& sensor : simulation.sensors()) names.push_back(sensor.info.path);
+  for (const auto& sensor : simulation.rangeSensors()) names.push_back(sensor.info.path);
+  for (const auto& camera : simulation.cameras()) names.push_back(camera.info.path);
+  for (const auto* output : simulation.outputs()) names.push_back(output->info.path);
+  if (external_ == nullptr) return names;
+  for (const auto* output : external_->outputs()) names.push_back(output->info.path);
+  return names;
+}
+
+void WorldPorts::addOutputs(robotcontrol::PortReadings& to) const {
+  for (const auto* output : world_.simulation().outputs()) {
+    if (read_.contains(output->info.path) && output->kind == simcore::ControllerOutput::Kind::kValues)
+      addReading(*to.mutable_readings(), output->info.path, output->values);
+  }
+  if (external_ == nullptr) return;
+  for (const auto* output : external_->outputs()) {
+    if (read_.contains(output->info.path))
+      addReading(*to.mutable_readings(), output->info.path, output->values);
+  }
+}
+
 robotlink::Result<void> WorldPorts::read(const robotcontrol::ReadPorts& request) {
   if (request.ended()) {
     if (request.ports().empty()) read_.clear();
     for (const std::string& port : request.ports()) read_.erase(port);
     return {};
   }
-  const auto known = sensorNames(world_.simulation());
+  const auto known = sensorNames();
   for (const std::string& port : request.ports()) {
     if (std::ranges::find(known, port) == known.end()) {
       return robotlink::failure(
@@ -95,6 +122,7 @@ std::shared_ptr<const robotcontrol::PortReadings> WorldPorts::readings() const {
     simulation.measure(i, values);
     addReading(*message->mutable_readings(), ranges[i].info.path, values);
   }
+  addOutputs(*message);
   for (const auto& [port, held] : world_.held().all())
     addReading(*message->mutable_held(), port, held.values);
   return message;
@@ -108,6 +136,16 @@ std::vector<robotlink::StreamMessage> WorldPorts::images(bool all) {
     if (!read_.contains(path) || !(all || world_.imageDue(i))) continue;
     auto image = std::make_shared<foxglove::RawImage>();
     robotlink::assign(*image, world_.preview(i).view(), world_.clock().now(), path);
+    images.push_back({path, world_.clock().now(), std::move(image)});
+  }
+  for (const auto* output : world_.simulation().outputs()) {
+    const std::string& path = output->info.path;
+    if (output->kind != simcore::ControllerOutput::Kind::kImage || !read_.contains(path)) continue;
+    // As often as cameras take images.
+    const bool isDue = world_.simulation().time() % kControllerImages < SimulatedWorld::kStep;
+    if (!all && !isDue) continue;
+    auto image = std::make_shared<foxglove::RawImage>();
+    robotlink::assign(*image, output->image.view(), world_.clock().now(), path);
     images.push_back({path, world_.clock().now(), std::move(image)});
   }
   return images;

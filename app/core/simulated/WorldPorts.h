@@ -18,14 +18,18 @@ class SetActuator;
 
 namespace app {
 
+class ExternalControllers;
 class SimulatedWorld;
 
 /// The ports of a simulated world that are read or held by whoever watches it: fulfills ReadPorts and
-/// SetActuator, and makes what the streams `ports` and those of cameras show. Used by one thread, that of the
-/// world, which must outlive it.
+/// SetActuator, and makes what the streams `ports` and those of cameras show. What controllers show is read
+/// like sensors. Used by one thread, that of the world, which must outlive it.
 class WorldPorts {
  public:
-  explicit WorldPorts(SimulatedWorld& world) : world_(world) {}
+  /// `external` are the controllers elsewhere, and must outlive it; null: there are none. `before` is what
+  /// was read of another world, of which only what is here is read.
+  explicit WorldPorts(SimulatedWorld& world, const ExternalControllers* external = nullptr,
+                      const WorldPorts* before = nullptr);
 
   /// Fails, changing nothing, if a port is unknown.
   robotlink::Result<void> read(const robotcontrol::ReadPorts& request);
@@ -42,11 +46,15 @@ class WorldPorts {
   /// The readings of this instant.
   std::shared_ptr<const robotcontrol::PortReadings> readings() const;
   /// The images of cameras that are read and that no robot sends, on the paths of their ports: of those that
-  /// are due now, or of all.
+  /// are due now, or of all; and images of controllers that are read.
   std::vector<robotlink::StreamMessage> images(bool all);
 
  private:
+  std::vector<std::string> sensorNames() const;
+  void addOutputs(robotcontrol::PortReadings& to) const;
+
   SimulatedWorld& world_;
+  const ExternalControllers* external_;
   std::set<std::string> read_;
 };
 

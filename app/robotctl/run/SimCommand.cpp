@@ -104,6 +104,9 @@ SimulatedRun::Listeners listenersTo(const SharedTroubles& troubles) {
                                  const robotcontrol::HostingStatus& status) {
     troubles->note(robot, status);
   };
+  listeners.control = [troubles](const std::string& controller, robotlink::Instant, const std::string& text) {
+    troubles->note(controller, text);
+  };
   return listeners;
 }
 

@@ -30,8 +30,9 @@ constexpr std::array kStreamTypes{StreamType{streams::kImageDrawings, "foxglove.
                                   StreamType{streams::kImages, "foxglove.RawImage"},
                                   StreamType{streams::kPlots, "robotcontrol.PlotValue"}};
 /// Beside what is latched: types of which no message may be replaced by a newer one.
-constexpr std::array kCompleteTypes{"foxglove.Log", "foxglove.Event", "robotcontrol.PlotValue",
-                                    "robotcontrol.Request", "robotcontrol.LinkPackets"};
+constexpr std::array kCompleteTypes{"robotcontrol.ViewEvents", "foxglove.Log",
+                                    "foxglove.Event",          "robotcontrol.PlotValue",
+                                    "robotcontrol.Request",    "robotcontrol.LinkPackets"};
 
 constexpr std::array kImageTypes{"foxglove.RawImage", "foxglove.CompressedImage", "foxglove.CompressedVideo"};
 

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QTest>
 
+#include "robotcontrol/World.pb.h"
 #include "tests/widgets/scene/ShownScene.h"
 
 namespace widgets::test {
@@ -246,6 +247,35 @@ class SceneCameraTest : public QObject {
         *s.canvas, Qt::LeftButton, s.at(kBall), s.at(kBall) + QPoint(30, 0), [&] { s.view.tick(); },
         Qt::ControlModifier);
     QVERIFY(!s.world.requests.empty());
+  }
+
+  void keysAndClicksAreSentToControllers() {
+    ShownScene s;
+    QVERIFY(s.placeThings());
+    s.click("sceneSend");
+    const SceneCamera camera = s.canvas->camera();
+    drag(*s.canvas, Qt::LeftButton, s.at(kBall), s.at(kBall) + QPoint(30, 0), [&] { s.view.tick(); });
+    QVERIFY(s.world.requests.size() >= 3U);
+    const auto& pressed = s.world.requests.front().send_event();
+    QVERIFY(pressed.kind() == robotcontrol::ViewEvent::MOUSE_PRESSED && pressed.button() == 1);
+    // The ray goes through the ball.
+    const Vector3 origin(pressed.origin().x(), pressed.origin().y(), pressed.origin().z());
+    const Vector3 direction(pressed.direction().x(), pressed.direction().y(), pressed.direction().z());
+    QVERIFY((kBall - origin).cross(direction.normalized()).norm() < 0.03);
+    QVERIFY(s.world.requests.back().send_event().kind() == robotcontrol::ViewEvent::MOUSE_RELEASED);
+    s.world.requests.clear();
+    QTest::keyClick(s.canvas, Qt::Key_R);
+    QCOMPARE(int(s.world.requests.size()), 2);
+    QVERIFY(s.world.requests[0].send_event().key() == "R");
+    QVERIFY(s.world.requests[1].send_event().kind() == robotcontrol::ViewEvent::KEY_RELEASED);
+    QTest::keyClick(s.canvas, Qt::Key_F5);
+    QTest::keyClick(s.canvas, Qt::Key_Escape, Qt::ShiftModifier);
+    QCOMPARE(int(s.world.requests.size()), 2);
+    QVERIFY(s.canvas->camera() == camera);
+    s.click("sceneSend");
+    QTest::keyClick(s.canvas, Qt::Key_Left);
+    QVERIFY(!(s.canvas->camera() == camera));
+    QCOMPARE(int(s.world.requests.size()), 2);
   }
 
   void aRefusedPlaceIsShown() {

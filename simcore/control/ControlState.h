@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simcore/control/Controllers.h"
+#include "simcore/world/ViewEvent.h"
+
+namespace simcore {
+
+/// The part of a simulation that controllers and events are; only for its sources.
+struct ControlState {
+  /// Null before the first start.
+  std::unique_ptr<Controllers> controllers = nullptr;
+  /// Those that enter at the next step, and those that entered at the last one.
+  std::vector<ViewEvent> waiting = {}, events = {};
+  /// Whether the controllers were called for the step that comes.
+  bool isDone = false;
+  /// Whether the controllers are being called.
+  bool isRunning = false;
+  /// What the controllers of a snapshot remembered, until Simulation::resumeControllers().
+  std::vector<std::string> restored = {};
+  /// A hash of all events so far; 0 if there were none.
+  std::uint64_t digest = 0;
+
+  void restart() {
+    waiting.clear();
+    events.clear();
+    isDone = false;
+    digest = 0;
+  }
+};
+
+}  // namespace simcore
