@@ -30,6 +30,9 @@ constexpr int kHandNoticeTicks = 150;
 /// Beside what it is copied from, m.
 constexpr double kCopyShift = 0.5;
 
+/// Slower than this (m/s) what is let go of is placed, not thrown.
+constexpr double kMinThrow = 0.5, kMaxThrow = 20;
+
 QString words(const robotlink::Error& error) {
   return QString::fromStdString(error.describe());
 }
@@ -50,6 +53,11 @@ SceneHands::~SceneHands() = default;
 
 SceneEdits& SceneHands::edits() const {
   return sceneEdits(context_);
+}
+
+const robotcontrol::SimulationStatus* SceneHands::status() const {
+  return context_.session.store().latestAs<robotcontrol::SimulationStatus>(
+      robotlink::streams::kSimulation, context_.session.timeline().newest());
 }
 
 void SceneHands::createActions(QWidget& view) {
@@ -87,6 +95,9 @@ void SceneHands::createMoreActions(QWidget& view) {
                        tr("Writes into the scene's text that the object begins where it is now; the file is "
                           "saved when you save it"),
                        tr("Ctrl+Shift+W")});
+  pin_ = makeAction(&view, "lock",
+                    {"scenePin", tr("Pin or release"),
+                     tr("Holds the object where it is, whatever pushes it, or lets it go"), Qt::Key_P});
   goToText_ = makeAction(
       &view, "labels",
       {"sceneGoToText", tr("Go to its text"), tr("Shows the object in the scene editor"), tr("Ctrl+G")});
@@ -107,6 +118,7 @@ void SceneHands::connectSignals() {
   connect(erase_, &QAction::triggered, this, &SceneHands::erase);
   connect(rename_, &QAction::triggered, this, &SceneHands::rename);
   connect(write_, &QAction::triggered, this, &SceneHands::write);
+  connect(pin_, &QAction::triggered, this, &SceneHands::pin);
   connect(goToText_, &QAction::triggered, this,
           [this] { run("scene.edit", sceneSelection(context_).object()); });
   connect(properties_, &QAction::triggered, this, [this] { run("view.show", "scene-properties"); });
@@ -185,9 +197,21 @@ void SceneHands::beginDrag(const std::string& model) {
   ground_ = object == nullptr ? std::nullopt : worldPose(*object, scene_);
 }
 
-void SceneHands::endDrag(const std::string& model, const robotlink::Pose2& wanted) {
+void SceneHands::endDrag(const std::string& model, const robotlink::Pose2& wanted,
+                         const robotlink::Vector2& velocity) {
   const auto before = std::exchange(ground_, std::nullopt);
   if (!before) return;
+  const double speed = velocity.norm();
+  const bool isThrown = speed >= kMinThrow && status() != nullptr && status()->running();
+  if (isThrown) {
+    const robotlink::Vector2 limited = velocity * std::min(1.0, kMaxThrow / speed);
+    robotcontrol::Request request;
+    auto& thrown = *request.mutable_throw_model();
+    thrown.set_model(model);
+    thrown.mutable_velocity()->set_x(limited.x());
+    thrown.mutable_velocity()->set_y(limited.y());
+    ask(std::move(request));
+  }
   // It keeps its height and how it is tilted.
   const Pose3 after = poseOnGround(wanted) * poseOnGround(robotlink::groundPose(*before)).inverse() * *before;
   if (!after.isApprox(*before, 1e-6)) addMove(model, *before, after);
@@ -196,6 +220,26 @@ void SceneHands::endDrag(const std::string& model, const robotlink::Pose2& wante
 void SceneHands::cancelDrag(const std::string& model) {
   const auto before = std::exchange(ground_, std::nullopt);
   if (before) ask(placeRequest(model, *before));
+}
+
+void SceneHands::pin() {
+  const auto at = target();
+  if (!at) return;
+  if (!at->isLive) return report(tr("Only what moves can be pinned"));
+  const auto* now = status();
+  const bool isPinned = now != nullptr && std::ranges::any_of(now->pinned(), [&](const std::string& path) {
+                          return path == at->object || path.starts_with(at->object + "/");
+                        });
+  const auto request = [&](bool pinned) {
+    robotcontrol::Request wanted;
+    wanted.mutable_pin_object()->set_path(at->object);
+    wanted.mutable_pin_object()->set_pinned(pinned);
+    return wanted;
+  };
+  ask(request(!isPinned));
+  const QString name = QString::fromStdString(at->object);
+  edits().addRequests(isPinned ? tr("Release %1").arg(name) : tr("Pin %1").arg(name), request(isPinned),
+                      request(!isPinned));
 }
 
 void SceneHands::addMove(const std::string& model, const Pose3& before, const Pose3& after) {
@@ -267,7 +311,8 @@ void SceneHands::fillMenu(QMenu& menu, const QPoint& at) {
     const bool isOwn = edits().isOwn(on->object);
     menu.addSection(QString::fromStdString(on->object));
     for (QAction* action : {duplicate_, erase_, rename_, write_}) action->setEnabled(isOwn);
-    menu.addActions({duplicate_, erase_, rename_, write_});
+    pin_->setEnabled(on->isLive);
+    menu.addActions({duplicate_, erase_, rename_, write_, pin_});
     const auto& robots = context_.session.robots();
     if (std::ranges::find(robots, on->object) != robots.end()) {
       const QString robot = QString::fromStdString(on->object);
@@ -295,7 +340,7 @@ void SceneHands::fillMenu(QMenu& menu, const QPoint& at) {
   connect(
       &menu, &QMenu::aboutToHide, this,
       [this] {
-        for (QAction* action : {duplicate_, erase_, rename_, write_}) action->setEnabled(true);
+        for (QAction* action : {duplicate_, erase_, rename_, write_, pin_}) action->setEnabled(true);
       },
       Qt::QueuedConnection);
 }

@@ -18,7 +18,8 @@ class QWidget;
 
 namespace robotcontrol {
 class Request;
-}
+class SimulationStatus;
+}  // namespace robotcontrol
 
 namespace widgets {
 
@@ -29,7 +30,7 @@ class SceneState;
 struct ViewContext;
 
 /// What the mouse and the keys do with the objects of a scene view: the handles at the selected object, the
-/// menu of an object, adding, deleting, and one history of all of it (SceneEdits).
+/// menu of an object, throwing, pinning, adding, deleting, and one history of all of it (SceneEdits).
 ///
 /// What moves in the simulation is moved there, by requests; what is fixed, such as a wall or a lamp, is
 /// moved in the text of the scene, in which the simulation then goes on. GUI thread.
@@ -55,9 +56,10 @@ class SceneHands final : public QObject {
   /// Why the last thing could not be done; empty: it could. Cleared after some seconds.
   const QString& notice() const { return notice_; }
 
-  /// A model is about to be dragged on the ground; then it was, to a pose.
+  /// A model is about to be dragged on the ground; then it was, to a pose, with the velocity (m/s) of the
+  /// hand: while the simulation runs, what is let go of in motion is thrown.
   void beginDrag(const std::string& model);
-  void endDrag(const std::string& model, const robotlink::Pose2& wanted);
+  void endDrag(const std::string& model, const robotlink::Pose2& wanted, const robotlink::Vector2& velocity);
   void cancelDrag(const std::string& model);
 
  Q_SIGNALS:
@@ -90,6 +92,10 @@ class SceneHands final : public QObject {
   void erase();
   void rename();
   void write();
+  /// Pins the selected object, or lets it go if it is pinned.
+  void pin();
+  /// Null: there is no simulation.
+  const robotcontrol::SimulationStatus* status() const;
   void walk(bool isUndo);
   void showHistory();
   /// Runs a command of the window.
@@ -102,7 +108,7 @@ class SceneHands final : public QObject {
   const SceneState& scene_;
   ScenePalette* palette_ = nullptr;
   QAction *handles_ = nullptr, *ownAxes_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
-  QAction *duplicate_ = nullptr, *erase_ = nullptr, *rename_ = nullptr, *write_ = nullptr;
+  QAction *duplicate_ = nullptr, *erase_ = nullptr, *rename_ = nullptr, *write_ = nullptr, *pin_ = nullptr;
   QAction *goToText_ = nullptr, *properties_ = nullptr, *showPalette_ = nullptr;
   /// What is dragged by a handle, since its press.
   std::optional<Target> dragged_;

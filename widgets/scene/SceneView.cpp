@@ -192,9 +192,9 @@ void SceneView::connectDrag() {
     drag_.moveTo({x, y}, isSnapping ? GizmoDrag::kSnapLength : 0);
   });
   connect(canvas_, &SceneCanvas::dragTurned, this, [this](double angle) { drag_.turn(angle); });
-  connect(canvas_, &SceneCanvas::dragEnded, this, [this](double, double) {
+  connect(canvas_, &SceneCanvas::dragEnded, this, [this](double vx, double vy) {
     drag_.end(session());
-    hands_->endDrag(drag_.model(), drag_.wanted());
+    hands_->endDrag(drag_.model(), drag_.wanted(), {vx, vy});
     tick();
   });
   connect(canvas_, &SceneCanvas::dragCanceled, this, [this] {

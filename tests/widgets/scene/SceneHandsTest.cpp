@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QMenu>
 #include <QMimeData>
+#include <QMouseEvent>
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
@@ -138,6 +139,49 @@ class SceneHandsTest : public QObject {
     QVERIFY2(!s.action("sceneEraseAction").isEnabled(), "no text of the scene can be changed here");
     menu->close();
     QTRY_VERIFY(s.action("sceneEraseAction").isEnabled());
+  }
+
+  void whatMovesIsPinnedAndReleased() {
+    HandBench s;
+    s.select("ball");
+    QTest::keyClick(s.canvas, Qt::Key_P);
+    QCOMPARE(s.world.requests.back().pin_object().path(), std::string("ball"));
+    QVERIFY(s.world.requests.back().pin_object().pinned());
+    robotcontrol::SimulationStatus status;
+    status.add_pinned("ball/link:ball");
+    s.world.push("simulation", std::make_shared<robotcontrol::SimulationStatus>(status));
+    QVERIFY(s.step());
+    QTest::keyClick(s.canvas, Qt::Key_P);
+    QVERIFY(!s.world.requests.back().pin_object().pinned());
+    QTest::keyClick(s.canvas, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(s.world.requests.back().pin_object().pinned());
+  }
+
+  void whatIsLetGoOfInMotionIsThrownWhileTheSimulationRuns() {
+    HandBench s;
+    const auto throws = [&] {
+      const QPoint from = s.at(kBall), to = s.at(kBall + Vector3(0.4, 0, 0));
+      QTest::mousePress(s.canvas, Qt::LeftButton, {}, from, 10);
+      for (int i = 1; i <= 4; ++i) {
+        QMouseEvent move(QEvent::MouseMove, from + (to - from) * i / 4, Qt::NoButton, Qt::LeftButton, {});
+        move.setTimestamp(static_cast<ulong>(1'000'000 + 20 * i));
+        QApplication::sendEvent(s.canvas, &move);
+      }
+      QMouseEvent release(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton, {});
+      release.setTimestamp(1'000'090);
+      QApplication::sendEvent(s.canvas, &release);
+      return s.world.requests.back().has_throw_model();
+    };
+    QVERIFY(!throws());
+    robotcontrol::SimulationStatus status;
+    status.set_running(true);
+    status.add_models("ball");
+    s.world.push("simulation", std::make_shared<robotcontrol::SimulationStatus>(status));
+    QVERIFY(s.step());
+    QVERIFY(throws());
+    const auto& thrown = s.world.requests.back().throw_model();
+    QCOMPARE(thrown.model(), std::string("ball"));
+    QVERIFY(thrown.velocity().x() > 2 && std::abs(thrown.velocity().y()) < 1);
   }
 
   void whatCannotBeDoneIsSaid() {
