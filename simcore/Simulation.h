@@ -272,9 +272,9 @@ class Simulation {
   Simulation();
   using Implementation = SimulationState;
   /// Makes the controllers anew.
+  void startControllers();
   /// Has new controllers go on by what those of a snapshot remembered.
   void resumeControllers();
-  void startControllers();
 
   std::unique_ptr<Implementation> implementation_;
   /// What goBack() goes back to; null: nothing.

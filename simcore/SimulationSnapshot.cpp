@@ -112,8 +112,12 @@ void repeat(Simulation& simulation, const Rewind::Command& command) {
       return;
     case CommandKind::kEvent: {
       const std::size_t end = command.text.find('\n');
-      ViewEvent event{static_cast<ViewEvent::Kind>(command.index), command.text.substr(0, end),
-                      command.text.substr(end + 1), static_cast<int>(at(6)), vector(0), vector(3)};
+      ViewEvent event{static_cast<ViewEvent::Kind>(command.index),
+                      command.text.substr(0, end),
+                      command.text.substr(end + 1),
+                      static_cast<int>(at(6)),
+                      vector(0),
+                      vector(3)};
       (void)simulation.addEvent(std::move(event));
       return;
     }

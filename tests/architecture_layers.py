@@ -56,7 +56,7 @@ ROOMS = {
     "robotlink/arcos": ["codec", "stream", "sick", "."],
     "robotlink/foxglove": ["protocol", "security", "transport", "server", "client"],
     "robotlink/foxglove/session": [".", "remote"],
-    "simcore": ["world", "noise", "maps", "meshes", "placement", "rendering", "physics", "devices", "ranging", "control", "sdf", "sdf/moving", "."],
+    "simcore": ["world", "noise", "maps", "meshes", "placement", "rendering", "physics/shapes", "physics/threads", "physics", "devices", "ranging", "control", "sdf", "sdf/moving", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],
     "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", "scratch", ".", "edit"],
@@ -64,7 +64,7 @@ ROOMS = {
     "widgets": ["controls", ".", "text", "steering", "drawings", "picture", "keys", "ports", "packets", "processes", "solutions", "image", "camera", "motion", "motions", "joints", "world", "field",
         "log", "streams", "timing", "color", "drive", "messages", "search", "console", "plots/items", "plots", "data", "overview", "sceneedit", "scene/render", "scene/gizmo", "scene", "objects", "timeline", "export", "color/image", "color/quality",
         "color/samples", "color/space"],
-    "app/core": ["plugins", "truth", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "scenetext", "simulated/control", "snapshots", "game", "simulated", "remote", "body", "."],
+    "app/core": ["plugins", "truth", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "scenetext", "world/control", "world", "snapshots", "game", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "compare", "link", "log", "run"],
     "app/robotcontrol": ["language", "actions", "commands", "presets", "remote", "docks", "bars", "."],
 }

@@ -166,7 +166,8 @@ void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) 
 
 void PlatformThread::reload(FileTexts texts, std::function<PlatformOpening(const LoadedPlatform&)> anew,
                             LoadHandler inPlace, LoadHandler opened) {
-  postOther([this, texts = std::move(texts), anew = std::move(anew), inPlace = std::move(inPlace), opened = std::move(opened)] {
+  postOther([this, texts = std::move(texts), anew = std::move(anew), inPlace = std::move(inPlace),
+             opened = std::move(opened)] {
     tl::expected<bool, robotlink::Errors> done = tl::unexpected(
         robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
     if (feed_) done = feed_->reload(texts);

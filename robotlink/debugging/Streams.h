@@ -37,13 +37,13 @@ inline constexpr char kRequests[] = "requests";  ///< Request, as it was enqueue
 inline constexpr char kLogged[] = "logged/";
 
 // Streams of the whole world, without a robot's name.
-inline constexpr char kScene[] = "scene";            ///< foxglove.SceneUpdate
-inline constexpr char kSolids[] = "solids";          ///< foxglove.SceneUpdate: what collides
-inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransforms
-inline constexpr char kObjects[] = "objects";        ///< WorldObjects
-inline constexpr char kPorts[] = "ports";            ///< PortReadings
-inline constexpr char kForces[] = "forces";          ///< WorldForces
-inline constexpr char kEvents[] = "events";          ///< ViewEvents
+inline constexpr char kScene[] = "scene";              ///< foxglove.SceneUpdate
+inline constexpr char kSolids[] = "solids";            ///< foxglove.SceneUpdate: what collides
+inline constexpr char kTransforms[] = "transforms";    ///< foxglove.FrameTransforms
+inline constexpr char kObjects[] = "objects";          ///< WorldObjects
+inline constexpr char kPorts[] = "ports";              ///< PortReadings
+inline constexpr char kForces[] = "forces";            ///< WorldForces
+inline constexpr char kEvents[] = "events";            ///< ViewEvents
 inline constexpr char kControllers[] = "controllers";  ///< ControllerStates
 /// + name of a controller elsewhere: ControllerInputs
 inline constexpr char kControllerInputs[] = "sim/ports/";

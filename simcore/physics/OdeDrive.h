@@ -4,7 +4,7 @@
 
 #include <ode/ode.h>
 
-#include "simcore/physics/Footprint.h"
+#include "simcore/physics/shapes/Footprint.h"
 #include "simcore/world/WorldDescription.h"
 
 namespace simcore {

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "simcore/physics/DriveGeometry.h"
 #include "simcore/physics/OdeGeoms.h"
+#include "simcore/physics/shapes/DriveGeometry.h"
 
 namespace simcore {
 

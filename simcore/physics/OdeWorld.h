@@ -10,11 +10,11 @@
 #include <memory>
 #include <vector>
 
-#include "simcore/physics/IslandThreads.h"
 #include "simcore/physics/OdeDrive.h"
 #include "simcore/physics/OdeFollower.h"
-#include "simcore/physics/OdeThread.h"
-#include "simcore/physics/StaticGrid.h"
+#include "simcore/physics/shapes/StaticGrid.h"
+#include "simcore/physics/threads/IslandThreads.h"
+#include "simcore/physics/threads/OdeThread.h"
 #include "simcore/world/WorldDescription.h"
 
 namespace simcore {

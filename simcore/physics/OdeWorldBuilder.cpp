@@ -5,13 +5,13 @@
 
 #include "simcore/physics/FollowingModels.h"
 #include "simcore/physics/FreeBodies.h"
-#include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/OdeDriveBuilder.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeGuideBuilder.h"
 #include "simcore/physics/OdeJoints.h"
 #include "simcore/physics/OdeVehicleBuilder.h"
 #include "simcore/physics/Step.h"
+#include "simcore/physics/shapes/LumpedLink.h"
 #include "simcore/world/ModelGeometry.h"
 
 namespace simcore {

@@ -12,10 +12,10 @@
 #include "simcore/physics/KinematicDrives.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeJoints.h"
-#include "simcore/physics/OdeRandom.h"
 #include "simcore/physics/OdeWheels.h"
 #include "simcore/physics/OdeWorld.h"
 #include "simcore/physics/OdeWorldBuilder.h"
+#include "simcore/physics/threads/OdeRandom.h"
 
 namespace simcore {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "app/core/simulated/WorldObjects.h"
+#include "app/core/world/WorldObjects.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/Resources.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "app/core/simulated/SimulatedRun.h"
-#include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/world/SimulatedWorld.h"
 #include "colortool/correction/CorrectionEstimate.h"
 #include "colortool/image/ClassPresets.h"
 #include "colortool/image/ColorImage.h"

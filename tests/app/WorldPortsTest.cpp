@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/WorldPorts.h"
+#include "app/core/world/WorldPorts.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/core/simulated/WorldObjects.h"
+#include "app/core/world/WorldObjects.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "simcore/Scene.h"

@@ -2,8 +2,8 @@
 // Drives in models: what is read, and what is refused.
 #include <gmock/gmock.h>
 
-#include "simcore/physics/DriveGeometry.h"
-#include "simcore/physics/LumpedLink.h"
+#include "simcore/physics/shapes/DriveGeometry.h"
+#include "simcore/physics/shapes/LumpedLink.h"
 #include "simcore/sdf/SceneFiles.h"
 #include "simcore/sdf/SdfReader.h"
 #include "simcore/sdf/SdfSpec.h"

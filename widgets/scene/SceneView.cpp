@@ -28,8 +28,8 @@
 #include "widgets/field/FieldPainter.h"
 #include "widgets/picture/PoseMenu.h"
 #include "widgets/scene/SceneCanvas.h"
-#include "widgets/scene/SceneModes.h"
 #include "widgets/scene/SceneHands.h"
+#include "widgets/scene/SceneModes.h"
 #include "widgets/world/ObjectPose.h"
 #include "widgets/world/SceneSelection.h"
 #include "widgets/world/ShownMap.h"
@@ -378,7 +378,8 @@ void SceneView::showContextMenu(const QPoint& at) {
   menu->setObjectName(QStringLiteral("sceneMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   hands_->fillMenu(*menu, at);
-  if (const auto hit = canvas_->hitAt(at)) addObjectMenus(*menu, hit->object.empty() ? hit->model : hit->object);
+  if (const auto hit = canvas_->hitAt(at))
+    addObjectMenus(*menu, hit->object.empty() ? hit->model : hit->object);
   if (const int hidden = parts_.looks().hiddenCount(); hidden > 0) {
     QAction* show = menu->addAction(icon("eye"), tr("Show %n hidden part(s) again", nullptr, hidden), this,
                                     [this] { showObject({}); });

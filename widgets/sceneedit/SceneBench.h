@@ -47,7 +47,8 @@ class SceneBench final : public QObject {
 
   /// Makes a file the current one, and opens it if it is not open.
   robotlink::Result<SceneFile*> open(const std::filesystem::path& path);
-  /// Opens a file if it is not open, reads it again if another program has changed it, and leaves the current one as it is unless there is none.
+  /// Opens a file if it is not open, reads it again if another program has changed it, and leaves the current
+  /// one as it is unless there is none.
   robotlink::Result<SceneFile*> ensure(const std::filesystem::path& path);
   /// The texts that are not saved, by path; new ones without a path are left out.
   std::map<std::filesystem::path, std::string> unsavedTexts() const;

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/world/SimulatedWorld.h"
 #include "robotlink/base/Printable.h"
 #include "simcore/Scene.h"
 

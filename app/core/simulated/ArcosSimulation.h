@@ -7,7 +7,7 @@
 
 #include "app/core/platform/Pace.h"
 #include "app/core/simulated/ArcosPorts.h"
-#include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/world/SimulatedWorld.h"
 #include "simcore/Scene.h"
 
 namespace app {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/SimulatedDrivePlatform.h"
 
-#include "app/core/simulated/SimulatedPioneer.h"
+#include "app/core/world/SimulatedPioneer.h"
 
 namespace app {
 

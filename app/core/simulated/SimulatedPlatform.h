@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/world/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/process/Platform.h"
 

@@ -10,8 +10,8 @@
 #include "app/core/simulated/SimulatedPlatform.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotlink/base/GroundMap.h"
-#include "robotlink/config/RobotDescription.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
 
 namespace app {

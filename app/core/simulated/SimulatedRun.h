@@ -19,8 +19,8 @@
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/simulated/ArcosPorts.h"
-#include "app/core/simulated/SimulatedWorld.h"
 #include "app/core/snapshots/RunJournal.h"
+#include "app/core/world/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
 

@@ -3,7 +3,7 @@
 
 #include "app/core/platform/HostingMemory.h"
 #include "app/core/program/SceneMessages.h"
-#include "app/core/simulated/WorldObjects.h"
+#include "app/core/world/WorldObjects.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"

@@ -10,9 +10,9 @@
 #include "app/core/platform/PlatformFeed.h"
 #include "app/core/platform/PublishGate.h"
 #include "app/core/simulated/SimulatedRun.h"
-#include "app/core/simulated/WorldPorts.h"
-#include "app/core/simulated/control/ExternalControllers.h"
 #include "app/core/snapshots/SnapshotShelf.h"
+#include "app/core/world/WorldPorts.h"
+#include "app/core/world/control/ExternalControllers.h"
 
 namespace robotcontrol {
 class SimulationStatus;

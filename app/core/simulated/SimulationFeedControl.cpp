@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SimulationFeed: controllers of the scene and elsewhere, events of views, and what controllers show.
 #include "app/core/simulated/SimulationFeed.h"
-#include "app/core/simulated/WorldObjects.h"
-#include "app/core/simulated/control/ControlMessages.h"
+#include "app/core/world/WorldObjects.h"
+#include "app/core/world/control/ControlMessages.h"
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "logplayer/record/Recorder.h"

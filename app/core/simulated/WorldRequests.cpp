@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "app/core/simulated/SimulatedWorld.h"
-#include "app/core/simulated/WorldPorts.h"
+#include "app/core/world/SimulatedWorld.h"
+#include "app/core/world/WorldPorts.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/packages/Conversions.h"

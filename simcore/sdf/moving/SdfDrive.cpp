@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/physics/DriveGeometry.h"
+#include "simcore/physics/shapes/DriveGeometry.h"
 #include "simcore/sdf/SdfDevices.h"
 
 namespace simcore {

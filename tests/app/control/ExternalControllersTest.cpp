@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/control/ExternalControllers.h"
+#include "app/core/world/control/ExternalControllers.h"
 
 #include <gmock/gmock.h>
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/core/simulated/ArcosPorts.h"
-#include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/world/SimulatedWorld.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 

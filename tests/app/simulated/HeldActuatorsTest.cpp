@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All actuators of a simulation can be held, not only those of robots.
-#include "app/core/simulated/HeldActuators.h"
+#include "app/core/world/HeldActuators.h"
 
 #include <gmock/gmock.h>
 
-#include "app/core/simulated/WorldObjects.h"
+#include "app/core/world/WorldObjects.h"
 #include "robotcontrol/World.pb.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"

@@ -2,7 +2,7 @@
 // Vehicles that a person drives by hand, as scene.hold and the sliders of the scene tree do.
 #include <gtest/gtest.h>
 
-#include "app/core/simulated/HeldActuators.h"
+#include "app/core/world/HeldActuators.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "app/core/simulated/SimulatedRun.h"
-#include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/world/SimulatedWorld.h"
 #include "modules/navigation/ReachableSpace.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/OdeThread.h"
+#include "simcore/physics/threads/OdeThread.h"
 
 #include <ode/ode.h>
 

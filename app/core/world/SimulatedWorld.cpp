@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/world/SimulatedWorld.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/SimulatedPioneer.h"
+#include "app/core/world/SimulatedPioneer.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/Footprint.h"
+#include "simcore/physics/shapes/Footprint.h"
 
 #include <ode/ode.h>
 

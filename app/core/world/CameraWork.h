@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/core/simulated/TrueClasses.h"
+#include "app/core/world/TrueClasses.h"
 #include "robotlink/base/Image.h"
 #include "robotlink/base/threads/ThreadPool.h"
 #include "simcore/Simulation.h"

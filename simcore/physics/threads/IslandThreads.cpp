@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/IslandThreads.h"
+#include "simcore/physics/threads/IslandThreads.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "robotlink/base/threads/BriefWait.h"
-#include "simcore/physics/OdeRandom.h"
-#include "simcore/physics/OdeThread.h"
+#include "simcore/physics/threads/OdeRandom.h"
+#include "simcore/physics/threads/OdeThread.h"
 
 namespace simcore {
 namespace {

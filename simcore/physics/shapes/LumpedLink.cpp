@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/LumpedLink.h"
+#include "simcore/physics/shapes/LumpedLink.h"
 
 #include <algorithm>
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "app/core/simulated/CameraWork.h"
-#include "app/core/simulated/HeldActuators.h"
-#include "app/core/simulated/SimulatedPioneer.h"
-#include "app/core/simulated/control/PortCommands.h"
+#include "app/core/world/CameraWork.h"
+#include "app/core/world/HeldActuators.h"
+#include "app/core/world/SimulatedPioneer.h"
+#include "app/core/world/control/PortCommands.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"

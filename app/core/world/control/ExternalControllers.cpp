@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/control/ExternalControllers.h"
+#include "app/core/world/control/ExternalControllers.h"
 
 #include <algorithm>
 #include <set>
 #include <span>
 
-#include "app/core/simulated/control/ControlMessages.h"
+#include "app/core/world/control/ControlMessages.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/Spelling.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/core/simulated/SimulatedWorld.h"
+#include "app/core/world/SimulatedWorld.h"
 #include "simcore/world/StateStream.h"
 
 namespace app {

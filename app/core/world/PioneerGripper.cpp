@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/PioneerGripper.h"
+#include "app/core/world/PioneerGripper.h"
 
 #include <algorithm>
 

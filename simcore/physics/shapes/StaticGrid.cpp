@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/StaticGrid.h"
+#include "simcore/physics/shapes/StaticGrid.h"
 
 #include <algorithm>
 #include <cmath>

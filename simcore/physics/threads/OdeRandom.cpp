@@ -3,7 +3,7 @@
 // several threads would disturb each other. The functions here replace those of its shared library (the
 // dynamic linker prefers the program's own definitions), with one seed per thread, which Physics sets before
 // each step.
-#include "simcore/physics/OdeRandom.h"
+#include "simcore/physics/threads/OdeRandom.h"
 
 #include <ode/ode.h>
 

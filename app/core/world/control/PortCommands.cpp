@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/control/PortCommands.h"
+#include "app/core/world/control/PortCommands.h"
 
 #include <algorithm>
 #include <cmath>

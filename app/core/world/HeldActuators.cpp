@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/HeldActuators.h"
+#include "app/core/world/HeldActuators.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/CameraWork.h"
+#include "app/core/world/CameraWork.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simcore/physics/Footprint.h"
+#include "simcore/physics/shapes/Footprint.h"
 #include "simcore/world/WorldDescription.h"
 
 namespace simcore {

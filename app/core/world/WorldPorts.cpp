@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/WorldPorts.h"
+#include "app/core/world/WorldPorts.h"
 
 #include <algorithm>
 
-#include "app/core/simulated/SimulatedWorld.h"
-#include "app/core/simulated/WorldObjects.h"
-#include "app/core/simulated/control/ExternalControllers.h"
+#include "app/core/world/SimulatedWorld.h"
+#include "app/core/world/WorldObjects.h"
+#include "app/core/world/control/ExternalControllers.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/control/ControlMessages.h"
+#include "app/core/world/control/ControlMessages.h"
 
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/World.pb.h"

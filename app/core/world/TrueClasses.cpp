@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/TrueClasses.h"
+#include "app/core/world/TrueClasses.h"
 
 #include "colortool/image/ClassPresets.h"
 #include "simcore/world/RenderScene.h"

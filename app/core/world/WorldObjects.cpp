@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/WorldObjects.h"
+#include "app/core/world/WorldObjects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/core/program/SceneMessages.h"
-#include "app/core/simulated/control/ExternalControllers.h"
+#include "app/core/world/control/ExternalControllers.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/simulated/control/PortCommands.h"
+#include "app/core/world/control/PortCommands.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/session/StreamMessage.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/DriveGeometry.h"
+#include "simcore/physics/shapes/DriveGeometry.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/physics/LumpedLink.h"
+#include "simcore/physics/shapes/LumpedLink.h"
 #include "simcore/world/ModelGeometry.h"
 
 namespace simcore {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "simcore/physics/Footprint.h"
+#include "simcore/physics/shapes/Footprint.h"
 
 namespace simcore {
 

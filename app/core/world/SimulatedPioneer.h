@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/core/pioneer/PioneerBattery.h"
-#include "app/core/simulated/PioneerGripper.h"
+#include "app/core/world/PioneerGripper.h"
 #include "robotlink/arcos/server/ServerSession.h"
 #include "robotlink/base/Error.h"
 
