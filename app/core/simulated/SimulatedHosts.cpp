@@ -202,6 +202,12 @@ std::vector<std::string> SimulatedRun::robots() const {
   return names;
 }
 
+bool SimulatedRun::hasRobotOrTeam(const std::string& name) const {
+  return std::ranges::any_of(robots_, [&](const auto& host) {
+    return host->name() == name || (!name.empty() && host->robot().team == name);
+  });
+}
+
 RobotHost* SimulatedRun::find(const std::string& name) const {
   const auto found = std::ranges::find_if(robots_, [&](const auto& robot) { return robot->name() == name; });
   return found == robots_.end() ? nullptr : found->get();

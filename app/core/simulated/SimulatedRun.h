@@ -225,6 +225,8 @@ class SimulatedRun {
   const RunOptions& options() const { return options_; }
   /// The names of the robots, in the order of the scene.
   std::vector<std::string> robots() const;
+  /// Whether a robot, or a team that robots are of, has this name.
+  bool hasRobotOrTeam(const std::string& name) const;
   /// Returns null if there is no such robot.
   std::shared_ptr<const robotlink::RobotDescription> description(const std::string& robot) const;
   /// Not null; its name is empty if there is no field.

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "app/core/truth/TruthErrors.h"
+#include "app/core/truth/PackageErrors.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/truth/ErrorSamples.h"
+#include "app/core/truth/PackageErrors.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/process/Link.h"
 
@@ -21,22 +21,6 @@ struct SharedDebugQueue;
 }  // namespace robotlink
 
 namespace app {
-
-/// What is compared with the simulator's truth, by the name of its quantity ("position"), with its unit.
-struct ErrorQuantity {
-  ErrorSamples amounts;
-  std::string unit;
-};
-
-/// How far what a solution publishes is from the truth.
-struct PackageErrors {
-  std::map<std::string, ErrorQuantity> quantities;
-  /// Things that were there to be seen or known and were not, of those that were there; and things that were
-  /// reported and were not there, of those that were reported.
-  std::size_t there = 0, missed = 0, reported = 0, invented = 0;
-  /// From the reading that a package is based on until it was published, s of the platform's time.
-  ErrorSamples latency;
-};
 
 /// Compares percepts and models of robots with the ground truth (oracle/world) of their simulation. Fed with
 /// the debug queues of a run in which the packages and oracle/world are published; what comes before the

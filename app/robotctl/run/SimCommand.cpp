@@ -37,6 +37,7 @@
 #include "app/robotctl/run/ListenOptions.h"
 #include "app/robotctl/run/SimFigures.h"
 #include "app/robotctl/run/SimScript.h"
+#include "app/robotctl/run/SimTrials.h"
 #include "app/robotctl/run/SnapshotOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
@@ -196,18 +197,6 @@ robotlink::Result<std::shared_ptr<SimOutputs>> openOutputs(const SimArguments& a
                                                  std::move(*images), std::move(*recorder)});
 }
 
-json troublesJson(const ProgramTroubles& troubles) {
-  json list = json::array();
-  for (const auto& trouble : troubles.all())
-    list.push_back({{"robot", trouble.robot}, {"text", trouble.text}});
-  return list;
-}
-
-/// The exit status of what ended with a status, whose programs may have been in trouble.
-int withTroubles(int status, const ProgramTroubles& troubles) {
-  return status == kDone && troubles.any() ? kDoneWithLosses : status;
-}
-
 void printFigures(const SimArguments& arguments, json figures, const ProgramTroubles& troubles) {
   figures["troubles"] = troublesJson(troubles);
   if (arguments.digest && !arguments.asJson) {
@@ -266,9 +255,9 @@ int runOnce(const SimArguments& arguments) {
     return printErrors({{"sim.no-robot", "there is no robot " + robot + " in this scene", {robot}, {}}});
   }
   for (const auto& [robot, layout] : arguments.run.robotLayouts) {
-    if (run.description(robot)) continue;
+    if (run.hasRobotOrTeam(robot)) continue;
     return printErrors({{"sim.no-robot",
-                         "there is no robot or kind of robots " + robot +
+                         "there is no robot, team or kind of robots " + robot +
                              " in this scene, for which --layout "
                              "chooses one",
                          {robot},
@@ -277,12 +266,6 @@ int runOnce(const SimArguments& arguments) {
   printMapNotes(std::cerr, run.map().get());
   unfinished.reset();
   return playGame(run, arguments, outputs, *troubles);
-}
-
-json trialJson(const BallTrials::Trial& trial) {
-  return {{"seed", trial.seed},        {"ball", {trial.ball.x(), trial.ball.y()}},
-          {"touched", trial.touched},  {"touched_after", trial.touched ? json(trial.touchedAfter) : json()},
-          {"ball_moved", trial.moved}, {"fell", trial.fell}};
 }
 
 int runTrials(const SimArguments& arguments) {
@@ -294,30 +277,7 @@ int runTrials(const SimArguments& arguments) {
   trials.count = arguments.trials;
   trials.radius = arguments.radius;
   trials.seconds = arguments.seconds;
-  const Interrupt interrupt;
-  trials.stop = &Interrupt::noted;
-  trials.onTrial = [&](const BallTrials::Trial& trial) {
-    std::cerr << "seed " << trial.seed << ": "
-              << (trial.touched ? fmt::format("touched after {:.1f} s", trial.touchedAfter) : "not touched")
-              << (trial.fell ? ", fell" : "") << "\n";
-  };
-  const auto results = trials.play();
-  if (!results) return printErrors(results.error());
-  json report;
-  report["trials"] = results->size();
-  report["touched"] = std::ranges::count_if(*results, [](const auto& t) { return t.touched; });
-  report["radius"] = arguments.radius;
-  report["seconds"] = arguments.seconds;
-  report["blackout"] = arguments.run.world.blackout;
-  for (const auto& trial : *results) report["results"].push_back(trialJson(trial));
-  report["troubles"] = troublesJson(*troubles);
-  if (arguments.asJson) {
-    std::cout << jsonOutput(report);
-  } else {
-    std::cout << report["touched"] << " of " << report["trials"] << " touched the ball\n";
-  }
-  const bool isWhole = results->size() == static_cast<std::size_t>(arguments.trials);
-  return withTroubles(isWhole ? kDone : kFailed, *troubles);
+  return playTrials(std::move(trials), *troubles, arguments.asJson);
 }
 
 /// Runs a simulation whose robots are driven by other programs.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotctl/run/SimTrials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/core/platform/JsonOutput.h"
+#include "app/core/platform/ProgramTroubles.h"
+#include "app/robotctl/Commands.h"
+#include "app/robotctl/Interrupt.h"
+
+namespace app {
+
+using nlohmann::json;
+
+namespace {
+
+json trialJson(const BallTrials::Trial& trial) {
+  return {{"seed", trial.seed},        {"ball", {trial.ball.x(), trial.ball.y()}},
+          {"touched", trial.touched},  {"touched_after", trial.touched ? json(trial.touchedAfter) : json()},
+          {"ball_moved", trial.moved}, {"fell", trial.fell}};
+}
+
+void printTrial(const BallTrials::Trial& trial) {
+  std::cerr << "seed " << trial.seed << ": "
+            << (trial.touched ? fmt::format("touched after {:.1f} s", trial.touchedAfter) : "not touched")
+            << (trial.fell ? ", fell" : "") << "\n";
+}
+
+}  // namespace
+
+json troublesJson(const ProgramTroubles& troubles) {
+  json list = json::array();
+  for (const auto& trouble : troubles.all())
+    list.push_back({{"robot", trouble.robot}, {"text", trouble.text}});
+  return list;
+}
+
+/// The exit status of what ended with a status, whose programs may have been in trouble.
+int withTroubles(int status, const ProgramTroubles& troubles) {
+  return status == kDone && troubles.any() ? kDoneWithLosses : status;
+}
+
+int playTrials(BallTrials trials, const ProgramTroubles& troubles, bool asJson) {
+  const Interrupt interrupt;
+  trials.stop = &Interrupt::noted;
+  trials.onTrial = printTrial;
+  const auto results = trials.play();
+  if (!results) return printErrors(results.error());
+  json report;
+  report["trials"] = results->size();
+  report["touched"] = std::ranges::count_if(*results, [](const auto& t) { return t.touched; });
+  report["radius"] = trials.radius;
+  report["seconds"] = trials.seconds;
+  report["blackout"] = trials.run.world.blackout;
+  for (const auto& trial : *results) report["results"].push_back(trialJson(trial));
+  report["troubles"] = troublesJson(troubles);
+  if (asJson) {
+    std::cout << jsonOutput(report);
+  } else {
+    std::cout << report["touched"] << " of " << report["trials"] << " touched the ball\n";
+  }
+  const bool isWhole = results->size() == static_cast<std::size_t>(trials.count);
+  return withTroubles(isWhole ? kDone : kFailed, troubles);
+}
+
+}  // namespace app
