@@ -53,7 +53,9 @@ endif()
 if(ROBOTCONTROL_BENCHMARKS)
   find_package(benchmark REQUIRED)
   # Another simulator with which ours is compared, by one benchmark: without it that is left out.
-  find_package(mujoco QUIET)
+  # Its own package names folders that need not be installed.
+  find_library(MUJOCO_LIBRARY mujoco)
+  find_path(MUJOCO_INCLUDES mujoco/mujoco.h)
   # What segmentation is compared with, by benchmarks alone: without it these leave the comparison out.
   find_path(OPENCV_IMGPROC_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
   find_library(OPENCV_IMGPROC opencv_imgproc)
