@@ -842,6 +842,142 @@
         <source>Shows the values of a list as columns</source>
         <translation>Zeigt die Werte einer Liste als Säulen</translation>
     </message>
+    <message>
+        <source>Adds a copy of an object to the text of the simulated scene, half a meter beside it</source>
+        <translation>Fügt dem Text der simulierten Szene eine Kopie eines Objekts hinzu, einen halben Meter daneben</translation>
+    </message>
+    <message>
+        <source>Adds a model to the scene that runs; the program of a robot starts with it</source>
+        <translation>Fügt der laufenden Szene ein Modell hinzu; das Programm eines Roboters startet mit ihm</translation>
+    </message>
+    <message>
+        <source>Adds an object to the text of the simulated scene, and goes on in it; nothing is saved</source>
+        <translation>Fügt dem Text der simulierten Szene ein Objekt hinzu und macht darin weiter; nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Adds another model like this one beside it</source>
+        <translation>Stellt ein weiteres Modell wie dieses daneben</translation>
+    </message>
+    <message>
+        <source>Chooses how an object is drawn, with all that belongs to it</source>
+        <translation>Wählt, wie ein Objekt mit allem, was dazugehört, gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Chooses how the surfaces of a view of the scene are drawn</source>
+        <translation>Wählt, wie die Oberflächen einer Ansicht der Szene gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Clicks at a place of the simulated scene, for its controllers: along a ray, whose first hit counts</source>
+        <translation>Klickt für die Steuerungen der simulierten Szene auf eine Stelle: entlang eines Strahls, dessen erster Treffer zählt</translation>
+    </message>
+    <message>
+        <source>Does again what was undone last</source>
+        <translation>Stellt das zuletzt Zurückgenommene wieder her</translation>
+    </message>
+    <message>
+        <source>Ends running the programs again up to a snapshot; the simulation is paused then</source>
+        <translation>Beendet das erneute Ausführen der Programme bis zu einer Momentaufnahme; die Simulation pausiert dann</translation>
+    </message>
+    <message>
+        <source>Forgets a snapshot in memory</source>
+        <translation>Vergisst eine Momentaufnahme im Speicher</translation>
+    </message>
+    <message>
+        <source>Goes back in the paused simulation by some seconds; the robots&apos; programs run on</source>
+        <translation>Geht in der pausierten Simulation um einige Sekunden zurück; die Programme der Roboter laufen weiter</translation>
+    </message>
+    <message>
+        <source>Has the simulation go on in the texts of the scene editor as they are, without saving them</source>
+        <translation>Lässt die Simulation in den Texten des Szeneneditors weiterlaufen, wie sie sind, ohne sie zu speichern</translation>
+    </message>
+    <message>
+        <source>Hides an object of the scene, with all that belongs to it</source>
+        <translation>Blendet ein Objekt der Szene mit allem aus, was dazugehört</translation>
+    </message>
+    <message>
+        <source>Holds an object of the simulation where it is, whatever pushes it</source>
+        <translation>Hält ein Objekt der Simulation fest, wo es ist, was auch immer daran schiebt</translation>
+    </message>
+    <message>
+        <source>Keeps the present state of the simulation, in memory by a name or, where there is a slash or the suffix .snapshot, in a file</source>
+        <translation>Bewahrt den jetzigen Zustand der Simulation auf, im Speicher unter einem Namen oder, mit Schrägstrich oder der Endung .snapshot, in einer Datei</translation>
+    </message>
+    <message>
+        <source>Lets an object be seen through</source>
+        <translation>Lässt ein Objekt durchscheinen</translation>
+    </message>
+    <message>
+        <source>Lets an object of the simulation go that is dragged</source>
+        <translation>Lässt ein Objekt der Simulation los, das gezogen wird</translation>
+    </message>
+    <message>
+        <source>Lets the camera of a view follow an object</source>
+        <translation>Lässt die Kamera einer Ansicht einem Objekt folgen</translation>
+    </message>
+    <message>
+        <source>Limits a view to an object, with all that belongs to it</source>
+        <translation>Beschränkt eine Ansicht auf ein Objekt mit allem, was dazugehört</translation>
+    </message>
+    <message>
+        <source>Opens a view of an object of the scene</source>
+        <translation>Öffnet eine Ansicht eines Objekts der Szene</translation>
+    </message>
+    <message>
+        <source>Presses and releases a key for the controllers of the simulated scene, as in the Scene view</source>
+        <translation>Drückt eine Taste für die Steuerungen der simulierten Szene, wie in der Ansicht Szene</translation>
+    </message>
+    <message>
+        <source>Pulls the middle of an object of the simulation by a spring to a point, until it is let go</source>
+        <translation>Zieht die Mitte eines Objekts der Simulation mit einer Feder zu einem Punkt, bis es losgelassen wird</translation>
+    </message>
+    <message>
+        <source>Pushes the middle of an object of the simulation with a force</source>
+        <translation>Schiebt die Mitte eines Objekts der Simulation mit einer Kraft</translation>
+    </message>
+    <message>
+        <source>Puts the world of the simulation back to a snapshot. The robots&apos; programs run on; with --programs on they are run again from the start, with everything that was asked since then, until they are there, too</source>
+        <translation>Setzt die Welt der Simulation auf eine Momentaufnahme zurück. Die Programme der Roboter laufen weiter; mit --programs on werden sie vom Start an erneut ausgeführt, mit allem, was seitdem verlangt wurde, bis auch sie dort sind</translation>
+    </message>
+    <message>
+        <source>Removes an object from the text of the simulated scene, and goes on in it; nothing is saved</source>
+        <translation>Entfernt ein Objekt aus dem Text der simulierten Szene und macht darin weiter; nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Renames an object in the text of the simulated scene</source>
+        <translation>Benennt ein Objekt im Text der simulierten Szene um</translation>
+    </message>
+    <message>
+        <source>Sets a model of the simulation in motion</source>
+        <translation>Setzt ein Modell der Simulation in Bewegung</translation>
+    </message>
+    <message>
+        <source>Shows an object again that was hidden</source>
+        <translation>Zeigt ein ausgeblendetes Objekt wieder</translation>
+    </message>
+    <message>
+        <source>Shows or leaves out something in views of the scene</source>
+        <translation>Zeigt etwas in Ansichten der Szene oder lässt es weg</translation>
+    </message>
+    <message>
+        <source>Takes a model out of the scene that runs; the program of a robot ends</source>
+        <translation>Nimmt ein Modell aus der laufenden Szene; das Programm eines Roboters endet</translation>
+    </message>
+    <message>
+        <source>Takes back the last scene.add, scene.remove or scene.duplicate: what was removed stands and moves again as it did</source>
+        <translation>Nimmt das letzte scene.add, scene.remove oder scene.duplicate zurück: Was entfernt wurde, steht und bewegt sich wieder wie zuvor</translation>
+    </message>
+    <message>
+        <source>Turns a model of the simulation where it stands</source>
+        <translation>Dreht ein Modell der Simulation auf der Stelle</translation>
+    </message>
+    <message>
+        <source>Undoes the last thing that was done to the scene by hand or by these commands</source>
+        <translation>Nimmt das Letzte zurück, was von Hand oder mit diesen Befehlen an der Szene geändert wurde</translation>
+    </message>
+    <message>
+        <source>Writes into the text of the simulated scene that an object begins where it is now; nothing is saved</source>
+        <translation>Schreibt in den Text der simulierten Szene, dass ein Objekt dort beginnt, wo es jetzt ist; nichts wird gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>Data</name>
@@ -961,6 +1097,17 @@
     <message>
         <source>The frame overruns by %1.</source>
         <translation>Der Frame dauert %1 zu lang.</translation>
+    </message>
+</context>
+<context>
+    <name>Gizmo</name>
+    <message>
+        <source>%1: %2°</source>
+        <translation>%1: %2°</translation>
+    </message>
+    <message>
+        <source>%1: %2 m (%3)</source>
+        <translation>%1: %2 m (%3)</translation>
     </message>
 </context>
 <context>
@@ -1596,6 +1743,30 @@
         <source>The robot&apos;s description: p3at, p3dx, peoplebot or one of your own</source>
         <translation>Die Beschreibung des Roboters: p3at, p3dx, peoplebot oder eine eigene</translation>
     </message>
+    <message>
+        <source>Folders in which model://NAME is searched first, with colons between them; the scene editor finds models there, too</source>
+        <translation>Ordner, in denen model://NAME zuerst gesucht wird, durch Doppelpunkte getrennt; auch der Szeneneditor findet dort Modelle</translation>
+    </message>
+    <message>
+        <source>How many threads share physics, sensors, images and the robots&apos; programs; the results are the same for any number</source>
+        <translation>Wie viele Threads sich Physik, Sensoren, Bilder und die Programme der Roboter teilen; die Ergebnisse sind bei jeder Anzahl gleich</translation>
+    </message>
+    <message>
+        <source>Models in:</source>
+        <translation>Modelle in:</translation>
+    </message>
+    <message>
+        <source>Threads:</source>
+        <translation>Threads:</translation>
+    </message>
+    <message>
+        <source>one per core</source>
+        <translation>einer je Kern</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s folder and the usual ones</source>
+        <translation>dem Ordner der Szene und den üblichen</translation>
+    </message>
 </context>
 <context>
     <name>PlotChoices</name>
@@ -1675,6 +1846,17 @@
     <message>
         <source>Key frame %1 of %2 added</source>
         <translation>Keyframe %1 von %2 hinzugefügt</translation>
+    </message>
+</context>
+<context>
+    <name>PropertyRule</name>
+    <message>
+        <source>%1 must be above %2 and at most %3 %4</source>
+        <translation>%1 muss über %2 und höchstens %3 %4 sein</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3 %4</source>
+        <translation>%1 muss zwischen %2 und %3 %4 liegen</translation>
     </message>
 </context>
 <context>
@@ -4979,6 +5161,105 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     <message>
         <source>as fast as possible</source>
         <translation>so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Rewind 1 s</source>
+        <translation>1 s zurückspulen</translation>
+    </message>
+</context>
+<context>
+    <name>app::SnapshotMenu</name>
+    <message>
+        <source>S&amp;napshots</source>
+        <translation>S&amp;chnappschüsse</translation>
+    </message>
+    <message>
+        <source>No simulation is open</source>
+        <translation>Es ist keine Simulation geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Take a snapshot</source>
+        <translation>&amp;Schnappschuss aufnehmen</translation>
+    </message>
+    <message>
+        <source>Keeps the present state of the world, until the scene is closed</source>
+        <translation>Bewahrt den jetzigen Zustand der Welt auf, bis die Szene geschlossen wird</translation>
+    </message>
+    <message>
+        <source>Take a snapshot as a &amp;file…</source>
+        <translation>Schnappschuss als &amp;Datei aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Writes the present state of the world to a file</source>
+        <translation>Schreibt den jetzigen Zustand der Welt in eine Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to a file…</source>
+        <translation>&amp;Zurück zu einer Datei…</translation>
+    </message>
+    <message>
+        <source>Puts the world to the state in a file; the robots&apos; programs run on</source>
+        <translation>Versetzt die Welt in den Zustand in einer Datei; die Programme der Roboter laufen weiter</translation>
+    </message>
+    <message>
+        <source>%1: at %2 s</source>
+        <translation>%1: bei %2 s</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel running the programs again (%1 %)</source>
+        <translation>Wiederholen der Programme &amp;abbrechen (%1 %)</translation>
+    </message>
+    <message>
+        <source>Leaves world and programs where they have come to, and pauses</source>
+        <translation>Lässt Welt und Programme, wo sie angekommen sind, und hält an</translation>
+    </message>
+    <message>
+        <source>&amp;Go back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Puts the world to this state; the robots&apos; programs run on</source>
+        <translation>Versetzt die Welt in diesen Zustand; die Programme der Roboter laufen weiter</translation>
+    </message>
+    <message>
+        <source>Go back with the &amp;programs</source>
+        <translation>Zurück mit den &amp;Programmen</translation>
+    </message>
+    <message>
+        <source>Runs the programs again from their start, with all that was asked, until they are there, too</source>
+        <translation>Lässt die Programme von ihrem Start an mit allem, was verlangt wurde, noch einmal laufen, bis auch sie dort sind</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Vergessen</translation>
+    </message>
+    <message>
+        <source>Removes this snapshot</source>
+        <translation>Entfernt diesen Schnappschuss</translation>
+    </message>
+    <message>
+        <source>Rewind by %1 s</source>
+        <translation>Um %1 s zurückspulen</translation>
+    </message>
+    <message>
+        <source>Goes back in the world; the robots&apos; programs run on. The last %1 s are kept</source>
+        <translation>Geht in der Welt zurück; die Programme der Roboter laufen weiter. Die letzten %1 s sind aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Pause the simulation to rewind it</source>
+        <translation>Zum Zurückspulen die Simulation anhalten</translation>
+    </message>
+    <message>
+        <source>Take a snapshot</source>
+        <translation>Schnappschuss aufnehmen</translation>
+    </message>
+    <message>
+        <source>Snapshots (*.snapshot)</source>
+        <translation>Schnappschüsse (*.snapshot)</translation>
+    </message>
+    <message>
+        <source>Go back to a snapshot</source>
+        <translation>Zurück zu einem Schnappschuss</translation>
     </message>
 </context>
 <context>
@@ -12360,6 +12641,18 @@ Verzeichnung %8</translation>
         <source>Double click to change it in %1</source>
         <translation>Doppelklick, um es in %1 zu ändern</translation>
     </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>color: red, green, blue, 0 to 1</source>
+        <translation>Farbe: Rot, Grün, Blau, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>share of lost readings</source>
+        <translation>Anteil verlorener Messwerte</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PropertiesView</name>
@@ -12422,6 +12715,38 @@ Verzeichnung %8</translation>
     <message>
         <source>Saved. It holds when the scene is opened again.</source>
         <translation>Gespeichert. Es gilt, wenn die Szene wieder geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Undone.</source>
+        <translation>Rückgängig gemacht.</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>It begins here from now on; save to keep that.</source>
+        <translation>Es beginnt von jetzt an hier; speichern Sie, damit das so bleibt.</translation>
+    </message>
+    <message>
+        <source>Saved.</source>
+        <translation>Gespeichert.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>The simulation goes on with it; save to keep it.</source>
+        <translation>Die Simulation läuft damit weiter; speichern Sie, damit es so bleibt.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undoes: %1</source>
+        <translation>Macht rückgängig: %1</translation>
     </message>
 </context>
 <context>
@@ -12827,6 +13152,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>The scene cannot be drawn: %1</source>
         <translation>Die Szene kann nicht gezeichnet werden: %1</translation>
     </message>
+    <message>
+        <source>x: %1 m  y: %2 m</source>
+        <translation>x: %1 m  y: %2 m</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SceneCompletion</name>
@@ -13074,10 +13403,378 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     </message>
 </context>
 <context>
+    <name>widgets::SceneEdits</name>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Write the pose of %1</source>
+        <translation>Pose von %1 schreiben</translation>
+    </message>
+</context>
+<context>
     <name>widgets::SceneFile</name>
     <message>
         <source>unnamed.sdf</source>
         <translation>unbenannt.sdf</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneHands</name>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Shows handles at the selected object that move and turn it; Control: in steps of 0.1 m and 15°, Esc: back</source>
+        <translation>Zeigt Griffe am ausgewählten Objekt, die es verschieben und drehen; Strg: in Schritten von 0,1 m und 15°, Esc: zurück</translation>
+    </message>
+    <message>
+        <source>Own axes</source>
+        <translation>Eigene Achsen</translation>
+    </message>
+    <message>
+        <source>The handles point where the object does, instead of where the field does</source>
+        <translation>Die Griffe zeigen dorthin, wohin das Objekt zeigt, statt wohin das Feld zeigt</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Add objects…</source>
+        <translation>Objekte hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Lists objects and models that can be dragged into the scene</source>
+        <translation>Listet Objekte und Modelle auf, die in die Szene gezogen werden können</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Adds another one beside it to the scene&apos;s text</source>
+        <translation>Fügt dem Text der Szene ein weiteres daneben hinzu</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Removes the object from the scene&apos;s text</source>
+        <translation>Entfernt das Objekt aus dem Text der Szene</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Renames the object in the scene&apos;s text</source>
+        <translation>Benennt das Objekt im Text der Szene um</translation>
+    </message>
+    <message>
+        <source>Write to the scene</source>
+        <translation>In die Szene schreiben</translation>
+    </message>
+    <message>
+        <source>Writes into the scene&apos;s text that the object begins where it is now; the file is saved when you save it</source>
+        <translation>Schreibt in den Text der Szene, dass das Objekt dort beginnt, wo es jetzt ist; die Datei wird gespeichert, wenn Sie sie speichern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+W</source>
+        <translation>Ctrl+Shift+W</translation>
+    </message>
+    <message>
+        <source>Pin or release</source>
+        <translation>Festhalten oder loslassen</translation>
+    </message>
+    <message>
+        <source>Holds the object where it is, whatever pushes it, or lets it go</source>
+        <translation>Hält das Objekt fest, wo es ist, was immer es schiebt, oder lässt es los</translation>
+    </message>
+    <message>
+        <source>Go to its text</source>
+        <translation>Zu seinem Text</translation>
+    </message>
+    <message>
+        <source>Shows the object in the scene editor</source>
+        <translation>Zeigt das Objekt im Szenen-Editor</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Shows the properties of the object</source>
+        <translation>Zeigt die Eigenschaften des Objekts</translation>
+    </message>
+    <message>
+        <source>Alt+Return</source>
+        <translation>Alt+Return</translation>
+    </message>
+    <message>
+        <source>Only what moves can be pinned</source>
+        <translation>Nur was sich bewegt, kann festgehalten werden</translation>
+    </message>
+    <message>
+        <source>Release %1</source>
+        <translation>%1 loslassen</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>%1 festhalten</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Neuer Name von %1:</translation>
+    </message>
+    <message>
+        <source>%1 begins here; save the scene to keep that</source>
+        <translation>%1 beginnt hier; speichern Sie die Szene, damit das so bleibt</translation>
+    </message>
+    <message>
+        <source>Follow %1</source>
+        <translation>%1 folgen</translation>
+    </message>
+    <message>
+        <source>Add here</source>
+        <translation>Hier hinzufügen</translation>
+    </message>
+    <message>
+        <source>Undoes: %1</source>
+        <translation>Macht rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was done to the scene that could be undone</source>
+        <translation>An der Szene wurde nichts getan, das rückgängig gemacht werden könnte</translation>
+    </message>
+    <message>
+        <source>Does again: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was undone that could be done again</source>
+        <translation>Nichts wurde rückgängig gemacht, das wiederholt werden könnte</translation>
+    </message>
+    <message>
+        <source>This cannot be done: %1</source>
+        <translation>Das geht nicht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneModes</name>
+    <message>
+        <source>Shaded</source>
+        <translation>Schattiert</translation>
+    </message>
+    <message>
+        <source>Draws surfaces with soft light</source>
+        <translation>Zeichnet Flächen mit weichem Licht</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Draws each triangle in one color</source>
+        <translation>Zeichnet jedes Dreieck in einer Farbe</translation>
+    </message>
+    <message>
+        <source>Alt+W</source>
+        <translation>Alt+W</translation>
+    </message>
+    <message>
+        <source>Edges, hidden ones left out</source>
+        <translation>Kanten ohne verdeckte</translation>
+    </message>
+    <message>
+        <source>Draws the edges that no surface hides</source>
+        <translation>Zeichnet die Kanten, die keine Fläche verdeckt</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+W</source>
+        <translation>Ctrl+Alt+W</translation>
+    </message>
+    <message>
+        <source>Wire frame</source>
+        <translation>Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Draws all edges, also the hidden ones</source>
+        <translation>Zeichnet alle Kanten, auch die verdeckten</translation>
+    </message>
+    <message>
+        <source>Visible shapes</source>
+        <translation>Sichtbare Formen</translation>
+    </message>
+    <message>
+        <source>Shows what cameras see</source>
+        <translation>Zeigt, was Kameras sehen</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Shows what collides: as edges over the visible shapes, or in place of these</source>
+        <translation>Zeigt, was zusammenstößt: als Kanten über den sichtbaren Formen oder an deren Stelle</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Contacts and forces</source>
+        <translation>Berührungen und Kräfte</translation>
+    </message>
+    <message>
+        <source>Shows where objects touch, and forces as arrows of 1 cm for 1 N: of contacts orange, of joints blue, by hand green</source>
+        <translation>Zeigt, wo Objekte sich berühren, und Kräfte als Pfeile von 1 cm je 1 N: von Berührungen orange, von Gelenken blau, von Hand grün</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Shows the axes of joints, and the names of those of the selected object</source>
+        <translation>Zeigt die Achsen der Gelenke und die Namen derer des gewählten Objekts</translation>
+    </message>
+    <message>
+        <source>Shift+J</source>
+        <translation>Shift+J</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Koordinatensysteme</translation>
+    </message>
+    <message>
+        <source>Shows the axes of models and links: x red, y green, z blue</source>
+        <translation>Zeigt die Achsen von Modellen und Gliedern: x rot, y grün, z blau</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Centers of mass</source>
+        <translation>Schwerpunkte</translation>
+    </message>
+    <message>
+        <source>Shows the center of mass of each link, the larger the heavier</source>
+        <translation>Zeigt den Schwerpunkt jedes Glieds, je schwerer, desto größer</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Shows what simulated cameras see, sonars reach, and rays hit</source>
+        <translation>Zeigt, was simulierte Kameras sehen, wie weit Sonare reichen und was Strahlen treffen</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>Names of objects</source>
+        <translation>Namen der Objekte</translation>
+    </message>
+    <message>
+        <source>Shows the names of all models, not only of robots</source>
+        <translation>Zeigt die Namen aller Modelle, nicht nur der Roboter</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Shows shadows on the ground</source>
+        <translation>Zeigt Schatten auf dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ScenePalette</name>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Ball</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>%1 (robot)</source>
+        <translation>%1 (Roboter)</translation>
+    </message>
+    <message>
+        <source>Add objects</source>
+        <translation>Objekte hinzufügen</translation>
+    </message>
+    <message>
+        <source>Drag an object to its place in the scene, or double click it</source>
+        <translation>Ein Objekt an seinen Platz in der Szene ziehen oder doppelt anklicken</translation>
     </message>
 </context>
 <context>
@@ -13175,6 +13872,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>Value</source>
         <translation>Wert</translation>
+    </message>
+    <message>
+        <source>controller</source>
+        <translation>Controller</translation>
     </message>
 </context>
 <context>
@@ -13275,16 +13976,116 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>Nothing matches. Clear the search.</source>
         <translation>Nichts passt. Die Suche leeren.</translation>
     </message>
+    <message>
+        <source>Show in 3-D</source>
+        <translation>In 3-D zeigen</translation>
+    </message>
+    <message>
+        <source>Opens a view that shows this object alone, with all that belongs to it</source>
+        <translation>Öffnet eine Ansicht, die nur dieses Objekt zeigt, mit allem, was dazu gehört</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+3</source>
+        <translation>Ctrl+Alt+3</translation>
+    </message>
+    <message>
+        <source>Show in 3-D with surroundings</source>
+        <translation>In 3-D mit Umgebung zeigen</translation>
+    </message>
+    <message>
+        <source>Opens a view of the scene that looks at this object and follows it</source>
+        <translation>Öffnet eine Ansicht der Szene, die auf dieses Objekt blickt und es verfolgt</translation>
+    </message>
+    <message>
+        <source>Hide in 3-D</source>
+        <translation>In 3-D ausblenden</translation>
+    </message>
+    <message>
+        <source>Leaves out the object, with all that belongs to it, in views of the scene</source>
+        <translation>Lässt das Objekt mit allem, was dazu gehört, in Ansichten der Szene weg</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+H</source>
+        <translation>Ctrl+Alt+H</translation>
+    </message>
+    <message>
+        <source>Show again in 3-D</source>
+        <translation>In 3-D wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the object again in views of the scene</source>
+        <translation>Zeigt das Objekt in Ansichten der Szene wieder</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Shift+H</source>
+        <translation>Ctrl+Alt+Shift+H</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Verfolgen</translation>
+    </message>
+    <message>
+        <source>The camera of the scene moves with the object</source>
+        <translation>Die Kamera der Szene bewegt sich mit dem Objekt</translation>
+    </message>
+    <message>
+        <source>Follow and turn with it</source>
+        <translation>Verfolgen und mitdrehen</translation>
+    </message>
+    <message>
+        <source>The camera of the scene moves and turns with the object</source>
+        <translation>Die Kamera der Szene bewegt und dreht sich mit dem Objekt</translation>
+    </message>
+    <message>
+        <source>First person</source>
+        <translation>Ego-Perspektive</translation>
+    </message>
+    <message>
+        <source>The scene is seen out of the camera of the object, or out of the object</source>
+        <translation>Die Szene wird aus der Kamera des Objekts gesehen oder aus dem Objekt selbst</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>As the view</source>
+        <translation>Wie die Ansicht</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Schattiert</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Edges, hidden ones left out</source>
+        <translation>Kanten ohne verdeckte</translation>
+    </message>
+    <message>
+        <source>Wire frame</source>
+        <translation>Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Seen through</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>Not at all</source>
+        <translation>Gar nicht</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SceneView</name>
     <message>
         <source>Wire frame</source>
         <translation>Drahtgitter</translation>
-    </message>
-    <message>
-        <source>Shows the edges of all triangles</source>
-        <translation>Zeigt die Kanten aller Dreiecke</translation>
     </message>
     <message>
         <source>Grid</source>
@@ -13373,6 +14174,102 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>Shows what cameras see and ranges measure, of robots that no scene shows</source>
         <translation>Zeigt, was Kameras sehen und Abstandssensoren messen, bei Robotern, die keine Szene zeigt</translation>
+    </message>
+    <message>
+        <source>Keys and clicks for controllers</source>
+        <translation>Tasten und Klicks für Controller</translation>
+    </message>
+    <message>
+        <source>Keys and the left button are sent to the controllers of the simulated scene, such as that of a lift; the right and the middle button still move the camera</source>
+        <translation>Tasten und die linke Maustaste gehen an die Controller der simulierten Szene, etwa den eines Aufzugs; die rechte und die mittlere Taste bewegen weiterhin die Kamera</translation>
+    </message>
+    <message>
+        <source>First person</source>
+        <translation>Ego-Perspektive</translation>
+    </message>
+    <message>
+        <source>Looks out of the camera of what is followed, or out of the object itself</source>
+        <translation>Blickt aus der Kamera des Verfolgten oder aus dem Objekt selbst</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>How surfaces are drawn</source>
+        <translation>Wie Flächen gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>What is shown: shapes, solids, forces, joints, sensors, ...</source>
+        <translation>Was gezeigt wird: Formen, Körper, Kräfte, Gelenke, Sensoren, ...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n hidden part(s) again</source>
+        <translation>%n ausgeblendete(s) Teil(e) wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Show the whole scene</source>
+        <translation>Die ganze Szene zeigen</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Scene: %1</source>
+        <translation>Szene: %1</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show alone</source>
+        <translation>Allein zeigen</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Verfolgen</translation>
+    </message>
+    <message>
+        <source>Follow and turn with it</source>
+        <translation>Verfolgen und mitdrehen</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>As the view</source>
+        <translation>Wie die Ansicht</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Schattiert</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Edges, hidden ones left out</source>
+        <translation>Kanten ohne verdeckte</translation>
+    </message>
+    <message>
+        <source>Seen through</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>Not at all</source>
+        <translation>Gar nicht</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
