@@ -26,9 +26,9 @@ constexpr std::array kPropertyRules{
     NamedRule{"diffuse", {0, 1}},
 };
 
-QString say(const char* text) {
-  return QCoreApplication::translate("PropertyRule", text);
-}
+struct PropertyTexts {
+  Q_DECLARE_TR_FUNCTIONS(PropertyRule)
+};
 
 tl::unexpected<robotlink::Error> refuse(const QString& text) {
   return robotlink::failure("scene.property", text.toStdString());
@@ -47,7 +47,7 @@ robotlink::Result<std::vector<double>> propertyNumbers(const QString& typed, con
                                                        int count, const QString& title, const QString& unit) {
   const QStringList words = typed.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
   if (words.size() != count)
-    return refuse(say("%1 takes %2 numbers, separated by blanks; %3 were typed")
+    return refuse(PropertyTexts::tr("%1 takes %2 numbers, separated by blanks; %3 were typed")
                       .arg(title)
                       .arg(count)
                       .arg(words.size()));
@@ -57,12 +57,11 @@ robotlink::Result<std::vector<double>> propertyNumbers(const QString& typed, con
     bool isNumber = false;
     const double number = word.toDouble(&isNumber);
     if (!isNumber || !std::isfinite(number))
-      return refuse(say("%1 is no number; the decimal point is a point").arg(word));
+      return refuse(PropertyTexts::tr("%1 is no number; the decimal point is a point").arg(word));
     const bool isTooSmall = rule.isAbove ? number <= rule.minimum : number < rule.minimum;
     if (isTooSmall || number > rule.maximum)
-      return refuse(say(rule.isAbove
-                            ? QT_TRANSLATE_NOOP("PropertyRule", "%1 must be above %2 and at most %3 %4")
-                            : QT_TRANSLATE_NOOP("PropertyRule", "%1 must be from %2 to %3 %4"))
+      return refuse((rule.isAbove ? PropertyTexts::tr("%1 must be above %2 and at most %3 %4")
+                                  : PropertyTexts::tr("%1 must be from %2 to %3 %4"))
                         .arg(title)
                         .arg(rule.minimum)
                         .arg(rule.maximum)
