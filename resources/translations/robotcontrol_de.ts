@@ -1858,6 +1858,14 @@
         <source>%1 must be from %2 to %3 %4</source>
         <translation>%1 muss zwischen %2 und %3 %4 liegen</translation>
     </message>
+    <message>
+        <source>%1 takes %2 numbers, separated by blanks; %3 were typed</source>
+        <translation>%1 hat %2 Zahlen, durch Leerzeichen getrennt; eingegeben wurden %3</translation>
+    </message>
+    <message>
+        <source>%1 is no number; the decimal point is a point</source>
+        <translation>%1 ist keine Zahl; das Dezimaltrennzeichen ist ein Punkt</translation>
+    </message>
 </context>
 <context>
     <name>QLabel</name>
@@ -14209,7 +14217,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     </message>
     <message numerus="yes">
         <source>Show %n hidden part(s) again</source>
-        <translation>%n ausgeblendete(s) Teil(e) wieder zeigen</translation>
+        <translation>
+            <numerusform>%n ausgeblendetes Teil wieder zeigen</numerusform>
+            <numerusform>%n ausgeblendete Teile wieder zeigen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Show the whole scene</source>
