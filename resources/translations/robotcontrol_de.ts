@@ -14215,13 +14215,6 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>What is shown: shapes, solids, forces, joints, sensors, ...</source>
         <translation>Was gezeigt wird: Formen, Körper, Kräfte, Gelenke, Sensoren, ...</translation>
     </message>
-    <message numerus="yes">
-        <source>Show %n hidden part(s) again</source>
-        <translation>
-            <numerusform>%n ausgeblendetes Teil wieder zeigen</numerusform>
-            <numerusform>%n ausgeblendete Teile wieder zeigen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Show the whole scene</source>
         <translation>Die ganze Szene zeigen</translation>
@@ -14281,6 +14274,14 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Show the hidden part again</source>
+        <translation>Ausgeblendetes Teil wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Show %1 hidden parts again</source>
+        <translation>%1 ausgeblendete Teile wieder zeigen</translation>
     </message>
 </context>
 <context>

@@ -381,8 +381,10 @@ void SceneView::showContextMenu(const QPoint& at) {
   if (const auto hit = canvas_->hitAt(at))
     addObjectMenus(*menu, hit->object.empty() ? hit->model : hit->object);
   if (const int hidden = parts_.looks().hiddenCount(); hidden > 0) {
-    QAction* show = menu->addAction(icon("eye"), tr("Show %n hidden part(s) again", nullptr, hidden), this,
-                                    [this] { showObject({}); });
+    QAction* show = menu->addAction(
+        icon("eye"),
+        hidden == 1 ? tr("Show the hidden part again") : tr("Show %1 hidden parts again").arg(hidden), this,
+        [this] { showObject({}); });
     show->setObjectName(QStringLiteral("sceneShowHidden"));
   }
   if (!parts_.only().empty()) {
