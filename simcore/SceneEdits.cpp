@@ -49,7 +49,7 @@ bool wearsTeam(const ModelDescription& type) {
   });
 }
 
-Pose3 poseOf(const ModelToAdd& added, const ModelDescription& type, const WorldDescription& world) {
+Pose3 poseOfAdded(const ModelToAdd& added, const ModelDescription& type, const WorldDescription& world) {
   const double height = added.height ? *added.height : floorOf(world) - extentOf(type).low;
   return Eigen::Translation3d(added.place.x, added.place.y, height) *
          Pose3(Eigen::AngleAxisd(added.place.heading, Vector3::UnitZ()));
@@ -78,7 +78,7 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::with(const ModelToAdd&
   if (!type) return tl::unexpected(std::move(errors));
   ModelInstance instance;
   instance.type = type;
-  instance.poseInWorld = poseOf(added, *type, contents_->world);
+  instance.poseInWorld = poseOfAdded(added, *type, contents_->world);
   instance.where = {file->string(), 0, 0};
   if (!added.team.empty()) {
     const auto color = files.palette().find(added.team);

@@ -177,92 +177,91 @@ Result<void> push(OpenPlatform& open, const Values& values) {
   return askByHand(open, std::move(request));
 }
 
+/// The height of a model's frame; fails if the text is no number.
+Result<std::optional<double>> heightIn(const std::string& text) {
+  if (text.empty()) return std::optional<double>();
+  char* end = nullptr;
+  const double height = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() + text.size() && std::isfinite(height)) return std::optional(height);
+  return failure("scene.height", "the height must be a number of meters, not '" + text + "'", {}, {text});
+}
+
+Result<void> whetherSimulated(OpenPlatform& open) {
+  const LoadedPlatform* loaded = open.loaded();
+  if (loaded == nullptr || loaded->adapter != SimulationFeed::kAdapter)
+    return failure("simulation.none", "there is no simulation; open a scene first");
+  return {};
+}
+
+Result<void> edit(OpenPlatform& open, robotcontrol::EditScene change) {
+  if (auto simulated = whetherSimulated(open); !simulated) return simulated;
+  robotcontrol::Request request;
+  *request.mutable_edit_scene() = std::move(change);
+  if (const std::string wrong = robotlink::wrongWith(request); !wrong.empty())
+    return failure("scene.edit", wrong);
+  open.ask(std::move(request));
+  return {};
+}
+
+Result<void> add(OpenPlatform& open, const Values& values) {
+  const auto height = heightIn(text(values, 5));
+  if (!height) return tl::unexpected(height.error());
+  robotcontrol::EditScene change;
+  auto& added = *change.mutable_add();
+  added.set_model(text(values, 0));
+  added.mutable_pose_in_field()->set_x(number(values, 1));
+  added.mutable_pose_in_field()->set_y(number(values, 2));
+  added.mutable_pose_in_field()->set_heading(std::remainder(number(values, 3), 2 * std::numbers::pi));
+  added.set_name(text(values, 4));
+  if (*height) added.set_height(**height);
+  added.set_team(text(values, 6));
+  return edit(open, std::move(change));
+}
+
+Result<void> removeModel(OpenPlatform& open, const Values& values) {
+  robotcontrol::EditScene change;
+  change.mutable_remove()->set_model(text(values, 0));
+  return edit(open, std::move(change));
+}
+
+Result<void> duplicate(OpenPlatform& open, const Values& values) {
+  robotcontrol::EditScene change;
+  change.mutable_duplicate()->set_model(text(values, 0));
+  change.mutable_duplicate()->set_name(text(values, 1));
+  return edit(open, std::move(change));
+}
+
+Result<void> undo(OpenPlatform& open) {
+  robotcontrol::EditScene change;
+  change.set_undo(true);
+  return edit(open, std::move(change));
+}
+
+/// The names of all models of the scene.
+std::vector<std::string> allModels(OpenPlatform& open) {
+  std::vector<std::string> names;
+  if (const auto* all = objects(open)) {
+    for (const auto& object : all->objects())
+      if (object.path() == object.model()) names.push_back(object.path());
+  }
+  return names;
+}
+
+/// What can be added by its name.
+std::vector<std::string> addable(OpenPlatform& open) {
+  std::vector<std::string> names;
+  const LoadedPlatform* loaded = open.loaded();
+  if (!whetherSimulated(open) || loaded->sources.empty()) return names;
+  for (const SceneModelFile& model : sceneModels(loaded->sources.front(), open.modelFolders()))
+    names.push_back(model.name);
+  return names;
+}
+
 Result<void> reload(OpenPlatform& open) {
-  /// The height of a model's frame; fails if the text is no number.
-  Result<std::optional<double>> heightIn(const std::string& text) {
-    if (text.empty()) return std::optional<double>();
-    char* end = nullptr;
-    const double height = std::strtod(text.c_str(), &end);
-    if (end == text.c_str() + text.size() && std::isfinite(height)) return std::optional(height);
-    return failure("scene.height", "the height must be a number of meters, not '" + text + "'", {}, {text});
-  }
-
-  Result<void> whetherSimulated(OpenPlatform & open) {
-    const LoadedPlatform* loaded = open.loaded();
-    if (loaded == nullptr || loaded->adapter != SimulationFeed::kAdapter)
-      return failure("simulation.none", "there is no simulation; open a scene first");
-    return {};
-  }
-
-  Result<void> edit(OpenPlatform & open, robotcontrol::EditScene change) {
-    if (auto simulated = whetherSimulated(open); !simulated) return simulated;
-    robotcontrol::Request request;
-    *request.mutable_edit_scene() = std::move(change);
-    if (const std::string wrong = robotlink::wrongWith(request); !wrong.empty())
-      return failure("scene.edit", wrong);
-    open.ask(std::move(request));
-    return {};
-  }
-
-  Result<void> add(OpenPlatform & open, const Values& values) {
-    const auto height = heightIn(text(values, 5));
-    if (!height) return tl::unexpected(height.error());
-    robotcontrol::EditScene change;
-    auto& added = *change.mutable_add();
-    added.set_model(text(values, 0));
-    added.mutable_pose_in_field()->set_x(number(values, 1));
-    added.mutable_pose_in_field()->set_y(number(values, 2));
-    added.mutable_pose_in_field()->set_heading(std::remainder(number(values, 3), 2 * std::numbers::pi));
-    added.set_name(text(values, 4));
-    if (*height) added.set_height(**height);
-    added.set_team(text(values, 6));
-    return edit(open, std::move(change));
-  }
-
-  Result<void> removeModel(OpenPlatform & open, const Values& values) {
-    robotcontrol::EditScene change;
-    change.mutable_remove()->set_model(text(values, 0));
-    return edit(open, std::move(change));
-  }
-
-  Result<void> duplicate(OpenPlatform & open, const Values& values) {
-    robotcontrol::EditScene change;
-    change.mutable_duplicate()->set_model(text(values, 0));
-    change.mutable_duplicate()->set_name(text(values, 1));
-    return edit(open, std::move(change));
-  }
-
-  Result<void> undo(OpenPlatform & open) {
-    robotcontrol::EditScene change;
-    change.set_undo(true);
-    return edit(open, std::move(change));
-  }
-
-  /// The names of all models of the scene.
-  std::vector<std::string> allModels(OpenPlatform & open) {
-    std::vector<std::string> names;
-    if (const auto* all = objects(open)) {
-      for (const auto& object : all->objects())
-        if (object.path() == object.model()) names.push_back(object.path());
-    }
-    return names;
-  }
-
-  /// What can be added by its name.
-  std::vector<std::string> addable(OpenPlatform & open) {
-    std::vector<std::string> names;
-    const LoadedPlatform* loaded = open.loaded();
-    if (!whetherSimulated(open) || loaded->sources.empty()) return names;
-    for (const SceneModelFile& model : sceneModels(loaded->sources.front(), open.modelFolders()))
-      names.push_back(model.name);
-    return names;
-  }
-
-  Result<void> reload(OpenPlatform & open) {
-    if (auto simulated = whetherSimulated(open); !simulated) return simulated;
-    open.reloadScene();
-    return {};
-  }
+  if (auto simulated = whetherSimulated(open); !simulated) return simulated;
+  open.reloadScene();
+  return {};
+}
 
 }  // namespace
 

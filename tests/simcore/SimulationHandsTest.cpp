@@ -21,7 +21,7 @@ std::unique_ptr<Simulation> withBox() {
       <collision name="c"><geometry><box><size>0.2 0.2 0.2</size></box></geometry></collision></link></model>)");
 }
 
-Vector3 placeOf(const Simulation& simulation, const std::string& model) {
+Vector3 centerOf(const Simulation& simulation, const std::string& model) {
   return simulation.modelPose(model)->translation();
 }
 
@@ -34,7 +34,7 @@ TEST(SimulationHands, whatIsThrownFliesAParabola) {
   ASSERT_TRUE(simulation);
   ASSERT_TRUE(simulation->throwModel("box", {1, 0, 2}, {0, 0, 3}));
   advanceBy(*simulation, 50);
-  const Vector3 place = placeOf(*simulation, "box");
+  const Vector3 place = centerOf(*simulation, "box");
   EXPECT_NEAR(place.x(), 0.2, 1e-6);
   EXPECT_NEAR(place.z(), 1 + 2 * 0.2 - 9.81 / 2 * 0.2 * 0.2, 0.005);
   EXPECT_NEAR(robotlink::groundPose(*simulation->modelPose("box")).heading, 0.6, 1e-4);
@@ -47,11 +47,11 @@ TEST(SimulationHands, whatIsPinnedHangsInTheAirUntilItIsLetGo) {
   EXPECT_THAT(simulation->pinned(), ElementsAre("box/link:body"));
   ASSERT_TRUE(simulation->push("box", {100, 0, 0}, {0, 0, 0}, 1));
   advanceBy(*simulation, 250);
-  EXPECT_EQ(placeOf(*simulation, "box"), Vector3(0, 2, 1));
+  EXPECT_EQ(centerOf(*simulation, "box"), Vector3(0, 2, 1));
   ASSERT_TRUE(simulation->pin("box/link:body", false));
   EXPECT_TRUE(simulation->pinned().empty());
   advanceBy(*simulation, 250);
-  EXPECT_NEAR(placeOf(*simulation, "box").z(), 0.1, 0.002);
+  EXPECT_NEAR(centerOf(*simulation, "box").z(), 0.1, 0.002);
 }
 
 TEST(SimulationHands, aSpringDragsAPointToItsTarget) {
@@ -68,7 +68,7 @@ TEST(SimulationHands, aSpringDragsAPointToItsTarget) {
   simulation->release("");
   EXPECT_TRUE(simulation->dragged().empty());
   advanceBy(*simulation, 250);
-  EXPECT_LT(placeOf(*simulation, "box").z(), 0.3);
+  EXPECT_LT(centerOf(*simulation, "box").z(), 0.3);
 }
 
 TEST(SimulationHands, aPushAddsItsMomentum) {
@@ -84,7 +84,7 @@ TEST(SimulationHands, aModelIsTurnedWhereItStandsUnlessSomethingIsInTheWay) {
   ASSERT_TRUE(simulation);
   ASSERT_TRUE(simulation->turnModel("box", 0.5, 0, 0));
   EXPECT_NEAR(robotlink::groundPose(*simulation->modelPose("box")).heading, 0.5, 1e-9);
-  EXPECT_EQ(placeOf(*simulation, "box"), Vector3(0, 2, 1));
+  EXPECT_EQ(centerOf(*simulation, "box"), Vector3(0, 2, 1));
   const auto refused = simulation->turnModel("cart", 0, 1.5, 0);
   ASSERT_FALSE(refused) << "it would turn into the ground";
   EXPECT_THAT(refused.error().text, HasSubstr("ground"));

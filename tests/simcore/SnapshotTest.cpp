@@ -18,7 +18,7 @@ using testing::HasSubstr;
 constexpr int kBefore = 130, kAfter = 320;
 
 /// Commands all actuators by the number of the step only.
-void command(Simulation& simulation) {
+void commandSome(Simulation& simulation) {
   const auto step = static_cast<double>(simulation.steps());
   for (const Port& port : simulation.ports()) {
     if (!port.isActuator()) continue;
@@ -45,7 +45,7 @@ std::vector<double> viewOf(Simulation& simulation) {
 
 void play(Simulation& simulation, int steps) {
   for (int i = 0; i < steps; ++i) {
-    command(simulation);
+    commandSome(simulation);
     simulation.step();
   }
 }
@@ -54,7 +54,7 @@ void play(Simulation& simulation, int steps) {
 void expectSameFuture(Simulation& simulation, const std::vector<std::vector<double>>& seen) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     ASSERT_EQ(viewOf(simulation), seen[i]) << "step " << i << " after the snapshot";
-    command(simulation);
+    commandSome(simulation);
     simulation.step();
   }
 }
@@ -63,7 +63,7 @@ std::vector<std::vector<double>> future(Simulation& simulation, int steps) {
   std::vector<std::vector<double>> seen;
   for (int i = 0; i < steps; ++i) {
     seen.push_back(viewOf(simulation));
-    command(simulation);
+    commandSome(simulation);
     simulation.step();
   }
   return seen;

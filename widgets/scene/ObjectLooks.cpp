@@ -17,7 +17,7 @@ constexpr std::array kSurfaceNames{std::pair{Surface::kShaded, "shaded"}, std::p
 
 }  // namespace
 
-const char* nameOf(Surface surface) {
+const char* nameOfSurface(Surface surface) {
   for (const auto& [each, name] : kSurfaceNames)
     if (each == surface) return name;
   return "";
@@ -101,7 +101,7 @@ QJsonArray ObjectLooks::state() const {
   for (const auto& [path, look] : looks_) {
     QJsonObject entry{{QStringLiteral("object"), QString::fromStdString(path)}};
     if (look.isShown) entry.insert(QStringLiteral("shown"), *look.isShown);
-    if (look.surface) entry.insert(QStringLiteral("surface"), QLatin1String(nameOf(*look.surface)));
+    if (look.surface) entry.insert(QStringLiteral("surface"), QLatin1String(nameOfSurface(*look.surface)));
     if (look.opacity) entry.insert(QStringLiteral("opacity"), static_cast<double>(*look.opacity));
     state.append(entry);
   }

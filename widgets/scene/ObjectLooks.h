@@ -64,7 +64,7 @@ class ObjectLooks {
 };
 
 /// The names of surfaces in commands and saved layouts: shaded, flat, hidden-lines, wire.
-const char* nameOf(Surface surface);
+const char* nameOfSurface(Surface surface);
 std::optional<Surface> surfaceNamed(const std::string& name);
 
 }  // namespace widgets

@@ -22,7 +22,7 @@ bool isShownAtFirst(SceneLayer layer) {
 
 }  // namespace
 
-const char* nameOf(SceneLayer layer) {
+const char* nameOfLayer(SceneLayer layer) {
   return kLayerNames[static_cast<std::size_t>(layer)];
 }
 
@@ -119,10 +119,10 @@ void SceneModes::setShown(SceneLayer layer, bool shown) {
 }
 
 QJsonObject SceneModes::state() const {
-  QJsonObject state{{QStringLiteral("surface"), QLatin1String(nameOf(surface()))}};
+  QJsonObject state{{QStringLiteral("surface"), QLatin1String(nameOfSurface(surface()))}};
   for (int i = 0; i < kSceneLayers; ++i) {
     const auto layer = static_cast<SceneLayer>(i);
-    state.insert(QLatin1String(nameOf(layer)), shows(layer));
+    state.insert(QLatin1String(nameOfLayer(layer)), shows(layer));
   }
   return state;
 }
@@ -131,7 +131,7 @@ void SceneModes::restore(const QJsonObject& state) {
   const auto surface = surfaceNamed(state.value(QStringLiteral("surface")).toString().toStdString());
   for (int i = 0; i < kSceneLayers; ++i) {
     const auto layer = static_cast<SceneLayer>(i);
-    setShown(layer, state.value(QLatin1String(nameOf(layer))).toBool(isShownAtFirst(layer)));
+    setShown(layer, state.value(QLatin1String(nameOfLayer(layer))).toBool(isShownAtFirst(layer)));
   }
   setSurface(surface.value_or(Surface::kShaded));
 }

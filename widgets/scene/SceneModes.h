@@ -31,7 +31,7 @@ inline constexpr int kSceneLayers = 9;
 
 /// The names of layers in commands and saved layouts: visuals, solids, forces, joints, frames, centers,
 /// sensors, names, shadows.
-const char* nameOf(SceneLayer layer);
+const char* nameOfLayer(SceneLayer layer);
 std::optional<SceneLayer> layerNamed(const std::string& name);
 
 /// How a view shows its scene, as actions with menus: how surfaces are drawn, and which layers are shown.

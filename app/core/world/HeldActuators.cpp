@@ -26,7 +26,8 @@ std::size_t valuesOf(const Port& port) {
 }
 
 /// The range of each value; unset if it is not known.
-std::optional<std::pair<double, double>> rangeOf(const simcore::Simulation& simulation, const Port& port) {
+std::optional<std::pair<double, double>> commandRange(const simcore::Simulation& simulation,
+                                                      const Port& port) {
   std::pair<double, double> range{port.info.minimum, port.info.maximum};
   if (port.kind == Port::Kind::kDrive) {
     range.second = simulation.drives()[port.index].maximumSpeed;
@@ -73,7 +74,7 @@ robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulatio
     return robotlink::failure("simulation.actuator", "the values of " + path + " are not all numbers", {},
                               {path});
   Held held{port->info.robot, values};
-  if (const auto range = rangeOf(simulation, *port)) {
+  if (const auto range = commandRange(simulation, *port)) {
     for (double& value : held.values) value = std::clamp(value, range->first, range->second);
   }
   held_[path] = std::move(held);

@@ -15,7 +15,7 @@
 namespace app {
 namespace {
 
-constexpr std::chrono::milliseconds kLookEvery{50};
+constexpr std::chrono::milliseconds kLookAtRunsEvery{50};
 constexpr ::mode_t kFileMode = 0644;
 
 /// What the child does between fork() and exec(): only calls that are safe there.
@@ -102,7 +102,7 @@ std::vector<PlannedRun> RunPool::execute(std::vector<PlannedRun> runs,
       std::copy(next, runs.end(), std::back_inserter(failed));
       return failed;
     }
-    if (!children_.empty()) std::this_thread::sleep_for(kLookEvery);
+    if (!children_.empty()) std::this_thread::sleep_for(kLookAtRunsEvery);
   }
   return failed;
 }

@@ -14,7 +14,7 @@
 namespace app {
 namespace {
 
-constexpr std::chrono::milliseconds kLookEvery{100};
+constexpr std::chrono::milliseconds kLookAtJobsEvery{100};
 /// Slurm's controller is not to be asked more often.
 constexpr int kLooksPerQuestion = 20;
 constexpr char kScript[] = "slurm.sh", kCommands[] = "slurm-commands.txt";
@@ -92,7 +92,7 @@ robotlink::Result<std::vector<PlannedRun>> SlurmBatch::execute(
       // A job that is over for some time is no longer known.
       runsStill = queue.status == 0 && !queue.text.empty();
     }
-    if (runsStill) std::this_thread::sleep_for(kLookEvery);
+    if (runsStill) std::this_thread::sleep_for(kLookAtJobsEvery);
   }
   std::vector<PlannedRun> failed;
   for (const PlannedRun& run : runs)

@@ -37,7 +37,7 @@ std::filesystem::path kinematicField(const TestFolder& folder) {
 }
 
 /// What the program of red1 reports.
-struct Reported {
+struct ReportedWalk {
   Pose2 odometry;
   int jointStates = 0, bodySensors = 0;
   double acceleration = 0;
@@ -83,7 +83,7 @@ TEST(KinematicWalk, theBodyMovesByTheProgramsOdometryAndTheProgramNoticesNothing
   app::RunOptions options = simulationOptions();
   options.scene = kinematicField(folder);
   options.world.noise = false;
-  Reported reported;
+  ReportedWalk reported;
   const auto run = makeRun(options, reported.listeners());
   ASSERT_NE(run, nullptr);
   ASSERT_TRUE(run->world().simulation().placeModel("ball", {0, 1, 0}));

@@ -12,20 +12,20 @@ namespace {
 
 using robotlink::Pose2;
 
-constexpr const char* kKinematic = "<robotcontrol:motion>kinematic</robotcontrol:motion>";
+constexpr const char* kMovedKinematically = "<robotcontrol:motion>kinematic</robotcontrol:motion>";
 constexpr const char* kStops = "<robotcontrol:motion objects='stop'>kinematic</robotcontrol:motion>";
 
-std::string walker(const std::string& motion = kKinematic) {
+std::string walker(const std::string& motion = kMovedKinematically) {
   return including("ers210", "0 0 0.1136 0 0 0", motion);
 }
 
 TEST(Following, aWalkingRobotMovesAsItsGaitWouldHaveMovedIt) {
   const auto simulation = yardWith(walker());
-  command(*simulation, "ers210/walk", {0.1, 0, 0});
-  advance(*simulation, 1);
-  const Pose2 before = placeOf(*simulation, "ers210");
-  advance(*simulation, 5);
-  const Pose2 after = placeOf(*simulation, "ers210");
+  commandPort(*simulation, "ers210/walk", {0.1, 0, 0});
+  runFor(*simulation, 1);
+  const Pose2 before = groundPlace(*simulation, "ers210");
+  runFor(*simulation, 5);
+  const Pose2 after = groundPlace(*simulation, "ers210");
   EXPECT_NEAR(after.x - before.x, 0.5 * 1.02, 1e-6) << "with the slip that its model states";
   EXPECT_NEAR(after.y, 0, 1e-9) << "without noise";
   EXPECT_NEAR(after.heading, 0, 1e-9);
@@ -33,8 +33,8 @@ TEST(Following, aWalkingRobotMovesAsItsGaitWouldHaveMovedIt) {
 
 TEST(Following, turningAndWalkingMakeACircle) {
   const auto simulation = yardWith(walker("<robotcontrol:motion>kinematic</robotcontrol:motion>"));
-  command(*simulation, "ers210/walk", {0.1, 0, 0.5});
-  advance(*simulation, 3);
+  commandPort(*simulation, "ers210/walk", {0.1, 0, 0.5});
+  runFor(*simulation, 3);
   const auto velocity = simulation->read("ers210/true_velocity").value();
   EXPECT_NEAR(std::hypot(velocity[0], velocity[1]) / velocity[5], 0.2, 0.03);
 }
@@ -42,12 +42,12 @@ TEST(Following, turningAndWalkingMakeACircle) {
 TEST(Following, itsLegsTurnAsTheirServosAreCommandedAndItStandsOnTheGround) {
   const auto simulation = yardWith(walker());
   const double height = simulation->modelPose("ers210")->translation().z();
-  const double before = reading(*simulation, "ers210/legFL3/position");
-  command(*simulation, "ers210/legFL3/request", {before - 0.4});
-  command(*simulation, "ers210/headPan/request", {0.5});
-  advance(*simulation, 1);
-  EXPECT_NEAR(reading(*simulation, "ers210/legFL3/position"), before - 0.4, 0.02);
-  EXPECT_NEAR(reading(*simulation, "ers210/headPan/position"), 0.5, 0.02);
+  const double before = portReading(*simulation, "ers210/legFL3/position");
+  commandPort(*simulation, "ers210/legFL3/request", {before - 0.4});
+  commandPort(*simulation, "ers210/headPan/request", {0.5});
+  runFor(*simulation, 1);
+  EXPECT_NEAR(portReading(*simulation, "ers210/legFL3/position"), before - 0.4, 0.02);
+  EXPECT_NEAR(portReading(*simulation, "ers210/headPan/position"), 0.5, 0.02);
   EXPECT_NEAR(simulation->modelPose("ers210")->linear()(2, 2), 1, 1e-9) << "it does not tilt";
   EXPECT_NEAR(simulation->modelPose("ers210")->translation().z(), height, 0.03);
   // At rest it measures gravity.
@@ -57,9 +57,9 @@ TEST(Following, itsLegsTurnAsTheirServosAreCommandedAndItStandsOnTheGround) {
 TEST(Following, withNoiseItErrsAsItsModelSays) {
   const auto end = [](std::uint64_t seed) {
     const auto simulation = yardWith(walker(), seed, {.seed = 1, .noise = true});
-    command(*simulation, "ers210/walk", {0.1, 0, 0});
-    advance(*simulation, 4);
-    return placeOf(*simulation, "ers210");
+    commandPort(*simulation, "ers210/walk", {0.1, 0, 0});
+    runFor(*simulation, 4);
+    return groundPlace(*simulation, "ers210");
   };
   EXPECT_EQ(end(1), end(1));
   EXPECT_NE(end(1).x, end(2).x);
@@ -69,59 +69,59 @@ TEST(Following, withNoiseItErrsAsItsModelSays) {
 TEST(Following, itPushesAParcelAndStopsAtAWall) {
   const auto simulation =
       yardWith(walker() + parcelAt("parcel", 0.35, 0) + boxAt("wall", {1.05, 0, 0.25}, {0.1, 2, 0.5}));
-  command(*simulation, "ers210/walk", {0.15, 0, 0});
-  advance(*simulation, 3);
-  EXPECT_GT(placeOf(*simulation, "parcel").x, 0.5);
+  commandPort(*simulation, "ers210/walk", {0.15, 0, 0});
+  runFor(*simulation, 3);
+  EXPECT_GT(groundPlace(*simulation, "parcel").x, 0.5);
   EXPECT_EQ(simulation->read("ers210/walk").value()[1], 0) << "it has touched something";
-  advance(*simulation, 8);
-  EXPECT_LT(placeOf(*simulation, "parcel").x, 0.92) << "the wall is behind it";
-  EXPECT_LT(placeOf(*simulation, "ers210").x, 0.9) << "before it as well";
-  command(*simulation, "ers210/walk", {-0.15, 0, 0});
-  const double before = placeOf(*simulation, "ers210").x;
-  advance(*simulation, 2);
-  EXPECT_LT(placeOf(*simulation, "ers210").x, before - 0.2) << "it can walk away";
+  runFor(*simulation, 8);
+  EXPECT_LT(groundPlace(*simulation, "parcel").x, 0.92) << "the wall is behind it";
+  EXPECT_LT(groundPlace(*simulation, "ers210").x, 0.9) << "before it as well";
+  commandPort(*simulation, "ers210/walk", {-0.15, 0, 0});
+  const double before = groundPlace(*simulation, "ers210").x;
+  runFor(*simulation, 2);
+  EXPECT_LT(groundPlace(*simulation, "ers210").x, before - 0.2) << "it can walk away";
 }
 
 TEST(Following, aSceneMayLetItStopAtObjects) {
   const auto simulation = yardWith(walker(kStops) + parcelAt("parcel", 0.35, 0));
-  command(*simulation, "ers210/walk", {0.15, 0, 0});
-  advance(*simulation, 4);
-  EXPECT_NEAR(placeOf(*simulation, "parcel").x, 0.35, 0.005);
-  EXPECT_LT(placeOf(*simulation, "ers210").x, 0.2);
+  commandPort(*simulation, "ers210/walk", {0.15, 0, 0});
+  runFor(*simulation, 4);
+  EXPECT_NEAR(groundPlace(*simulation, "parcel").x, 0.35, 0.005);
+  EXPECT_LT(groundPlace(*simulation, "ers210").x, 0.2);
 }
 
 TEST(Following, aVehicleFollowsToo) {
-  const auto simulation = yardWith(including("car", "0 0 0 0 0 0", kKinematic) +
+  const auto simulation = yardWith(including("car", "0 0 0 0 0 0", kMovedKinematically) +
                                    including("omni", "0 1.5 0 0 0 0", kStops) + parcelAt("parcel", 1, 1.5));
-  command(*simulation, "car/drive", {0.3, 0.4});
-  command(*simulation, "omni/drive", {0.3, 0, 0});
-  advance(*simulation, 4);
+  commandPort(*simulation, "car/drive", {0.3, 0.4});
+  commandPort(*simulation, "omni/drive", {0.3, 0, 0});
+  runFor(*simulation, 4);
   const auto velocity = simulation->read("car/true_velocity").value();
   EXPECT_NEAR(std::hypot(velocity[0], velocity[1]) / velocity[5], 0.32 / std::tan(0.4), 1e-3);
-  EXPECT_NEAR(reading(*simulation, "car/kingpinL/position"), 0.46, 0.1) << "it shows how it is steered";
-  EXPECT_GT(reading(*simulation, "car/axleRR/position"), 10);
-  EXPECT_NEAR(placeOf(*simulation, "omni").x, 1 - 0.1 - 0.246, 0.02) << "it stops at the parcel";
-  EXPECT_NEAR(placeOf(*simulation, "parcel").x, 1, 0.001);
+  EXPECT_NEAR(portReading(*simulation, "car/kingpinL/position"), 0.46, 0.1) << "it shows how it is steered";
+  EXPECT_GT(portReading(*simulation, "car/axleRR/position"), 10);
+  EXPECT_NEAR(groundPlace(*simulation, "omni").x, 1 - 0.1 - 0.246, 0.02) << "it stops at the parcel";
+  EXPECT_NEAR(groundPlace(*simulation, "parcel").x, 1, 0.001);
 }
 
 TEST(Following, aDriveIsMovedAsItsIncludeSays) {
   // One robot by forces and one by its odometry, in one scene: only the latter stops as soon as it is told
   // to.
   const auto simulation =
-      yardWith("<include><uri>model://p3at</uri><name>a</name>" + std::string(kKinematic) +
+      yardWith("<include><uri>model://p3at</uri><name>a</name>" + std::string(kMovedKinematically) +
                "</include><include><uri>model://p3at</uri><name>b</name><pose>0 2 0 0 0 0</pose></include>");
   const auto drive = [&](double speed, double seconds) {
-    command(*simulation, "a/drive", {speed, speed});
-    command(*simulation, "b/drive", {speed, speed});
-    advance(*simulation, seconds);
+    commandPort(*simulation, "a/drive", {speed, speed});
+    commandPort(*simulation, "b/drive", {speed, speed});
+    runFor(*simulation, seconds);
   };
   drive(0.4, 2);
-  const Pose2 a = placeOf(*simulation, "a"), b = placeOf(*simulation, "b");
+  const Pose2 a = groundPlace(*simulation, "a"), b = groundPlace(*simulation, "b");
   EXPECT_NEAR(a.x, 0.8, 1e-9);
   EXPECT_NEAR(b.x, 0.8, 0.05);
   drive(0, 0.5);
-  EXPECT_EQ(placeOf(*simulation, "a").x, a.x);
-  EXPECT_GT(placeOf(*simulation, "b").x, b.x + 0.005);
+  EXPECT_EQ(groundPlace(*simulation, "a").x, a.x);
+  EXPECT_GT(groundPlace(*simulation, "b").x, b.x + 0.005);
 }
 
 TEST(Following, whatCannotFollowIsSaid) {
@@ -140,11 +140,11 @@ TEST(Unobstructed, onlyTheActuatorThatMovesSomethingIntoTheWayIsObstructed) {
       yardWith(including("ers210", "0 0 0.1136 0 0 0") + boxAt("wall", {0.19, 0.12, 0.2}, {0.1, 0.14, 0.4}));
   for (const char* joint : {"legFL1", "legFR1", "tailPan"}) {
     const std::string path = std::string("ers210/") + joint + "/request";
-    command(*simulation, path, {reading(*simulation, std::string("ers210/") + joint + "/position")});
+    commandPort(*simulation, path, {portReading(*simulation, std::string("ers210/") + joint + "/position")});
   }
-  command(*simulation, "ers210/legFL1/request", {1.6});
-  command(*simulation, "ers210/legFL3/request", {0});
-  advance(*simulation, 2);
+  commandPort(*simulation, "ers210/legFL1/request", {1.6});
+  commandPort(*simulation, "ers210/legFL3/request", {0});
+  runFor(*simulation, 2);
   EXPECT_EQ(simulation->read("ers210/legFL1/request").value()[1], 0) << "it touches the wall";
   EXPECT_EQ(simulation->read("ers210/legFL3/request").value()[1], 0) << "so does what this joint moves";
   EXPECT_EQ(simulation->read("ers210/tailPan/request").value()[1], 1);

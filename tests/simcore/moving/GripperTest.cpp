@@ -15,8 +15,8 @@ constexpr const char* kBlock =
     "<box><size>0.06 0.06 0.1</size></box></geometry></collision></link></model>";
 
 void movePaddles(Simulation& simulation, double position) {
-  command(simulation, "p3dxgripper/paddleLeft/request", {position});
-  command(simulation, "p3dxgripper/paddleRight/request", {position});
+  commandPort(simulation, "p3dxgripper/paddleLeft/request", {position});
+  commandPort(simulation, "p3dxgripper/paddleRight/request", {position});
 }
 
 double heightOf(const Simulation& simulation, const char* model) {
@@ -25,32 +25,32 @@ double heightOf(const Simulation& simulation, const char* model) {
 
 TEST(Gripper, gripsABlockAndLiftsItUntilItOpens) {
   const auto simulation = yardWith(including("p3dxgripper") + kBlock);
-  advance(*simulation, 0.2);
-  EXPECT_LT(reading(*simulation, "p3dxgripper/innerBeam"), 0.12) << "the block is in the beam";
-  EXPECT_EQ(reading(*simulation, "p3dxgripper/paddleLeftTouch"), 0);
+  runFor(*simulation, 0.2);
+  EXPECT_LT(portReading(*simulation, "p3dxgripper/innerBeam"), 0.12) << "the block is in the beam";
+  EXPECT_EQ(portReading(*simulation, "p3dxgripper/paddleLeftTouch"), 0);
   movePaddles(*simulation, 0);
-  advance(*simulation, 2);
-  EXPECT_EQ(reading(*simulation, "p3dxgripper/paddleLeftTouch"), 1);
-  EXPECT_EQ(reading(*simulation, "p3dxgripper/paddleRightTouch"), 1);
-  EXPECT_NEAR(reading(*simulation, "p3dxgripper/paddleLeft/position"), 0.03, 0.005);
-  command(*simulation, "p3dxgripper/lift/request", {0.08});
-  advance(*simulation, 3);
+  runFor(*simulation, 2);
+  EXPECT_EQ(portReading(*simulation, "p3dxgripper/paddleLeftTouch"), 1);
+  EXPECT_EQ(portReading(*simulation, "p3dxgripper/paddleRightTouch"), 1);
+  EXPECT_NEAR(portReading(*simulation, "p3dxgripper/paddleLeft/position"), 0.03, 0.005);
+  commandPort(*simulation, "p3dxgripper/lift/request", {0.08});
+  runFor(*simulation, 3);
   EXPECT_NEAR(heightOf(*simulation, "block"), 0.05 + 0.08, 0.012) << "friction holds it";
   const double held = heightOf(*simulation, "block");
-  advance(*simulation, 5);
+  runFor(*simulation, 5);
   EXPECT_NEAR(heightOf(*simulation, "block"), held, 0.01);
   EXPECT_EQ(simulation->read("p3dxgripper/paddleLeft/request").value()[1], 0) << "it has met the block";
   movePaddles(*simulation, 0.1);
-  advance(*simulation, 2);
+  runFor(*simulation, 2);
   EXPECT_LT(heightOf(*simulation, "block"), 0.06) << "it has fallen";
 }
 
 TEST(Gripper, beamsSeeNothingWhereNothingIs) {
   const auto simulation = yardWith(including("p3dxgripper"));
-  advance(*simulation, 0.2);
-  EXPECT_EQ(reading(*simulation, "p3dxgripper/innerBeam"), 0.3);
-  EXPECT_EQ(reading(*simulation, "p3dxgripper/outerBeam"), 0.3);
-  EXPECT_NEAR(reading(*simulation, "p3dxgripper/paddleLeft/position"), 0.1, 0.003);
+  runFor(*simulation, 0.2);
+  EXPECT_EQ(portReading(*simulation, "p3dxgripper/innerBeam"), 0.3);
+  EXPECT_EQ(portReading(*simulation, "p3dxgripper/outerBeam"), 0.3);
+  EXPECT_NEAR(portReading(*simulation, "p3dxgripper/paddleLeft/position"), 0.1, 0.003);
 }
 
 }  // namespace

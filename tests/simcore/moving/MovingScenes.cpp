@@ -11,7 +11,7 @@
 namespace simcore {
 namespace {
 
-constexpr const char* kFloor =
+constexpr const char* kMovingFloor =
     "<model name='floor'><static>true</static><link name='floor'><collision name='floor'><geometry><plane>"
     "<normal>0 0 1</normal><size>9 9</size></plane></geometry></collision></link></model>";
 
@@ -83,7 +83,7 @@ std::unique_ptr<Simulation> yardWith(const std::string& contents, std::uint64_t 
   folder.writeModel("torque_car", replacedOnce(replacedOnce(shippedModel("car"), "kind=\"ackermann\"",
                                                             "kind=\"ackermann\" control=\"torque\""),
                                                "<model name=\"car\">", "<model name=\"torque_car\">"));
-  const auto scene = Scene::load(folder.write("world.sdf", worldAround(kFloor + contents)));
+  const auto scene = Scene::load(folder.write("world.sdf", worldAround(kMovingFloor + contents)));
   EXPECT_TRUE(scene) << describe(scene.error());
   if (!scene) return nullptr;
   options.seed = seed;
@@ -95,25 +95,25 @@ std::unique_ptr<Simulation> yardWith(const std::string& contents, std::uint64_t 
 std::string errorsOfModel(const std::string& model, const std::string& from, const std::string& to) {
   const SceneFolder folder;
   folder.writeModel("wrong", replacedOnce(shippedModel(model), from, to));
-  return folder.errorsOf(worldAround(kFloor + including("wrong")));
+  return folder.errorsOf(worldAround(kMovingFloor + including("wrong")));
 }
 
-void command(Simulation& simulation, const std::string& port, const Motion& values) {
+void commandPort(Simulation& simulation, const std::string& port, const Motion& values) {
   const auto written = simulation.write(port, values);
   EXPECT_TRUE(written) << (written ? "" : written.error().describe());
 }
 
-void advance(Simulation& simulation, double seconds) {
+void runFor(Simulation& simulation, double seconds) {
   for (int i = 0; i < static_cast<int>(std::lround(seconds / 0.004)); ++i) simulation.step();
 }
 
-double reading(const Simulation& simulation, const std::string& path) {
+double portReading(const Simulation& simulation, const std::string& path) {
   const auto values = simulation.read(path);
   EXPECT_TRUE(values) << path;
   return values ? values->front() : 0;
 }
 
-robotlink::Pose2 placeOf(const Simulation& simulation, const std::string& model) {
+robotlink::Pose2 groundPlace(const Simulation& simulation, const std::string& model) {
   const auto pose = simulation.modelPose(model);
   EXPECT_TRUE(pose) << model;
   return pose ? robotlink::groundPose(*pose) : robotlink::Pose2{};

@@ -28,9 +28,9 @@ std::string replacedOnce(std::string text, const std::string& from, const std::s
 /// The errors of a world with a shipped model in which `from` is replaced.
 std::string errorsOfModel(const std::string& model, const std::string& from, const std::string& to);
 
-void command(Simulation& simulation, const std::string& port, const Motion& values);
-void advance(Simulation& simulation, double seconds);
-double reading(const Simulation& simulation, const std::string& path);
-robotlink::Pose2 placeOf(const Simulation& simulation, const std::string& model);
+void commandPort(Simulation& simulation, const std::string& port, const Motion& values);
+void runFor(Simulation& simulation, double seconds);
+double portReading(const Simulation& simulation, const std::string& path);
+robotlink::Pose2 groundPlace(const Simulation& simulation, const std::string& model);
 
 }  // namespace simcore

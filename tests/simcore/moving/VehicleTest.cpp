@@ -22,8 +22,8 @@ double circleOf(const Simulation& simulation, const std::string& model) {
 TEST(Vehicle, aCarTurnsOnTheCircleOfItsSteeringAngle) {
   for (const double steering : {0.2, 0.4, -0.3}) {
     const auto simulation = yardWith(including("car"));
-    command(*simulation, "car/drive", {0.4, steering});
-    advance(*simulation, 4);
+    commandPort(*simulation, "car/drive", {0.4, steering});
+    runFor(*simulation, 4);
     EXPECT_NEAR(circleOf(*simulation, "car"), 0.32 / std::tan(steering),
                 0.04 * std::abs(0.32 / std::tan(steering)))
         << steering;
@@ -34,26 +34,26 @@ TEST(Vehicle, aCarTurnsOnTheCircleOfItsSteeringAngle) {
 
 TEST(Vehicle, theInnerFrontWheelIsSteeredMore) {
   const auto simulation = yardWith(including("car"));
-  command(*simulation, "car/drive", {0.3, 0.4});
-  advance(*simulation, 3);
+  commandPort(*simulation, "car/drive", {0.3, 0.4});
+  runFor(*simulation, 3);
   const double radius = 0.32 / std::tan(0.4);
-  EXPECT_NEAR(reading(*simulation, "car/kingpinL/position"), std::atan(0.32 / (radius - 0.13)), 0.02);
-  EXPECT_NEAR(reading(*simulation, "car/kingpinR/position"), std::atan(0.32 / (radius + 0.13)), 0.02);
+  EXPECT_NEAR(portReading(*simulation, "car/kingpinL/position"), std::atan(0.32 / (radius - 0.13)), 0.02);
+  EXPECT_NEAR(portReading(*simulation, "car/kingpinR/position"), std::atan(0.32 / (radius + 0.13)), 0.02);
   // The wheels of the driven axle turn at the speeds of their circles.
-  const double left = reading(*simulation, "car/axleRL/position"),
-               right = reading(*simulation, "car/axleRR/position");
-  advance(*simulation, 1);
-  EXPECT_NEAR((reading(*simulation, "car/axleRL/position") - left) * 0.05, 0.3 * (radius - 0.13) / radius,
+  const double left = portReading(*simulation, "car/axleRL/position"),
+               right = portReading(*simulation, "car/axleRR/position");
+  runFor(*simulation, 1);
+  EXPECT_NEAR((portReading(*simulation, "car/axleRL/position") - left) * 0.05, 0.3 * (radius - 0.13) / radius,
               0.005);
-  EXPECT_NEAR((reading(*simulation, "car/axleRR/position") - right) * 0.05, 0.3 * (radius + 0.13) / radius,
-              0.005);
+  EXPECT_NEAR((portReading(*simulation, "car/axleRR/position") - right) * 0.05,
+              0.3 * (radius + 0.13) / radius, 0.005);
 }
 
 TEST(Vehicle, aCarThatIsSteeredStraightStaysStraight) {
   const auto simulation = yardWith(including("car"));
-  command(*simulation, "car/drive", {0.5, 0});
-  advance(*simulation, 4);
-  const Pose2 pose = placeOf(*simulation, "car");
+  commandPort(*simulation, "car/drive", {0.5, 0});
+  runFor(*simulation, 4);
+  const Pose2 pose = groundPlace(*simulation, "car");
   EXPECT_GT(pose.x, 1.7);
   EXPECT_NEAR(pose.y, 0, 0.01);
   EXPECT_NEAR(pose.heading, 0, 0.01);
@@ -69,10 +69,10 @@ TEST(Vehicle, mecanumWheelsMoveItSidewaysObliquelyAndAround) {
                {{0, 0, 1}, "around"}};
   for (const auto& one : cases) {
     const auto simulation = yardWith(including("omni"));
-    command(*simulation, "omni/drive", one.wanted);
-    advance(*simulation, 2);
+    commandPort(*simulation, "omni/drive", one.wanted);
+    runFor(*simulation, 2);
     const auto velocity = simulation->read("omni/true_velocity").value();
-    const double heading = placeOf(*simulation, "omni").heading;
+    const double heading = groundPlace(*simulation, "omni").heading;
     const robotlink::Vector2 own =
         Eigen::Rotation2Dd(-heading) * robotlink::Vector2(velocity[0], velocity[1]);
     EXPECT_NEAR(own.x(), one.wanted[0], 0.02) << one.what;
@@ -83,43 +83,43 @@ TEST(Vehicle, mecanumWheelsMoveItSidewaysObliquelyAndAround) {
 
 TEST(Vehicle, castersFollowARobotOnTwoWheels) {
   const auto simulation = yardWith(trolley());
-  command(*simulation, "trolley/drive", {0.3, 0.3});
-  advance(*simulation, 3);
-  EXPECT_NEAR(placeOf(*simulation, "trolley").y, 0, 0.03);
-  EXPECT_NEAR(reading(*simulation, "trolley/swivel/position"), 0, 0.15) << "it trails";
-  command(*simulation, "trolley/drive", {-0.1, 0.1});
-  advance(*simulation, 4);
+  commandPort(*simulation, "trolley/drive", {0.3, 0.3});
+  runFor(*simulation, 3);
+  EXPECT_NEAR(groundPlace(*simulation, "trolley").y, 0, 0.03);
+  EXPECT_NEAR(portReading(*simulation, "trolley/swivel/position"), 0, 0.15) << "it trails";
+  commandPort(*simulation, "trolley/drive", {-0.1, 0.1});
+  runFor(*simulation, 4);
   const auto velocity = simulation->read("trolley/true_velocity").value();
   EXPECT_NEAR(velocity[5], 0.2 / 0.3, 0.05) << "on the spot it turns about its track";
-  EXPECT_NEAR(std::abs(reading(*simulation, "trolley/swivel/position")),
+  EXPECT_NEAR(std::abs(portReading(*simulation, "trolley/swivel/position")),
               robotlink::kPi / 2 + std::asin(0.03 / 0.15), 0.02)
       << "the caster rolls on its circle";
 }
 
 TEST(Vehicle, aTorqueAcceleratesACarAndItRollsOut) {
   const auto simulation = yardWith(replacedOnce(including("car"), "model://car", "model://torque_car"));
-  command(*simulation, "torque_car/drive", {0.06, 0});
-  advance(*simulation, 0.5);
+  commandPort(*simulation, "torque_car/drive", {0.06, 0});
+  runFor(*simulation, 0.5);
   // 2 * 0.06 N m / 0.05 m on 6 kg, less the front wheels' resistance of 2 * 0.01 N m / 0.05 m.
   const auto velocity = simulation->read("torque_car/true_velocity").value();
   EXPECT_NEAR(velocity[0], 0.5 * (2.4 - 0.4) / 6, 0.04);
-  command(*simulation, "torque_car/drive", {0, 0});
-  advance(*simulation, 3);
+  commandPort(*simulation, "torque_car/drive", {0, 0});
+  runFor(*simulation, 3);
   EXPECT_NEAR(simulation->read("torque_car/true_velocity").value()[0], 0, 0.005);
 }
 
 TEST(Vehicle, aWheelThatIsBlockedPushesNoHarderThanItsMotor) {
   const auto simulation = yardWith(including("car") + boxAt("wall", {0.8, 0, 0.1}, {0.1, 2, 0.2}));
-  command(*simulation, "car/drive", {0.5, 0});
-  advance(*simulation, 0.2);
+  commandPort(*simulation, "car/drive", {0.5, 0});
+  runFor(*simulation, 0.2);
   EXPECT_EQ(simulation->read("car/drive").value()[1], 1) << "nothing is in its way yet";
-  advance(*simulation, 4);
+  runFor(*simulation, 4);
   EXPECT_EQ(simulation->read("car/drive").value()[1], 0) << "a wall is";
-  EXPECT_LT(placeOf(*simulation, "car").x, 0.75 - 0.41 + 0.005);
-  command(*simulation, "car/drive", {-0.3, 0});
-  advance(*simulation, 1);
-  command(*simulation, "car/drive", {-0.3, 0.1});
-  advance(*simulation, 0.5);
+  EXPECT_LT(groundPlace(*simulation, "car").x, 0.75 - 0.41 + 0.005);
+  commandPort(*simulation, "car/drive", {-0.3, 0});
+  runFor(*simulation, 1);
+  commandPort(*simulation, "car/drive", {-0.3, 0.1});
+  runFor(*simulation, 0.5);
   EXPECT_EQ(simulation->read("car/drive").value()[1], 1) << "away from it, commands are executed again";
 }
 
@@ -127,24 +127,24 @@ TEST(Vehicle, theShippedSceneIsDrivenByItsPorts) {
   const auto scene = Scene::load(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/vehicles.sdf");
   ASSERT_TRUE(scene) << describe(scene.error());
   const auto simulation = std::move(Simulation::create(*scene, {.seed = 1, .noise = false}).value());
-  advance(*simulation, 0.5);
-  const Pose2 car = placeOf(*simulation, "car"), omni = placeOf(*simulation, "omni"),
-              ghost = placeOf(*simulation, "ghost");
-  command(*simulation, "car/drive", {0.5, 0});
-  command(*simulation, "omni/drive", {0, -0.2, 0});
-  command(*simulation, "ghost/drive", {0.2, 0, 0.5});
-  advance(*simulation, 2);
-  EXPECT_GT(placeOf(*simulation, "car").x - car.x, 0.8);
-  EXPECT_LT(placeOf(*simulation, "omni").y - omni.y, -0.3);
-  EXPECT_NEAR(placeOf(*simulation, "ghost").heading - ghost.heading, 1, 0.1);
+  runFor(*simulation, 0.5);
+  const Pose2 car = groundPlace(*simulation, "car"), omni = groundPlace(*simulation, "omni"),
+              ghost = groundPlace(*simulation, "ghost");
+  commandPort(*simulation, "car/drive", {0.5, 0});
+  commandPort(*simulation, "omni/drive", {0, -0.2, 0});
+  commandPort(*simulation, "ghost/drive", {0.2, 0, 0.5});
+  runFor(*simulation, 2);
+  EXPECT_GT(groundPlace(*simulation, "car").x - car.x, 0.8);
+  EXPECT_LT(groundPlace(*simulation, "omni").y - omni.y, -0.3);
+  EXPECT_NEAR(groundPlace(*simulation, "ghost").heading - ghost.heading, 1, 0.1);
 }
 
 TEST(Vehicle, theSameSeedGivesTheSameBytes) {
   const auto digest = [](std::uint64_t seed) {
     const auto simulation = yardWith(including("car") + including("omni", "-2 1 0 0 0 0") + trolley(), seed);
-    command(*simulation, "car/drive", {0.4, 0.3});
-    command(*simulation, "omni/drive", {0.1, 0.2, 0.3});
-    advance(*simulation, 2);
+    commandPort(*simulation, "car/drive", {0.4, 0.3});
+    commandPort(*simulation, "omni/drive", {0.1, 0.2, 0.3});
+    runFor(*simulation, 2);
     return simulation->digest();
   };
   EXPECT_EQ(digest(1), digest(1));

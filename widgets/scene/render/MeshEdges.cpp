@@ -37,7 +37,7 @@ struct MeshEdge {
   bool isFlat = true;
 };
 
-Vector3 placeAt(const SceneMesh& mesh, Index vertex) {
+Vector3 placeOfVertex(const SceneMesh& mesh, Index vertex) {
   const auto& p = mesh.vertices[vertex].position;
   return {double(p[0]), double(p[1]), double(p[2])};
 }
@@ -65,8 +65,9 @@ std::vector<Index> meshEdges(const SceneMesh& mesh) {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const std::array<Index, 3> corners{mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]};
     if (std::ranges::max(corners) >= mesh.vertices.size()) continue;
-    const Vector3 a = placeAt(mesh, corners[0]);
-    const Vector3 normal = (placeAt(mesh, corners[1]) - a).cross(placeAt(mesh, corners[2]) - a).normalized();
+    const Vector3 a = placeOfVertex(mesh, corners[0]);
+    const Vector3 normal =
+        (placeOfVertex(mesh, corners[1]) - a).cross(placeOfVertex(mesh, corners[2]) - a).normalized();
     for (std::size_t k = 0; k < 3; ++k) {
       const Index from = welded[corners[k]], to = welded[corners[(k + 1) % 3]];
       if (from == to) continue;

@@ -6,7 +6,7 @@
 namespace robotlink::arcos {
 namespace {
 
-std::string textOf(const AuxSerialPacket& packet) {
+std::string textOfPacket(const AuxSerialPacket& packet) {
   return {packet.bytes.begin(), packet.bytes.end()};
 }
 
@@ -19,18 +19,18 @@ TEST(AuxiliarySerial, sendsAsManyBytesAsWereAskedForOnceTheyAreThere) {
   line.receive("defg");
   const auto packet = line.take();
   ASSERT_TRUE(packet);
-  EXPECT_EQ(textOf(*packet), "abcde");
+  EXPECT_EQ(textOfPacket(*packet), "abcde");
   EXPECT_EQ(packet->port, 1);
   EXPECT_FALSE(line.take()) << "each request is answered once";
   line.ask(2);
-  EXPECT_EQ(textOf(line.take().value()), "fg");
+  EXPECT_EQ(textOfPacket(line.take().value()), "fg");
 }
 
 TEST(AuxiliarySerial, dropsWhatIsOldAndWhatIsFlushed) {
   AuxiliarySerial line;
   line.receive(std::string(AuxiliarySerial::kMaxWaiting, 'a') + "z");
   line.ask(200);
-  EXPECT_EQ(textOf(line.take().value()), std::string(200, 'a'));
+  EXPECT_EQ(textOfPacket(line.take().value()), std::string(200, 'a'));
   line.ask(0);
   line.ask(1);
   EXPECT_FALSE(line.take()) << "flushed";
