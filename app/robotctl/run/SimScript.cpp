@@ -50,7 +50,10 @@ class EmptyUserFolder {
 class ScriptedSimulation {
  public:
   explicit ScriptedSimulation(const std::filesystem::path& userFolder) : workbench_(userFolder) {
-    workbench_.onErrors([](const robotlink::Errors& errors) { printErrors(errors); });
+    // The script reports what is refused later.
+    workbench_.onErrors([this](const robotlink::Errors& errors) {
+      if (!isOpen_) printErrors(errors);
+    });
   }
 
   /// Waits until the scene is open; returns an ExitStatus.
@@ -59,7 +62,8 @@ class ScriptedSimulation {
     while (workbench_.loading() || awaitsTables()) {
       if (!tick()) return kFailed;
     }
-    return workbench_.loaded() != nullptr ? kDone : kFailed;
+    isOpen_ = workbench_.loaded() != nullptr;
+    return isOpen_ ? kDone : kFailed;
   }
 
   int run(const std::filesystem::path& script) {
@@ -93,6 +97,7 @@ class ScriptedSimulation {
   }
 
   const robotlink::SteadyClock clock_;
+  bool isOpen_ = false;
   Workbench workbench_;
   std::optional<robotlink::Instant> opened_;
 };
