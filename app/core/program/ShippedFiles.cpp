@@ -46,6 +46,17 @@ std::filesystem::path sceneNamed(const std::string& name) {
   return shippedOr(shippedScenes(), name);
 }
 
+robotlink::Result<void> findScene(std::filesystem::path& scene) {
+  const std::string name = scene.string();
+  scene = sceneNamed(name);
+  std::error_code ignored;
+  if (scene.has_extension() || scene.has_parent_path() || std::filesystem::exists(scene, ignored)) return {};
+  std::string shipped;
+  for (const auto& file : shippedScenes()) shipped += (shipped.empty() ? "" : ", ") + file.stem().string();
+  return robotlink::failure(
+      "sim.scene", "there is no scene '" + name + "': give a file, or one of " + shipped, {}, {name});
+}
+
 std::vector<std::filesystem::path> shippedLayouts() {
   return filesIn("layouts", ".yaml");
 }

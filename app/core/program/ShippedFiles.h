@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "robotlink/base/Error.h"
+
 namespace robotlink {
 struct RobotDescription;
 }
@@ -17,6 +19,10 @@ namespace app {
 std::vector<std::filesystem::path> shippedScenes();
 /// A shipped scene by its name ("field2002"), or any other by its path.
 std::filesystem::path sceneNamed(const std::string& name);
+
+/// Replaces the name of a shipped scene by its file. Fails if there is no file and no scene of this name,
+/// with those that there are; a path that leads nowhere is reported by whoever reads it.
+robotlink::Result<void> findScene(std::filesystem::path& scene);
 
 /// The shipped layouts.
 std::vector<std::filesystem::path> shippedLayouts();

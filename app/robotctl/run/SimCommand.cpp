@@ -28,6 +28,7 @@
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "app/core/truth/ErrorFigures.h"
+#include "app/core/truth/ErrorKeys.h"
 #include "app/core/truth/TruthErrors.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
@@ -42,7 +43,6 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
 #include "robotlink/base/threads/ThreadPool.h"
-#include "robotlink/packages/Packages.h"
 #include "robotlink/session/Presets.h"
 
 namespace app {
@@ -173,18 +173,6 @@ int finishImages(const LabeledImages* images, const std::string& folder) {
   if (!images->outcome()) return printErrors({images->outcome().error()});
   std::cerr << folder << ": " << images->written() << " images with their true classes\n";
   return kDone;
-}
-
-/// A preset with which programs publish what is compared with the truth.
-std::shared_ptr<const robotlink::Preset> presetForErrors(
-    const std::shared_ptr<const robotlink::Preset>& chosen) {
-  robotlink::Preset preset = chosen ? *chosen : robotlink::Preset();
-  auto& keys = preset.parts[robotlink::Preset::kKeys];
-  if (!keys) keys.emplace();
-  const auto always = [&](const std::string& package) { (*keys)["package/" + package] = "always"; };
-  always(robotlink::kOracleWorld.name);
-  for (const std::string& package : TruthErrors::packages()) always(package);
-  return std::make_shared<const robotlink::Preset>(std::move(preset));
 }
 
 /// Opens what is written. Returns what cannot be.
@@ -321,18 +309,6 @@ int runScripted(const SimArguments& arguments) {
     return kUsage;
   }
   return runSimScript(arguments.run, arguments.script);
-}
-
-/// Finds a shipped scene by its name. A path that leads nowhere is reported when it is read.
-robotlink::Result<void> findScene(std::filesystem::path& scene) {
-  const std::string name = scene.string();
-  scene = sceneNamed(name);
-  std::error_code ignored;
-  if (scene.has_extension() || scene.has_parent_path() || std::filesystem::exists(scene, ignored)) return {};
-  std::string shipped;
-  for (const auto& file : shippedScenes()) shipped += (shipped.empty() ? "" : ", ") + file.stem().string();
-  return robotlink::failure(
-      "sim.scene", "there is no scene '" + name + "': give a file, or one of " + shipped, {}, {name});
 }
 
 /// Sets where programs run, and how long their modules may take.
