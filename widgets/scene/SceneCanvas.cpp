@@ -105,10 +105,6 @@ void SceneCanvas::zoomBy(double factor) {
   setCamera(camera);
 }
 
-std::optional<SceneHit> SceneCanvas::hitAt(const QPointF& at) const {
-  return firstHit(contents_.bodies, camera_.ray(size(), at));
-}
-
 void SceneCanvas::setGrid(bool grid) {
   grid_ = grid;
   request();

@@ -70,8 +70,6 @@ class SceneCanvas final : public QWidget {
 
   /// What is shown, with labels but without axes and sentences; null until the first picture.
   QImage rendered() const;
-  /// The first body at a place of the widget; unset: there is none.
-  std::optional<SceneHit> hitAt(const QPointF& at) const;
   /// What was set last.
   const VisibleScene& contents() const { return contents_; }
   /// Whether the newest picture shows everything that was set.
