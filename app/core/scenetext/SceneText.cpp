@@ -149,15 +149,12 @@ std::vector<SceneTextFinding> checkSceneText(const std::string& text, const fs::
   std::error_code unknown;
   const std::string real = fs::weakly_canonical(copy, unknown).string();
   findings = findingsOfScene(isAlone ? around : copy, isAlone ? fs::path(real) : copy, folders);
-  const bool opens = std::ranges::all_of(findings, &SceneTextFinding::isWarning);
   for (SceneTextFinding& one : findings) {
     for (std::string* part : {&one.error.text, &one.error.where.file}) {
       for (const std::string& name : {real, copy.string(), around.string()})
         replaceAll(*part, name, file.string());
     }
   }
-  // What is left out is known of scenes only that can be opened.
-  if (!isMap && !opens) addWarnings(text, file, findings);
   return findings;
 }
 
