@@ -52,7 +52,7 @@ Reading read(const std::string& text) {
   const SceneFolder folder;
   const std::filesystem::path file = folder.write("m.sdf", text);
   robotlink::Errors errors;
-  const SceneFiles files(file, {}, SdfSpec::shared(), errors);
+  const SceneFiles files(file, {}, {}, SdfSpec::shared(), errors);
   LeftOuts leftOut;
   MeshFiles meshes;
   Reading result;

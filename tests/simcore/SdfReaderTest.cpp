@@ -18,7 +18,7 @@ class SdfReader : public testing::Test {
   static const SdfSpec& spec() { return SdfSpec::shared(); }
   std::shared_ptr<const ModelDescription> model(const std::string& text) {
     const std::filesystem::path file = folder_.write("m.sdf", text);
-    const SceneFiles files(file, {}, spec(), errors_);
+    const SceneFiles files(file, {}, {}, spec(), errors_);
     MeshFiles meshes;
     std::shared_ptr<const ModelDescription> result;
     if (const auto* element = files.model(file))
@@ -27,7 +27,7 @@ class SdfReader : public testing::Test {
     return result;
   }
   WorldDescription world(const std::string& contents) {
-    const SceneFiles files(folder_.write("w.sdf", worldAround(contents)), {}, spec(), errors_);
+    const SceneFiles files(folder_.write("w.sdf", worldAround(contents)), {}, {}, spec(), errors_);
     MeshFiles meshes;
     bool includesRead = false;
     return readSdfWorld({files, spec(), meshes, errors_, leftOut_}, includesRead);
