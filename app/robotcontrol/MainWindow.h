@@ -85,6 +85,7 @@ class MainWindow : public QMainWindow {
   void choosePerspective(const QString& name);
   /// What all views share.
   const widgets::ViewContext& context() const { return context_; }
+  widgets::ViewContext& context() { return context_; }
   /// Processes new messages and updates the visible views now; the timer calls it.
   void tick();
   /// Shows errors above the views until they are dismissed or something else is loaded.
