@@ -29,7 +29,7 @@ class SceneCameraTest : public QObject {
     drag(*s.canvas, Qt::LeftButton, {30, 30}, {90, 50});
     QVERIFY(s.step());
     QVERIFY(s.canvas->camera().azimuth != camera.azimuth && s.canvas->camera().elevation > camera.elevation);
-    QVERIFY(difference(before, s.picture()) > 0.1);
+    QVERIFY(pictureDifference(before, s.picture()) > 0.1);
     QVERIFY(s.colorAt(kBall).hue() < 40);  // it is still where the camera says
     QVERIFY(s.world.requests.empty());
   }

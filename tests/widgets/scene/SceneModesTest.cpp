@@ -91,7 +91,7 @@ class SceneModesTest : public QObject {
     menu->close();
     QVERIFY(s.step());
     QVERIFY2(s.red() == 0 && s.blue() == 0, "what belongs to it is hidden, too");
-    QVERIFY2(!s.canvas->hitAt(s.at(ModesScene::kTop))->object->starts_with("crate"), "nor can it be hit");
+    QVERIFY2(!s.canvas->hitAt(s.at(ModesScene::kTop))->object.starts_with("crate"), "nor can it be hit");
     menu = menuAt(s, ModesScene::kTop);
     auto* show = menu->findChild<QAction*>(QStringLiteral("sceneShowHidden"));
     QVERIFY(show != nullptr);
@@ -146,7 +146,7 @@ class SceneModesTest : public QObject {
     const QImage before = s.picture();
     QTest::keyClick(s.canvas, Qt::Key_F, Qt::ShiftModifier);
     QVERIFY(s.step());
-    QVERIFY2(difference(before, s.picture()) > 0.0005, "axes");
+    QVERIFY2(pictureDifference(before, s.picture()) > 0.0005, "axes");
     QVERIFY(s.view.hideObject("crate"));
     QVERIFY(s.step());
     QVERIFY2(s.count(yellow) == 0 && s.count(violet) == 0, "what is hidden has no markers");
@@ -201,7 +201,7 @@ class SceneModesTest : public QObject {
     for (int x = -3; x <= 3; ++x)
       for (int y = -3; y <= 3; ++y) found = found || hit(s.picture().pixelColor(end + QPoint(x, y)));
     QVERIFY2(found, "the ray ahead ends with a point");
-    QVERIFY(difference(before, s.picture()) > 0.0005);
+    QVERIFY(pictureDifference(before, s.picture()) > 0.0005);
   }
 
   void theCameraFollowsAnObjectAndLooksOutOfIt() {

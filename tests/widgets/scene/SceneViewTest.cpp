@@ -114,7 +114,7 @@ class SceneViewTest : public QObject {
     const QImage before = s.picture();
     s.world.push("red1/camera/pose", camera);
     QVERIFY(s.step());
-    QVERIFY2(difference(before, s.picture()) > 0.0005, "its camera is shown");
+    QVERIFY2(pictureDifference(before, s.picture()) > 0.0005, "its camera is shown");
     QVERIFY(s.view.choosePose("true"));
     QVERIFY(s.step());
     QVERIFY2(!(s.colorAt({1, 0.38, 0.2}).blue() > 120 && s.colorAt({1, 0.38, 0.2}).red() < 80),
@@ -329,11 +329,11 @@ class SceneViewTest : public QObject {
     const QImage before = s.picture();
     QTest::keyClick(s.canvas, Qt::Key_L);
     QVERIFY(s.step());
-    QVERIFY(difference(before, s.picture()) > 0.0005);
+    QVERIFY(pictureDifference(before, s.picture()) > 0.0005);
     const QImage withGrid = s.picture();
     QTest::keyClick(s.canvas, Qt::Key_G);
     QVERIFY(s.step());
-    QVERIFY(difference(withGrid, s.picture()) > 0.002);
+    QVERIFY(pictureDifference(withGrid, s.picture()) > 0.002);
   }
 
   void thePictureIsCopied() {

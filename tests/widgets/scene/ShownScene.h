@@ -53,7 +53,7 @@ struct ShownScene {
 };
 
 /// How much two pictures differ: the share of pixels that are not near.
-inline double difference(const QImage& a, const QImage& b) {
+inline double pictureDifference(const QImage& a, const QImage& b) {
   int count = 0;
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) count += isNear(a.pixelColor(x, y), b.pixelColor(x, y), 8) ? 0 : 1;
