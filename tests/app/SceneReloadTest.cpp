@@ -145,7 +145,7 @@ TEST_F(SceneReloadTest, robotsAreAddedAndRemovedByCommands) {
 }
 
 TEST_F(SceneReloadTest, whatWasAddedByHandIsThereAfterAReload) {
-  run("scene.add burger 2 -2 --name turtle");
+  run("scene.add burger 1 -2 --name turtle");
   ASSERT_TRUE(waitFor([this] { return hasModel("turtle"); })) << robotlink::describe(errors);
   edit("</world>", kCan);
   run("scene.reload");

@@ -44,7 +44,8 @@ struct ReportedWalk {
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string& robot, const auto& queue) {
               if (robot != "red1") return;
-              for (const auto& message : toWire(*queue).messages()) hear(message);
+              const robotcontrol::DebugQueue wire = toWire(*queue);
+              for (const auto& message : wire.messages()) hear(message);
             },
             {}};
   }

@@ -58,7 +58,7 @@ TEST(MixedScene, eachRobotHasItsKindAndTheLayoutThatTheSceneOrItsDescriptionName
   EXPECT_EQ(run->description("burger1")->name, "burger");
   EXPECT_EQ(run->layout().stem(), "compact");
   EXPECT_EQ(run->otherLayouts().at("p3at1").stem(), "pioneer-wander");
-  EXPECT_EQ(run->field()->name, "2002") << "that of the robot that plays soccer";
+  EXPECT_EQ(run->field()->name, "Four-legged league 2002") << "that of the robot that plays soccer";
 }
 
 TEST(MixedScene, aLayoutCanBeChosenForOneRobotAndForThoseThatCanRunIt) {
