@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `robotctl compare`: which solution of a task is better, in figures; `robotctl tournament`: which team.
+// `robotctl compare`: which solution of a task is better, in figures.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,7 +32,6 @@ struct CompareArguments {
   std::vector<std::string> solutions;
   std::vector<std::string> logs;
   std::string scene;
-  std::vector<std::string> teams;
   int seeds = 10;
   std::uint64_t firstSeed = 1;
   double seconds = 60;
@@ -78,24 +77,6 @@ std::vector<PlannedRun> solutionRuns(const CompareArguments& arguments) {
                       "seed " + seed,
                       {"sim", arguments.scene, "--seconds", fmt::format("{}", arguments.seconds), "--seed",
                        seed, "--solution", choice, "--errors", "--json"}});
-    }
-  }
-  return runs;
-}
-
-/// Each pair of teams, with both on either side.
-std::vector<PlannedRun> games(const CompareArguments& arguments) {
-  std::vector<PlannedRun> runs;
-  for (const std::string& red : arguments.teams) {
-    for (const std::string& blue : arguments.teams) {
-      if (red == blue) continue;
-      for (int i = 0; i < arguments.seeds; ++i) {
-        const std::string seed = std::to_string(arguments.firstSeed + static_cast<std::uint64_t>(i));
-        runs.push_back({red + " against " + blue,
-                        "seed " + seed,
-                        {"sim", arguments.scene, "--seconds", fmt::format("{}", arguments.seconds), "--seed",
-                         seed, "--layout", "red=" + red, "--layout", "blue=" + blue, "--errors", "--json"}});
-      }
     }
   }
   return runs;
@@ -225,16 +206,6 @@ int runCompare(const CompareArguments& arguments) {
       {arguments.task + ": " + joined(arguments.solutions), command + " --out " + arguments.out, {}});
 }
 
-int runTournament(const CompareArguments& arguments) {
-  if (arguments.teams.size() < 2)
-    return usage("tournament", "--teams needs two or more, such as compact,parallel");
-  const std::string command =
-      fmt::format("robotctl tournament --scene {} --teams {} --games {} --seconds {} --out {}",
-                  shellLine({arguments.scene}), fmt::join(arguments.teams, ","), arguments.seeds,
-                  arguments.seconds, arguments.out);
-  return compare(arguments, games(arguments), {"Tournament: " + joined(arguments.teams), command, {}});
-}
-
 /// Options about how the runs are executed.
 void addExecution(CLI::App& command, CompareArguments& arguments) {
   command.add_option("--seconds", arguments.seconds, "Simulated seconds of each run")
@@ -274,24 +245,6 @@ void addCompareCommand(CLI::App& app, int& status) {
       ->capture_default_str();
   addExecution(*command, *arguments);
   command->callback([arguments, &status] { status = withResources([&] { return runCompare(*arguments); }); });
-}
-
-void addTournamentCommand(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<CompareArguments>();
-  arguments->seconds = 240;
-  arguments->scene = "game2002";
-  CLI::App* command =
-      app.add_subcommand("tournament", "Lets teams of different layouts play against each other");
-  command->add_option("--scene", arguments->scene, "The scene of the games")->capture_default_str();
-  command->add_option("--teams", arguments->teams, "Layouts, by file or name, each of which is a team")
-      ->delimiter(',')
-      ->required();
-  command->add_option("--games", arguments->seeds, "Games of each pair on each side")
-      ->check(numberFrom(1, 100000))
-      ->capture_default_str();
-  addExecution(*command, *arguments);
-  command->callback(
-      [arguments, &status] { status = withResources([&] { return runTournament(*arguments); }); });
 }
 
 }  // namespace app
