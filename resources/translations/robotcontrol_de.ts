@@ -14283,6 +14283,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>Show %1 hidden parts again</source>
         <translation>%1 ausgeblendete Teile wieder zeigen</translation>
     </message>
+    <message>
+        <source>faded</source>
+        <translation>blass</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SearchModel</name>

@@ -104,7 +104,7 @@ void SceneView::createCameraActions() {
   firstPerson_ =
       makeToggle(this, "eye",
                  {"sceneFirstPerson", tr("First person"),
-                  tr("Looks out of the camera of what is followed, or out of the object itself"), Qt::Key_P});
+                  tr("Looks out of the camera of what is followed, or out of the object itself"), Qt::Key_E});
   ride_.setMode(CameraRide::Mode::kBeside);
 }
 
@@ -126,6 +126,7 @@ QWidget* SceneView::createToolRow(QAction* showDrawings) {
   row->addSpacing(6);
   addButtons(row, {hands_->palette(), hands_->undo(), hands_->redo(), hands_->handles(), hands_->ownAxes()});
   state_ = addWideLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
+  state_->setMinimumWidth(state_->fontMetrics().horizontalAdvance(tr("faded")));
   addPoses(row);
   addButtons(row, {move_, send_, modes_->wireFrame()});
   row->addWidget(makeMenuButton(row->parentWidget(),
@@ -285,10 +286,11 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   return contents;
 }
 
-/// Says nothing where there is no room for all of it.
+/// A word where there is no room for all of it.
 void SceneView::showState(bool faded) {
   const QString text = faded ? tr("faded: drawn in earlier frames") : QString();
-  state_->setText(state_->fontMetrics().horizontalAdvance(text) < state_->width() ? text : QString());
+  const bool fits = state_->fontMetrics().horizontalAdvance(text) < state_->width();
+  state_->setText(fits ? text : tr("faded"));
 }
 
 /// The dragged model's bodies, where it is wanted.

@@ -254,14 +254,25 @@ class PlatformDialogTest : public WindowTest {
     QVERIFY(!s.find<QCheckBox>("Network").isEnabled());
     click(s.button());
     QCOMPARE(s.dialog->result(), static_cast<int>(QDialog::Accepted));
-    const Values expected{
-        std::string("house"), std::string("burger"), 3.0, true, 0.0, false, std::string("both"), true};
+    const Values expected{std::string("house"),
+                          std::string("burger"),
+                          3.0,
+                          true,
+                          0.0,
+                          false,
+                          std::string("both"),
+                          true,
+                          std::string(),
+                          0.0};
     QVERIFY(s.dialog->arguments() == expected);
     QJsonObject kept;
     s.memory.save(kept);
     QJsonArray next = last;
     next.replace(4, 0);
-    next.append(true);  // noise, which earlier versions did not ask for
+    // Noise, folders of models and threads, which earlier versions did not ask for.
+    next.append(true);
+    next.append(QString());
+    next.append(0);
     QCOMPARE(kept.value(QStringLiteral("simulation_setup")).toArray(), next);
   }
 

@@ -79,7 +79,7 @@ class SceneHandsGuiTest : public WindowTest {
   void whatDoesNotFitIsRefusedAndNothingChanges() {
     RoomDesk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
-    QVERIFY(desk.run("scene.insert box 0 1.5").contains(QStringLiteral("inside")));
+    QVERIFY(desk.run("scene.insert burger 0 1.5").contains(QStringLiteral("inside")));
     QVERIFY(!desk.bench().hasUnsaved());
     QVERIFY(desk.run("scene.insert unicorn 0 0").contains(QStringLiteral("unicorn")));
     QVERIFY(!desk.run("scene.erase nobody").isEmpty());

@@ -75,12 +75,12 @@ class SceneTreeViewTest : public QObject {
     auto view = bench.open<SceneTreeView>();
     auto& tree = child<QTreeView>(*view, "sceneTree");
     tree.expandAll();
-    auto& alone = child<QAction>(*view, "sceneTreeAlone");
+    auto& alone = child<QAction>(*view, "sceneTreeAloneAction");
     QVERIFY(!alone.isEnabled());
     clickCell(tree, find(tree, QStringLiteral("red1/link:body")));
     click(*view, "sceneTreeAlone");
     QTest::keyClick(&tree, Qt::Key_H, Qt::ControlModifier | Qt::AltModifier);
-    for (const char* action : {"sceneTreeShowAgain", "sceneTreeTurnWith", "sceneTreeLookOut"})
+    for (const char* action : {"sceneTreeShowAgainAction", "sceneTreeTurnWithAction", "sceneTreeLookOutAction"})
       child<QAction>(*view, action).trigger();
     const std::vector<std::string> expected{
         "scene.open red1/link:body alone", "scene.hide red1/link:body ", "scene.show red1/link:body ",

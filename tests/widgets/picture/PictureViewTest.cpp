@@ -117,7 +117,10 @@ class PictureViewTest : public QObject {
         const QList<int> sizes = splitter->sizes();
         return std::abs(sizes[0] * 3 - sizes[1] * 4) < 30;
       };
-      QTRY_VERIFY2(restored(), kind.id);
+      QTRY_VERIFY2(restored(), qPrintable(QStringLiteral("%1: %2 and %3")
+                                              .arg(QLatin1String(kind.id))
+                                              .arg(splitter->sizes()[0])
+                                              .arg(splitter->sizes()[1])));
     }
   }
 

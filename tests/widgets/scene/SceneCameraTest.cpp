@@ -265,7 +265,7 @@ class SceneCameraTest : public QObject {
     QVERIFY(s.world.requests.back().send_event().kind() == robotcontrol::ViewEvent::MOUSE_RELEASED);
     s.world.requests.clear();
     QTest::keyClick(s.canvas, Qt::Key_R);
-    QCOMPARE(int(s.world.requests.size()), 2);
+    QVERIFY2(s.world.requests.size() == 2U, s.world.requests[0].ShortDebugString().c_str());
     QVERIFY(s.world.requests[0].send_event().key() == "R");
     QVERIFY(s.world.requests[1].send_event().kind() == robotcontrol::ViewEvent::KEY_RELEASED);
     QTest::keyClick(s.canvas, Qt::Key_F5);
