@@ -61,7 +61,8 @@ def watch(example, port):
 def main():
     robotctl, folder, scene, *controller = sys.argv[1:]
     example = load_example(folder)
-    simulation = subprocess.Popen([robotctl, "sim", scene, "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
+    simulation = subprocess.Popen([robotctl, "sim", scene, "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True)
     started = None
     try:
         port = port_of(simulation)

@@ -7,18 +7,6 @@
 #include "widgets/scene/render/SceneShapes.h"
 
 namespace widgets {
-namespace {
-
-/// "red1/link:head/visual:nose" of the entity "12:red1/head/nose"; null if its id is another one.
-std::shared_ptr<const std::string> objectOf(const std::string& id) {
-  const std::size_t model = id.find(':'), link = id.find('/', model + 1), visual = id.find('/', link + 1);
-  if (model == std::string::npos || link == std::string::npos || visual == std::string::npos) return nullptr;
-  return std::make_shared<const std::string>(id.substr(model + 1, link - model) +
-                                             "link:" + id.substr(link + 1, visual - link) +
-                                             "visual:" + id.substr(visual + 1));
-}
-
-}  // namespace
 
 std::vector<SceneBody> SceneAssembly::bodies(const SceneState& scene) {
   std::vector<SceneBody> bodies;

@@ -24,10 +24,11 @@ constexpr int kSceneClickSlack = 4;  // pixels that a hand moves while it clicks
 constexpr double kSceneTurnStep = robotlink::radians(15);
 
 /// Whether a key may be meant for the scene. Those of the window stay what they are: Escape, with which
-/// robots are stopped, those of functions, and all with Ctrl or Alt.
+/// robots are stopped, those of functions, and all with Ctrl or Alt. Those that only modify others are none.
 bool isSent(const QKeyEvent& event) {
-  const bool isOfWindow =
-      event.key() == Qt::Key_Escape || (event.key() >= Qt::Key_F1 && event.key() <= Qt::Key_F35);
+  const bool isModifier = event.key() >= Qt::Key_Shift && event.key() <= Qt::Key_ScrollLock;
+  const bool isOfWindow = isModifier || event.key() == Qt::Key_Escape ||
+                          (event.key() >= Qt::Key_F1 && event.key() <= Qt::Key_F35);
   return !isOfWindow && !event.modifiers().testFlag(Qt::ControlModifier) &&
          !event.modifiers().testFlag(Qt::AltModifier);
 }

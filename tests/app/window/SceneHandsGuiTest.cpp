@@ -21,7 +21,8 @@ namespace {
 struct RoomDesk : Desk {
   explicit RoomDesk(const std::filesystem::path& home)
       : Desk(home, Opens::kNothing), file(home / "rooms" / "hall.sdf") {
-    const auto text = window.context().sceneLanguage->newRoom({.name = "hall", .doorway = true}, file);
+    const auto text =
+        window.context().sceneLanguage->newRoom({.name = "hall", .doorway = true, .robot = {}}, file);
     if (!text) qFatal("no room: %s", text.error().text.c_str());
     std::filesystem::create_directories(file.parent_path());
     if (!robotlink::writeFileAtomically(file, *text)) qFatal("the room cannot be written");
