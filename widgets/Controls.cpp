@@ -89,7 +89,15 @@ QHBoxLayout* makeToolRow(QWidget* parent, int margin) {
 }
 
 void addButtons(QHBoxLayout* row, std::initializer_list<QAction*> actions) {
-  for (QAction* action : actions) row->addWidget(makeButton(row->parentWidget(), action));
+  // Else the row would be as wide at first as all of its buttons.
+  const bool mayLeaveOut =
+      row->parentWidget()->findChild<ToolRow*>(QString(), Qt::FindDirectChildrenOnly) != nullptr;
+  for (QAction* action : actions) {
+    QToolButton* button = makeButton(row->parentWidget(), action);
+    row->addWidget(button);
+    if (auto* inRow = qobject_cast<RowButton*>(button); inRow != nullptr && mayLeaveOut)
+      inRow->setInToolRow();
+  }
 }
 
 QVBoxLayout* makeColumn(QWidget* widget, const QMargins& margins, int spacing) {

@@ -77,9 +77,11 @@ struct ObjectsBench : Bench {
     robotlink::CommandTable::Command command{name, "Notes its words", {{"first", Type::kText, ""}}};
     if (name.starts_with("image")) command.arguments.push_back({"second", Type::kText, ""});
     if (name.starts_with("scene."))
-      command.arguments.push_back({"second", name == "scene.opacity" ? Type::kNumber : Type::kText, ""});
+      command.arguments.push_back({"second", name == "scene.opacity" ? Type::kNumber : Type::kText, "",
+                                   name == "scene.opacity" ? robotlink::CommandTable::Value(1.0)
+                                                           : robotlink::CommandTable::Value(std::string())});
     if (name == "scene.draw" || name == "scene.opacity" || name == "scene.follow")
-      command.arguments.push_back({"third", Type::kText, ""});
+      command.arguments.push_back({"third", Type::kText, "", std::string()});
     command.run = [this, name](const robotlink::CommandTable::Values& values) -> robotlink::Result<void> {
       std::string line = name;
       for (const auto& value : values) {
