@@ -78,7 +78,7 @@ class SceneTreeViewTest : public QObject {
     tree.expandAll();
     auto& alone = child<QAction>(*view, "sceneTreeAloneAction");
     QVERIFY(!alone.isEnabled());
-    tree.setCurrentIndex(find(tree, QStringLiteral("red1/link:body")));
+    tree.setCurrentIndex(find(tree, QStringLiteral("red1")));
     QVERIFY(alone.isEnabled());
     alone.trigger();
     QVERIFY2(!bench.lines.empty(), qPrintable(child<QLabel>(*view, "sceneTreeOutcome").text()));
@@ -87,8 +87,8 @@ class SceneTreeViewTest : public QObject {
          {"sceneTreeShowAgainAction", "sceneTreeTurnWithAction", "sceneTreeLookOutAction"})
       child<QAction>(*view, action).trigger();
     const std::vector<std::string> expected{
-        "scene.open red1/link:body alone", "scene.hide red1/link:body ", "scene.show red1/link:body ",
-        "scene.follow red1/link:body heading ", "scene.follow red1/link:body first-person "};
+        "scene.open red1 alone", "scene.hide red1 ", "scene.show red1 ",
+        "scene.follow red1 heading ", "scene.follow red1 first-person "};
     std::string said;
     for (const std::string& line : bench.lines) said += line + "; ";
     QVERIFY2(bench.lines == expected, said.c_str());
