@@ -86,9 +86,8 @@ class SceneTreeViewTest : public QObject {
     for (const char* action :
          {"sceneTreeShowAgainAction", "sceneTreeTurnWithAction", "sceneTreeLookOutAction"})
       child<QAction>(*view, action).trigger();
-    const std::vector<std::string> expected{
-        "scene.open red1 alone", "scene.hide red1 ", "scene.show red1 ",
-        "scene.follow red1 heading ", "scene.follow red1 first-person "};
+    const std::vector<std::string> expected{"scene.open red1 alone", "scene.hide red1 ", "scene.show red1 ",
+                                            "scene.follow red1 heading ", "scene.follow red1 first-person "};
     std::string said;
     for (const std::string& line : bench.lines) said += line + "; ";
     QVERIFY2(bench.lines == expected, said.c_str());
