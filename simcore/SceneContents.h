@@ -20,7 +20,7 @@ struct SceneContents {
   std::filesystem::path file;
   /// Those that load() got.
   std::vector<std::filesystem::path> modelFolders;
-  /// Of the scene and all its models.
+  /// Those of the scene and all its models.
   Palette palette;
   std::vector<SceneRobot> robots;
   std::vector<std::string> balls;

@@ -97,7 +97,7 @@ bool MainWindow::showViewsOfScene(const LoadedPlatform& loaded) {
   // The views have no sizes before the window is visible.
   if (!shownScene_.empty() && isVisible()) perspectives_.keepFor(shownScene_, *docks_);
   shownScene_ = scene;
-  // Who has just chosen a perspective wants that.
+  // A perspective that was just chosen is what the user wants.
   if (scene.empty() || isPerspectiveWanted_ || dockSpace_->busy()) return false;
   const QString before = perspectives_.current();
   if (isVisible()) perspectives_.keep(before, *docks_);

@@ -15,10 +15,10 @@ namespace simcore {
 struct DrawnShape {
   enum class Kind : std::uint8_t { kLine, kSphere, kBox, kText };
   Kind kind = Kind::kLine;
-  /// Of a line its points, of the others one point: the center.
+  /// A line has its points, the others have one point: the center.
   std::vector<robotlink::Vector3> points = {};
-  /// Of a box its edges along the axes; of a sphere x is the diameter, of a line the thickness, of a text the
-  /// height.
+  /// A box has its edges along the axes; for a sphere x is the diameter, of a line the thickness, of a text
+  /// the height.
   robotlink::Vector3 size = {0.01, 0.01, 0.01};
   robotlink::Rgb color = {255, 200, 0};
   std::string text = {};

@@ -72,12 +72,12 @@ struct ServoState {
   double torqueShare = 1;
 };
 
-/// By what a guide moves its model.
+/// The means with which a guide moves its model.
 struct GuideMeans {
   enum class Kind : std::uint8_t {
     /// Pushed by forces.
     kPushed,
-    /// By its own wheels.
+    /// Rolled by its own wheels.
     kWheels,
     /// Without forces; see ModelInstance::follows().
     kFollows,
@@ -86,7 +86,7 @@ struct GuideMeans {
   // Null if the model has none; they are those of the world.
   const VehicleDescription* vehicle = nullptr;
   const WalkDescription* walk = nullptr;
-  /// Of its first wheel, in the numbering of Physics.
+  /// Its first wheel, in the numbering of Physics.
   std::size_t firstWheel = 0;
   /// The servos of VehicleDescription::steering.
   std::vector<std::size_t> steering = {};

@@ -78,7 +78,7 @@ struct GuidedMotion {
 enum class MotionMode : std::uint8_t {
   /// As the simulation's options say.
   kUnset,
-  /// By the forces of its motors.
+  /// The forces of its motors move it.
   kPhysics,
   /// As it is commanded, without forces: it pushes what can be moved, and stops at the rest.
   kKinematic,
@@ -90,7 +90,7 @@ enum class MotionMode : std::uint8_t {
 /// sideways, turning}.
 struct WalkDescription {
   std::string name = "walk";
-  /// By how much of what is requested it really moves.
+  /// The share of what is requested by which it really moves.
   std::array<double, 3> slip = {1, 1, 1};
   /// Standard deviations, m and rad, after a way of 1 m or a turn by 1 rad; they grow with the square root of
   /// the sum of both.
@@ -108,10 +108,10 @@ struct VehicleWheel {
   /// If its rim has free rollers: the angle from its rolling direction to that in which the rollers push,
   /// rad, to the left; 0 for omni wheels, +-pi/4 for mecanum wheels.
   std::optional<double> rollers = {};
-  // Of its motor, at the rim: m/s and N; and its resistance without power, N.
+  // The limits of its motor, at the rim: m/s and N; and its resistance without power, N.
   double maximumSpeed = 0, maximumForce = 0, idleForce = 0;
   double radius = 0;  ///< m
-  /// Of the joint that steers it, an index of VehicleDescription::steering; -1 if none does.
+  /// The joint that steers it, an index of VehicleDescription::steering; -1 if none does.
   int steering = -1;
   // Its center, and the direction in which it rolls forwards, in the model, with all joints at 0.
   robotlink::Vector3 center = robotlink::Vector3::Zero(), forward = robotlink::Vector3::UnitX();

@@ -49,7 +49,7 @@ struct ModelToAdd {
   std::string name = {};
   /// In the world.
   robotlink::Pose2 place = {};
-  /// Of the model's frame, m; unset: it stands on the floor, or at 0 without one.
+  /// The height of the model's frame, m; unset: it stands on the floor, or at 0 without one.
   std::optional<double> height = {};
   /// A color of the scene's palette; empty: none.
   std::string team = {};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMaxAmount = 1e9;
 constexpr double kMaxRate = 1e6;  // Hz
-/// Of sensors whose channels have errors of their own.
+/// Sensors whose channels have errors of their own.
 constexpr std::size_t kMaxChannels = 1024;
 
 bool isShare(double value) {

@@ -14,11 +14,11 @@ struct ViewEvent {
   Kind kind = Kind::kKeyPressed;
   /// The view in which it happened: "scene".
   std::string view = {};
-  /// Of keys: what is on it, such as "A", "1", "Space", "Left".
+  /// For keys: what is on it, such as "A", "1", "Space", "Left".
   std::string key = {};
-  /// Of the mouse: 1 left, 2 middle, 3 right. Moves are reported while it is pressed.
+  /// For the mouse: 1 left, 2 middle, 3 right. Moves are reported while it is pressed.
   int button = 0;
-  /// Of the mouse: the ray from the eye through the cursor, in the world, m. The direction is of length 1.
+  /// For the mouse: the ray from the eye through the cursor, in the world, m. The direction is of length 1.
   robotlink::Vector3 origin = robotlink::Vector3::Zero(), direction = robotlink::Vector3::UnitX();
   /// What the ray hits first at the step in which the event enters: a visual as "MODEL/LINK/VISUAL", and its
   /// model. Empty if it hits nothing. The simulation fills these in.

@@ -50,7 +50,7 @@ class SceneMarkers {
   void addJoint(const robotcontrol::WorldObject& joint, const robotlink::Pose3& inField, double size,
                 std::vector<SceneBody>& bodies);
 
-  /// By kind and size in millimeters.
+  /// Keyed by kind and size in millimeters.
   std::map<std::pair<Kind, int>, Shape> shapes_;
 };
 

@@ -64,7 +64,7 @@ class SceneModes final : public QObject {
   void createSurfaces(QWidget* view);
   void createLayers(QWidget* view);
 
-  /// By Surface and by SceneLayer.
+  /// Keyed by Surface and by SceneLayer.
   std::array<QAction*, 4> surfaceActions_{};
   std::array<QAction*, kSceneLayers> layerActions_{};
   QMenu *surfaces_ = nullptr, *layers_ = nullptr;

@@ -219,7 +219,7 @@ QMenu* SceneView::makeObjectMenu(const std::string& path, QWidget* parent) {
   return menu;
 }
 
-/// Of the part below the mouse its link and its model are offered, which are what people see as one thing.
+/// For the part below the mouse its link and its model are offered, which are what people see as one thing.
 void SceneView::addObjectMenus(QMenu& menu, const std::string& path) {
   for (const std::string& each : parts_.objects().lineage(path)) {
     const auto* object = parts_.objects().find(each);

@@ -34,7 +34,7 @@ std::optional<ObjectLook> ShownParts::lookOf(const std::string& path) const {
 }
 
 std::optional<ObjectLook> ShownParts::lookOf(const SceneBody& body) {
-  // Of robots that no scene shows, and in old logs, only the model is known.
+  // For robots that no scene shows, and in old logs, only the model is known.
   if (!body.object) return lookOf(body.model);
   const auto [found, isNew] = found_.try_emplace(body.object);
   if (isNew) found->second = lookOf(*body.object);

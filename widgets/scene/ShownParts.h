@@ -54,7 +54,7 @@ class ShownParts {
   ObjectLooks looks_;
   std::string only_;
   int revision_ = 0;
-  /// By the paths of bodies, which are kept so that no other has the same address.
+  /// Keyed by the paths of bodies, which are kept so that no other has the same address.
   std::map<std::shared_ptr<const std::string>, std::optional<ObjectLook>> found_;
 };
 

@@ -14,7 +14,7 @@ struct SceneEvent {
   Kind kind = Kind::kKeyPressed;
   /// What is on the key: "A", "1", "Space", "Left".
   QString key = {};
-  /// Of the mouse: the ray through the cursor, in the field's frame, m.
+  /// For the mouse: the ray through the cursor, in the field's frame, m.
   robotlink::Vector3 origin = robotlink::Vector3::Zero(), direction = robotlink::Vector3::UnitX();
 };
 

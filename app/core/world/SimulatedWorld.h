@@ -196,7 +196,7 @@ class SimulatedWorld {
     CameraSetting setting;
     bool errorsChosen = false;
   };
-  /// By path, also of cameras that are gone, whose robots may come back.
+  /// Keyed by path, also of cameras that are gone, whose robots may come back.
   std::map<std::string, KeptCamera> keptCameras_;
   /// Keyed by camera: whether somebody chose its errors, instead of the scene.
   std::vector<bool> cameraErrorsChosen_;

@@ -76,7 +76,7 @@ robotlink::Result<void> SimulatedWorld::restore(const simcore::Snapshot& snapsho
     simcore::StateStream stream(part->second, snapshot.isForeign ? simcore::StateStream::Trust::kForeign
                                                                  : simcore::StateStream::Trust::kOwn);
     kept->transfer(stream);
-    // Of another scene it has other parts, which the simulation says better.
+    // A snapshot of another scene has other parts, which the simulation says better.
     if (snapshot.fingerprint == simulation_->fingerprint() && !stream.complete()) {
       return robotlink::failure("snapshot.damaged", "the snapshot of " + snapshot.scene + " is damaged", {},
                                 {snapshot.scene});

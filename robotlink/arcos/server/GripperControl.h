@@ -41,10 +41,11 @@ class GripperControl {
   /// Advances by the time that has passed since the last call.
   GripperCommand step(const GripperSensing& sensing, Duration passed);
 
-  /// Of the information packet: bits 0 open, 1 closed, 2 paddles move, 4 lift up, 5 lift down, 6 lift moves.
+  /// The byte of the information packet: bits 0 open, 1 closed, 2 paddles move, 4 lift up, 5 lift down, 6
+  /// lift moves.
   std::uint8_t state() const;
-  /// Of GRIPPERpac: bits 0 not open, 1 lift not at an end, 2 and 3 outer and inner beam are broken, 4 and 5
-  /// the left and the right paddle are not pressed, 6 the lift moves, 7 the paddles move.
+  /// The byte of GRIPPERpac: bits 0 not open, 1 lift not at an end, 2 and 3 outer and inner beam are broken,
+  /// 4 and 5 the left and the right paddle are not pressed, 6 the lift moves, 7 the paddles move.
   std::uint8_t switches() const;
   /// For how long the paddles press on after both are pressed, in intervals of 20 ms.
   std::uint8_t graspTime() const { return graspTime_; }

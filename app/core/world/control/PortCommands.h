@@ -38,7 +38,7 @@ class PortCommands {
     std::vector<double> values;
     bool isOnce = false, isDone = false;
   };
-  /// By controller and port.
+  /// Keyed by controller and port.
   std::map<std::string, std::map<std::string, Command>> commands_;
   std::vector<std::string> stopped_;
 };
