@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-constexpr int kResamples = 5000;
+constexpr int kResamples = 2000;
 constexpr double kOutside = 0.025;  // below the lower bound, and as many above the upper one
 constexpr std::uint64_t kSeed = 1979;
 

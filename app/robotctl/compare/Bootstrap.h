@@ -10,7 +10,7 @@ struct MeanInterval {
   double mean = 0, low = 0, high = 0;
 };
 
-/// The percentile bootstrap (Efron, B.: Bootstrap methods: another look at the jackknife, 1979), with 5,000
+/// The percentile bootstrap (Efron, B.: Bootstrap methods: another look at the jackknife, 1979), with 2,000
 /// resamples of fixed seeds, so that the same values give the same bounds. With fewer than two values the
 /// bounds are infinite. A pure function.
 MeanInterval bootstrapMean(const std::vector<double>& values);

@@ -60,23 +60,30 @@ std::string wrongSolutions(const CompareArguments& arguments) {
   return "";
 }
 
+/// A file by its whole path, since jobs run in other folders; the name of a shipped scene as it is.
+std::string wholePath(const std::string& name) {
+  std::error_code ignored;
+  return std::filesystem::exists(name, ignored) ? std::filesystem::absolute(name).string() : name;
+}
+
+/// Each run has one thread, as there are as many runs as cores.
 std::vector<PlannedRun> solutionRuns(const CompareArguments& arguments) {
   std::vector<PlannedRun> runs;
   for (const std::string& solution : arguments.solutions) {
     const std::string choice = arguments.task + "=" + solution;
     for (const std::string& log : arguments.logs) {
-      const std::string file = std::filesystem::absolute(log).string();
       runs.push_back({solution,
-                      std::filesystem::path(log).filename().string(),
-                      {"run", "--platform", "log:" + file, "--package", "all=recomputed", "--solution",
-                       choice, "--errors", "--json"}});
+                      log,
+                      {"run", "--platform", "log:" + wholePath(log), "--package", "all=recomputed",
+                       "--solution", choice, "--errors", "--json"}});
     }
     for (int i = 0; !arguments.scene.empty() && i < arguments.seeds; ++i) {
       const std::string seed = std::to_string(arguments.firstSeed + static_cast<std::uint64_t>(i));
       runs.push_back({solution,
                       "seed " + seed,
-                      {"sim", arguments.scene, "--seconds", fmt::format("{}", arguments.seconds), "--seed",
-                       seed, "--solution", choice, "--errors", "--json"}});
+                      {"sim", wholePath(arguments.scene), "--threads", "1", "--seconds",
+                       fmt::format("{}", arguments.seconds), "--seed", seed, "--solution", choice, "--errors",
+                       "--json"}});
     }
   }
   return runs;

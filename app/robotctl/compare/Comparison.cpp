@@ -74,15 +74,21 @@ void Comparison::add(const std::string& variant, const std::string& subject,
   for (const Figure& figure : figures) {
     auto row = std::ranges::find(rows_, figure.name, &Row::name);
     if (row == rows_.end()) row = rows_.insert(row, {figure.name, figure.unit, {}});
-    row->byVariant[variant].bySubject[subject] = figure.value;
+    Cell& cell = row->byVariant[variant];
+    cell.bySubject[subject] = figure.value;
+    cell.mean.reset();
   }
 }
 
 MeanInterval Comparison::meanOf(const Row& row, const std::string& variant) {
-  std::vector<double> values;
-  if (const auto cell = row.byVariant.find(variant); cell != row.byVariant.end())
+  const auto cell = row.byVariant.find(variant);
+  if (cell == row.byVariant.end()) return bootstrapMean({});
+  if (!cell->second.mean) {
+    std::vector<double> values;
     for (const auto& [subject, value] : cell->second.bySubject) values.push_back(value);
-  return bootstrapMean(values);
+    cell->second.mean = bootstrapMean(values);
+  }
+  return *cell->second.mean;
 }
 
 std::vector<Difference> Comparison::differences() const {

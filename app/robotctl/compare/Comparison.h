@@ -3,6 +3,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,9 @@ struct Difference {
 class Comparison {
  public:
   struct Cell {
-    std::map<std::string, double> bySubject;
+    std::map<std::string, double> bySubject = {};
+    /// What meanOf() has computed of them.
+    mutable std::optional<MeanInterval> mean = {};
   };
   struct Row {
     std::string name, unit;
@@ -45,7 +48,7 @@ class Comparison {
   /// In the order in which they came.
   const std::vector<std::string>& variants() const { return variants_; }
   const std::vector<Row>& rows() const { return rows_; }
-  /// Mean and bounds of a variant in a row.
+  /// Mean and bounds of a variant in a row; computed once. One thread at a time.
   static MeanInterval meanOf(const Row& row, const std::string& variant);
   /// Each pair of variants in each row, in order.
   std::vector<Difference> differences() const;

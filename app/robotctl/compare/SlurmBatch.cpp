@@ -17,6 +17,8 @@ namespace {
 constexpr std::chrono::milliseconds kLookAtJobsEvery{100};
 /// Slurm's controller is not to be asked more often.
 constexpr int kLooksPerQuestion = 20;
+/// After so many questions in a row without an answer the results that are there count.
+constexpr int kMaxUnanswered = 150;
 constexpr char kScript[] = "slurm.sh", kCommands[] = "slurm-commands.txt";
 
 struct ShellOutcome {
@@ -79,6 +81,7 @@ robotlink::Result<std::vector<PlannedRun>> SlurmBatch::execute(
 
   RunProgress progress{.all = runs.size()};
   bool runsStill = true;
+  int unanswered = 0;
   for (int looks = 0; runsStill; ++looks) {
     progress.done = 0;
     for (const PlannedRun& run : runs) progress.done += files_.isDone(run) ? 1 : 0;
@@ -89,8 +92,10 @@ robotlink::Result<std::vector<PlannedRun>> SlurmBatch::execute(
     }
     if (looks % kLooksPerQuestion == 0) {
       const ShellOutcome queue = shell(shellLine({"squeue", "--noheader", "--jobs", job}));
-      // A job that is over for some time is no longer known.
-      runsStill = queue.status == 0 && !queue.text.empty();
+      // A job that is over for some time is no longer known. A controller that is busy answers later.
+      const bool isForgotten = queue.text.find("Invalid job id") != std::string::npos;
+      unanswered = queue.status == 0 || isForgotten ? 0 : unanswered + 1;
+      runsStill = unanswered > 0 ? unanswered < kMaxUnanswered : !isForgotten && !queue.text.empty();
     }
     if (runsStill) std::this_thread::sleep_for(kLookAtJobsEvery);
   }

@@ -114,11 +114,13 @@ SimulatedRun::Listeners listenersTo(const SharedTroubles& troubles) {
 SimulatedRun::Listeners listenersFor(const SimArguments& arguments, const SharedTroubles& troubles,
                                      const SimOutputs& outputs) {
   SimulatedRun::Listeners listeners = listenersTo(troubles);
-  listeners.queue = [texts = arguments.texts, errors = outputs.errors.get()](const std::string& robot,
-                                                                             const auto& queue) {
-    if (texts) printTexts(std::cerr, robot, *queue);
-    if (errors != nullptr) errors->add(robot, *queue);
-  };
+  if (arguments.texts || outputs.errors) {
+    listeners.queue = [texts = arguments.texts, errors = outputs.errors.get()](const std::string& robot,
+                                                                               const auto& queue) {
+      if (texts) printTexts(std::cerr, robot, *queue);
+      if (errors != nullptr) errors->add(robot, *queue);
+    };
+  }
   if (arguments.texts) {
     listeners.game = [](robotlink::Instant time, const std::string& text) {
       printText(std::cerr, time, "game", text);
