@@ -124,6 +124,8 @@ void SceneHands::connectSignals() {
   connect(properties_, &QAction::triggered, this, [this] { run("view.show", "scene-properties"); });
   connect(showPalette_, &QAction::triggered, this, [this] {
     palette_->fill(sceneBench(context_));
+    // At the edge of what it is for; window managers put it anywhere.
+    if (!palette_->isVisible()) palette_->move(canvas_.mapToGlobal(QPoint(8, 8)));
     palette_->show();
     palette_->raise();
   });
