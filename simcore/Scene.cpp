@@ -47,9 +47,10 @@ class IncludedTypes {
   std::map<std::pair<fs::path, std::optional<bool>>, std::shared_ptr<const ModelDescription>> types_;
 };
 
-/// Sets the team and the layout that an <include> names.
+/// Sets team, layout and role that an <include> names.
 void setUse(const SceneInclude& include, const SceneFiles& files, ModelInstance& instance, Errors& errors) {
   instance.layout = include.layout;
+  instance.role = include.role;
   if (include.team.empty()) return;
   const auto color = files.palette().find(include.team);
   instance.teamColorName = include.team;
@@ -222,7 +223,7 @@ void SceneContents::complete() {
   for (const ModelInstance& model : world.models) {
     const std::string& layout = model.layout.empty() ? model.type->layout : model.layout;
     if (!model.type->robot.empty())
-      robots.push_back({model.name, model.type->robot, model.teamColorName, layout});
+      robots.push_back({model.name, model.type->robot, model.teamColorName, layout, model.role});
     if (model.type->isBall) balls.push_back(model.name);
   }
   const auto* shown = firstModel(world, [](const auto& model) { return !model.field.empty(); });

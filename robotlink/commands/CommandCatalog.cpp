@@ -442,9 +442,10 @@ Rows recordingRows() {
 
 Rows commandCatalog() {
   Rows all;
-  for (Rows& rows : std::vector<Rows>{simulationRows(), sceneRows(), robotRows(), remoteRows(),
-                                      openedLogRows(), writtenLogRows(), playedLogRows(), timelineRows(),
-                                      recordingRows(), windowCatalog(), controlCatalog(), colorCatalog()})
+  for (Rows& rows :
+       std::vector<Rows>{simulationRows(), sceneRows(), robotRows(), remoteRows(), openedLogRows(),
+                         writtenLogRows(), playedLogRows(), timelineRows(), recordingRows(), windowCatalog(),
+                         controlCatalog(), colorCatalog(), gameCatalog()})
     std::ranges::move(rows, std::back_inserter(all));
   return all;
 }

@@ -13,9 +13,10 @@ namespace robotlink {
 std::vector<CommandTable::Command> commandCatalog();
 
 /// The rows of commandCatalog() about the window and its views, about manual control, parameters and plots,
-/// and about color tables.
+/// about color tables, and about games.
 std::vector<CommandTable::Command> windowCatalog();
 std::vector<CommandTable::Command> controlCatalog();
 std::vector<CommandTable::Command> colorCatalog();
+std::vector<CommandTable::Command> gameCatalog();
 
 }  // namespace robotlink

@@ -10,6 +10,7 @@
 #include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/DebugKey.h"
 #include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/GameRequests.h"
 #include "robotlink/debugging/SceneEditRequests.h"
 #include "robotlink/debugging/WorldRequests.h"
 #include "robotlink/motions/MotionLibrary.h"
@@ -294,7 +295,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 35> kKinds{{
+constexpr std::array<RequestKind, 36> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -423,6 +424,7 @@ constexpr std::array<RequestKind, 35> kKinds{{
      .words = "attach controller",
      .wrong = wrongController},
     {.what = Request::kSetPorts, .doer = Doer::kSimulation, .words = "set ports", .wrong = wrongCommands},
+    {.what = Request::kControlGame, .doer = Doer::kSimulation, .words = "control game", .wrong = wrongGame},
     {.what = Request::kHostProgram,
      .doer = Doer::kSimulation,
      .words = "host program",

@@ -48,6 +48,7 @@ inline constexpr char kControllers[] = "controllers";  ///< ControllerStates
 /// + name of a controller elsewhere: ControllerInputs
 inline constexpr char kControllerInputs[] = "sim/ports/";
 inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus
+inline constexpr char kGame[] = "game";              ///< GameStatus
 inline constexpr char kRecording[] = "recording";    ///< RecordingStatus
 inline constexpr char kReplay[] = "replay";          ///< ReplayStatus
 inline constexpr char kMap[] = "map";                ///< GroundMap

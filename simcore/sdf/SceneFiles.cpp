@@ -119,6 +119,7 @@ SceneInclude readDetails(const XMLElement& element, const fs::path& world, Error
   include.name = childText(element, "name");
   include.team = childText(element, "robotcontrol:team");
   include.layout = layoutIn(childText(element, "robotcontrol:layout"), world);
+  include.role = childText(element, "robotcontrol:role");
   include.motion = childText(element, "robotcontrol:motion");
   const XMLElement* motion = element.FirstChildElement("robotcontrol:motion");
   if (motion != nullptr && motion->Attribute("objects") != nullptr)

@@ -37,6 +37,8 @@ struct SceneInclude {
   std::string team;
   /// See SceneRobot::layout; empty: as the model says.
   std::string layout;
+  /// See SceneRobot::role.
+  std::string role;
   /// What its <robotcontrol:motion> says, and that's attribute `objects`; empty if it has none.
   std::string motion, motionAtObjects;
   /// Line of the <include>, for error messages.

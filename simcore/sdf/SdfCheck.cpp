@@ -117,6 +117,8 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:maximum_steering", {"robotcontrol:guided"}, 1},
     {"robotcontrol:most_incidence", {"sensor", ""}, 1},
     {"robotcontrol:team", {"include", ""}, 0},
+    {"robotcontrol:role", {"include"}, 0},
+    {"robotcontrol:game", {"world"}, 0},
     {"robotcontrol:layout", {"model", "include"}, 0},
     {"robotcontrol:drive", {"model", ""}, 0},
     {"robotcontrol:left", {"robotcontrol:drive", ""}, 0},

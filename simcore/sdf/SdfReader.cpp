@@ -123,6 +123,8 @@ void readSurroundings(const sdf::World& world, WorldDescription& result, const S
     context.fail(world.Element(), "scene.magnetic-field", "magnetic_field must be below 100 T");
   result.radiationClasses = readClasses(world.Element(), context);
   readControllers(world.Element(), "", result.controllers, context);
+  if (world.Element()->HasElement("robotcontrol:game"))
+    result.game = world.Element()->Get<std::string>("robotcontrol:game");
   const auto byte = [](float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.F, 1.F) * 255.F));
   };

@@ -18,6 +18,8 @@ struct SceneRobot {
   /// The process layout of its program: the name of a shipped one, or a file with its whole path. Empty: that
   /// of its description.
   std::string layout = {};
+  /// What it is in its team from the start ("goalie"); empty: the team decides.
+  std::string role = {};
 
   bool operator==(const SceneRobot&) const = default;
 };

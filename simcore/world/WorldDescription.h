@@ -188,6 +188,8 @@ struct ModelInstance {
   std::string teamColorName;
   /// See SceneRobot::layout; empty: that of its type.
   std::string layout;
+  /// See SceneRobot::role.
+  std::string role;
   /// What its <include> chooses; kUnset: what its type says.
   MotionMode motion = MotionMode::kUnset;
   MotionMode chosenMotion() const { return motion != MotionMode::kUnset ? motion : type->motion; }
@@ -204,6 +206,8 @@ struct ModelInstance {
 /// A checked world: every index is valid, every number finite and of a sensible magnitude. A plain value.
 struct WorldDescription {
   std::string name;
+  /// The rules of the game that is played in it (resources/games/<game>.yaml); empty: there is none.
+  std::string game;
   /// Meters per second squared.
   Vector3 gravity = {0, 0, -9.81};
   float ambient = 0.4F;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rows of the catalog about the referee of a simulated game.
+#include "robotlink/commands/CommandCatalog.h"
+
+namespace robotlink {
+
+std::vector<CommandTable::Command> gameCatalog() {
+  using Type = CommandTable::Type;
+  return {
+      {"game.ready",
+       "Has the robots go to their places for a kick-off; a new half begins where one was over"},
+      {"game.set", "Puts the robots to their places and the ball to the middle; they wait"},
+      {"game.play", "Lets the robots play"},
+      {"game.finish", "Ends the half"},
+      {"game.restart", "Begins the game anew: no goals, first half, nobody is penalized"},
+      {"game.penalize",
+       "Takes a robot out of the game for the time that the rules say",
+       {{"robot", Type::kText, "its name"},
+        {"reason", Type::kText, "as in the rules; '': the first one", std::string()}}},
+      {"game.return", "Puts a penalized robot back into the game", {{"robot", Type::kText, "its name"}}},
+      {"game.score",
+       "Sets the goals of a team",
+       {{"team", Type::kText, "its name"}, {"goals", Type::kNumber, "how many, 0 to 99"}}},
+      {"game.kick-off", "Gives a team the kick-off", {{"team", Type::kText, "its name"}}},
+      {"game.automatic",
+       "Chooses whether the referee decides by itself: phases, goals, balls out, penalties",
+       {{"on", Type::kBool, "off: only what is commanded happens", true}}},
+      {"game.radio",
+       "Sets how messages get from robot to robot of a team",
+       {{"range", Type::kNumber, "m; 0: without limit"},
+        {"delay", Type::kNumber, "s, 0 to 10", 0.0},
+        {"loss", Type::kNumber, "share of messages that do not arrive, 0 to 1", 0.0}}},
+  };
+}
+
+}  // namespace robotlink
