@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "app/core/GameCommands.h"
 #include "app/core/LogCommands.h"
 #include "app/core/PlatformCommands.h"
 #include "app/core/RecordingCommands.h"
@@ -19,6 +20,7 @@ Workbench::Workbench(std::filesystem::path userFolder)
     : OpenPlatform(std::move(userFolder)), commands_(allCommands()) {
   addPlatformCommands(commands_, *this);
   addSimulationCommands(commands_, *this);
+  addGameCommands(commands_, *this);
   addSceneCommands(commands_, *this);
   addRobotCommands(commands_, *this);
   addRemoteCommands(commands_, *this);

@@ -2,8 +2,8 @@
 #include "app/core/game/KickOff.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "app/core/game/FieldOfPlay.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
 #include "simcore/world/StateStream.h"
@@ -74,21 +74,9 @@ bool KickOff::followModels() {
 }
 
 std::optional<std::string> KickOff::scorer(const Vector3& ball) const {
-  for (const auto& goal : field_->goals) {
-    const double direction = goal.x < 0 ? -1 : 1;
-    // The whole ball must have crossed the line.
-    const double beyond = direction * (ball.x() - goal.x) - field_->ballRadius;
-    const bool inside = beyond > 0 && beyond < field_->goalDepth &&
-                        std::abs(ball.y()) < 0.5 * field_->goalWidth && ball.z() < field_->goalHeight;
-    if (inside) return goal.x < 0 ? kTowardsMinusX : kTowardsPlusX;
-  }
-  return std::nullopt;
-}
-
-bool KickOff::onField(const Vector3& ball) const {
-  const double margin = field_->hasBoundary() ? field_->ballRadius : field_->wallThickness;
-  return std::abs(ball.x()) < field_->goalLineX() + margin &&
-         std::abs(ball.y()) < field_->touchLineY() + margin;
+  const int side = goalWithBall(*field_, ball);
+  if (side == 0) return std::nullopt;
+  return side < 0 ? kTowardsMinusX : kTowardsPlusX;
 }
 
 std::string KickOff::score() const {
@@ -96,16 +84,17 @@ std::string KickOff::score() const {
          std::to_string(goals_.at(kTowardsMinusX)) + ".";
 }
 
-std::optional<std::string> KickOff::step() {
+std::vector<std::string> KickOff::step() {
   const auto pose = simulation_.modelPose(ball_);
-  if (!pose) return std::nullopt;
+  if (!pose) return {};
   const Vector3 ball = pose->translation();
-  return outSince_ ? whileWaiting(ball) : whilePlaying(ball);
+  const auto text = outSince_ ? whileWaiting(ball) : whilePlaying(ball);
+  return text ? std::vector{*text} : std::vector<std::string>();
 }
 
 std::optional<std::string> KickOff::whilePlaying(const Vector3& ball) {
   const auto team = scorer(ball);
-  if (!team && onField(ball)) return std::nullopt;
+  if (!team && isBallOnField(*field_, ball)) return std::nullopt;
   outSince_ = simulation_.time();
   if (!team) return "The ball left the field.";
   ++goals_[*team];
@@ -114,7 +103,7 @@ std::optional<std::string> KickOff::whilePlaying(const Vector3& ball) {
 
 std::optional<std::string> KickOff::whileWaiting(const Vector3& ball) {
   // The user brought it back.
-  if (!scorer(ball) && onField(ball)) {
+  if (!scorer(ball) && isBallOnField(*field_, ball)) {
     outSince_.reset();
     return std::nullopt;
   }

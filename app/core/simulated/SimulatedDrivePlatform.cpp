@@ -57,6 +57,7 @@ void SimulatedDrivePlatform::execute() {
   }
   driver_.sendPackages(now);
   sendOracle();
+  exchangeGame();
 }
 
 robotlink::Result<void> SimulatedDrivePlatform::control(const robotcontrol::ControlDrive& details) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SimulatedRun: what its robots are, each with its own kind, field and layout.
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -33,6 +34,25 @@ robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, Run
       options.layouts[choice->first] = layoutNamed(choice->second);
     } else {
       options.robotLayouts[choice->first] = layoutNamed(choice->second);
+    }
+  }
+  return {};
+}
+
+robotlink::Result<void> chooseSolutions(const std::vector<std::string>& texts, RunOptions& options) {
+  for (const std::string& text : texts) {
+    const auto choice = assignmentOf(text);
+    if (!choice)
+      return robotlink::failure("usage",
+                                "--solution takes TASK=SOLUTION or NAME/TASK=SOLUTION, not '" + text + "'");
+    const auto& [what, solution] = *choice;
+    const std::size_t slash = what.find('/');
+    if (slash == std::string::npos) {
+      options.solutions[what] = solution;
+    } else if (slash == 0 || slash + 1 == what.size()) {
+      return robotlink::failure("usage", "a robot or team and a task are needed in '" + text + "'");
+    } else {
+      options.robotSolutions[what.substr(0, slash)][what.substr(slash + 1)] = solution;
     }
   }
   return {};
@@ -126,6 +146,21 @@ std::filesystem::path SimulatedRun::layoutOf(const RobotHost& robot, const Layou
                                                        : layoutFile(robot.description());
 }
 
+std::map<std::string, std::string> SimulatedRun::solutionsOf(const RobotHost& robot) const {
+  std::map<std::string, std::string> solutions = options_.solutions;
+  for (const std::string& name : {robot.robot().team, robot.name()}) {
+    const auto own = options_.robotSolutions.find(name);
+    if (name.empty() || own == options_.robotSolutions.end()) continue;
+    for (const auto& [task, solution] : own->second) solutions[task] = solution;
+  }
+  return solutions;
+}
+
+tl::expected<robotlink::Layout, Errors> SimulatedRun::readLayoutOf(const RobotHost& robot,
+                                                                   const std::filesystem::path& file) const {
+  return readLayoutWith(file, solutionsOf(robot));
+}
+
 std::filesystem::path SimulatedRun::layout() const {
   return robots_.empty() ? std::filesystem::path() : layoutOf(*robots_.front(), options_.layouts);
 }
@@ -140,7 +175,7 @@ std::map<std::string, std::filesystem::path> SimulatedRun::otherLayouts() const 
 }
 
 Errors SimulatedRun::checkChosenSolutions() const {
-  if (options_.solutions.empty()) return {};
+  if (options_.solutions.empty() && options_.robotSolutions.empty()) return {};
   std::vector<robotlink::Layout> layouts;
   for (const auto& robot : robots_) {
     auto layout = robotlink::readLayout(layoutOf(*robot, options_.layouts));
@@ -148,16 +183,33 @@ Errors SimulatedRun::checkChosenSolutions() const {
     if (!layout) return {};
     layouts.push_back(std::move(*layout));
   }
-  std::vector<const robotlink::Layout*> known;
-  for (const auto& layout : layouts) known.push_back(&layout);
-  return checkSolutions(options_.solutions, robotlink::registeredTasks(), known);
+  const auto check = [&](const std::map<std::string, std::string>& solutions, const std::string& whose) {
+    std::vector<const robotlink::Layout*> known;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const HostedRobot& robot = robots_[i]->robot();
+      if (whose.empty() || whose == robot.name || whose == robot.team) known.push_back(&layouts[i]);
+    }
+    return checkSolutions(solutions, robotlink::registeredTasks(), known);
+  };
+  Errors errors = check(options_.solutions, {});
+  for (const auto& [name, solutions] : options_.robotSolutions) {
+    if (!hasRobotOrTeam(name)) {
+      errors.push_back({"sim.no-robot",
+                        "there is no robot or team " + name + " in this scene, for which a solution is chosen",
+                        {name},
+                        {}});
+      continue;
+    }
+    std::ranges::move(check(solutions, name), std::back_inserter(errors));
+  }
+  return errors;
 }
 
 Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
-  auto read = readLayoutWith(layout, options_.solutions);
-  if (!read) return read.error();
   for (const auto& robot : robots_) {
     if (robot->description().name != kind) continue;
+    auto read = readLayoutOf(*robot, layout);
+    if (!read) return read.error();
     auto made = makeProgram(*robot, layout, *read);
     if (!made) return made.error();
     made->program->stop();

@@ -164,6 +164,7 @@ void SimulatedJointPlatform::execute() {
   sendJoints();
   sendBody();
   sendOracle();
+  exchangeGame();
   sendImages();
 }
 

@@ -4,8 +4,11 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "app/core/simulated/GameEnds.h"
 #include "app/core/world/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/process/Platform.h"
@@ -34,6 +37,10 @@ class SimulatedPlatform : public robotlink::Platform {
   /// have other numbers. False if they are others than before, so that the robot needs another platform.
   virtual bool rebind() { return true; }
 
+  /// Lets the robot play: from now on it offers and takes the packages of games. To be called before its
+  /// program is made.
+  void joinGame(std::shared_ptr<GameMail> mail) { game_.emplace(*this, std::move(mail)); }
+
   /// Called with an image and its true classes.
   using LabeledListener =
       std::function<void(const foxglove::RawImage& image, const foxglove::RawImage& classes)>;
@@ -50,6 +57,10 @@ class SimulatedPlatform : public robotlink::Platform {
   SimulatedPlatform(SimulatedWorld& world, std::string robot);
   SimulatedWorld& world() const { return world_; }
   const std::string& robot() const { return robot_; }
+  /// Exchanges what concerns the game, if the robot plays. To be called in each frame.
+  void exchangeGame() {
+    if (game_) game_->exchange();
+  }
   /// Sends oracle/world: the true poses of the robot, the ball and the other robots in the field's frame, and
   /// that of its camera.
   void sendOracle();
@@ -59,6 +70,7 @@ class SimulatedPlatform : public robotlink::Platform {
   const std::string robot_;
   std::atomic<bool> stopEngaged_{false};
   robotlink::Sender<robotcontrol::OracleWorld> oracle_;
+  std::optional<GameEnds> game_;
 };
 
 }  // namespace app

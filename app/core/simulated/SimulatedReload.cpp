@@ -60,7 +60,7 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOnIn(std::shared_pt
     if (!change) return tl::unexpected(Errors{change.error()});
     if (change->hasSamePorts) {
       spoilJournal("the scene was edited");
-      if (kickOff_ && !kickOff_->followModels()) kickOff_.reset();
+      followModels();
       if (tap_) recordWorld();
       return Reloaded{.inPlace = true, .started = {}, .ended = {}, .putBack = std::move(change->putBack)};
     }
@@ -118,7 +118,7 @@ tl::expected<SimulatedRun::Successors, Errors> SimulatedRun::makeSuccessors(
   for (const auto& robot : fresh) next.robots.push_back(robot.get());
   for (RobotHost* robot : next.robots) {
     const std::filesystem::path file = layoutOf(*robot, options_.layouts);
-    auto layout = readLayoutWith(file, options_.solutions);
+    auto layout = readLayoutOf(*robot, file);
     if (!layout) return tl::unexpected(std::move(layout.error()));
     auto made = makeProgram(*robot, file, *layout);
     if (!made) return tl::unexpected(std::move(made.error()));
@@ -160,7 +160,7 @@ void SimulatedRun::resumePrograms() {
     if (platform != nullptr) platform->rebind();
     if (robot->program() != nullptr && platform != nullptr) continue;
     const std::filesystem::path file = layoutOf(*robot, options_.layouts);
-    auto layout = readLayoutWith(file, options_.solutions);
+    auto layout = readLayoutOf(*robot, file);
     auto made = layout ? makeProgram(*robot, file, *layout) : tl::unexpected(layout.error());
     if (!made) continue;
     if (tap_) tap_->detach(robot->name());
@@ -192,8 +192,8 @@ void SimulatedRun::followRobots(const std::vector<std::string>& pioneersBefore) 
   if (hasOtherPioneers && !world_->pioneers().empty()) {
     if (auto opened = openPorts(); !opened && listeners_.ports) listeners_.ports(opened.error().text);
   }
-  if (kickOff_ && !kickOff_->followModels()) kickOff_.reset();
-  if (!kickOff_ && options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
+  followModels();
+  if (!umpire_) makeUmpire();
 }
 
 }  // namespace app

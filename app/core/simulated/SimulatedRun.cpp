@@ -23,6 +23,7 @@
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/program/RobotProgram.h"
+#include "robotlink/packages/GamePackages.h"
 #include "simcore/Scene.h"
 #include "simcore/SceneFileKind.h"
 
@@ -96,7 +97,7 @@ Errors SimulatedRun::load() {
   // They may have been chosen in another scene.
   std::erase_if(options_.hosting.otherwise,
                 [this](const std::string& name) { return find(name) == nullptr; });
-  if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
+  if (Errors errors = makeGame(); !errors.empty()) return errors;
   if (Errors errors = distributeLayout(); !errors.empty()) return errors;
   if (Errors errors = checkChosenSolutions(); !errors.empty()) return errors;
   auto programs = makePrograms(options_.layouts);
@@ -116,16 +117,17 @@ robotlink::Result<void> SimulatedRun::openPorts() {
 }
 
 tl::expected<SimulatedRun::Candidates, Errors> SimulatedRun::makePrograms(const Layouts& layouts) {
-  std::map<std::filesystem::path, robotlink::Layout> read;
+  std::map<std::pair<std::filesystem::path, std::map<std::string, std::string>>, robotlink::Layout> read;
   Candidates candidates;
   for (const auto& robot : robots_) {
     const std::filesystem::path file = layoutOf(*robot, layouts);
-    if (!read.contains(file)) {
-      auto layout = readLayoutWith(file, options_.solutions);
+    const std::pair key(file, solutionsOf(*robot));
+    if (!read.contains(key)) {
+      auto layout = readLayoutWith(file, key.second);
       if (!layout) return tl::unexpected(layout.error());
-      read[file] = std::move(*layout);
+      read[key] = std::move(*layout);
     }
-    auto made = makeProgram(*robot, file, read[file]);
+    auto made = makeProgram(*robot, file, read[key]);
     if (!made) return tl::unexpected(made.error());
     candidates.push_back(std::move(*made));
   }
@@ -138,6 +140,9 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgram(RobotHost& 
   auto platform = SimulatedPlatform::create(*world_, robot.name(), robot.description());
   if (!platform) return tl::unexpected(Errors{platform.error()});
   if (robot.platform() != nullptr) (*platform)->engageStop(robot.platform()->stopEngaged());
+  const auto& offers = robot.description().offers;
+  if (std::ranges::find(offers, robotlink::kGameState.name) != offers.end())
+    (*platform)->joinGame(mailOf(robot.name()));
   if (listeners_.labeled) {
     (*platform)->alwaysSendClasses([this, name = robot.name()](const auto& image, const auto& classes) {
       listeners_.labeled(name, image, classes);
@@ -254,7 +259,7 @@ Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::Ho
 
 tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgramOnPlatform(RobotHost& robot) {
   const std::filesystem::path file = layoutOf(robot, options_.layouts);
-  auto layout = readLayoutWith(file, options_.solutions);
+  auto layout = readLayoutOf(robot, file);
   if (!layout) return tl::unexpected(layout.error());
   return robot.make(
       {.platform = nullptr, .file = file, .layout = std::move(*layout), .maker = makerFor(robot.name())});
@@ -320,22 +325,11 @@ void SimulatedRun::step() {
   }
   if (ports_) ports_->deliver();
   for (const auto& robot : robots_) robot->endStep();
-  if (kickOff_) watchGame();
+  watchGame();
   watchControllers();
   if (tap_) recordStep();
   ++stepsMade_;
   if (again_ && world_->simulation().steps() >= again_->snapshot.step) endRunningAgain();
-}
-
-void SimulatedRun::watchGame() {
-  const auto text = kickOff_->step();
-  if (!text) return;
-  if (listeners_.game) listeners_.game(world_->clock().now(), *text);
-  // The game belongs to no robot, but texts in a log must; the first one stands for it.
-  if (tap_ && !robots_.empty()) {
-    tap_->world(
-        textMessage(robots_.front()->name(), "game", world_->clock().now(), foxglove::Log::INFO, *text));
-  }
 }
 
 Errors SimulatedRun::reset(std::uint64_t seed) {
@@ -358,9 +352,9 @@ Errors SimulatedRun::restart(std::uint64_t seed, const std::map<std::string, Pro
       robot->beginAnew();
     }
   }
-  if (kickOff_) kickOff_->restart();
   endedControllers_.clear();
   options_.world.seed = seed;
+  restartGame();
   // Made again, so that what they have is that of the new world. If a file was broken just now, those of
   // before are as good.
   auto programs = makePrograms(options_.layouts);

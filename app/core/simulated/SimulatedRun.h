@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/game/KickOff.h"
+#include "app/core/game/GameMail.h"
+#include "app/core/game/Referee.h"
+#include "app/core/game/TeamRadio.h"
 #include "app/core/own/OwnProgram.h"
 #include "app/core/platform/HostingChoices.h"
 #include "app/core/platform/StopSwitch.h"
@@ -28,6 +30,7 @@ namespace logplayer {
 class Recorder;
 }
 namespace robotcontrol {
+class GameStatus;
 class HostProgram;
 class Request;
 }  // namespace robotcontrol
@@ -76,10 +79,17 @@ struct RunOptions {
   HostedProgram::Maker instead = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions;
+  /// The same for single robots and teams, by name; those of a robot go before those of its team, and both
+  /// before those of all.
+  std::map<std::string, std::map<std::string, std::string>> robotSolutions = {};
   /// What all programs start with besides; null: nothing.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
-  /// Whether ball and robots are put back after a goal; see KickOff.
+  /// Whether there is an Umpire: a Referee, or else ball and robots are put back after a goal.
   bool kickOffs = true;
+  /// The rules by which the referee decides: the name of shipped ones, or a file. Empty: those that the scene
+  /// names; kNoGame: without a referee.
+  std::string game = {};
+  static constexpr char kNoGame[] = "none";
   /// Called while the scene is loaded; can cancel that.
   simcore::LoadProgress progress = {};
   /// Whether the true classes are sent with all images, even without a receiver.
@@ -95,6 +105,9 @@ RunOptions defaultSimulation();
 /// Applies what a user has chosen, LAYOUT for all robots that can be run in it or NAME=LAYOUT for one robot
 /// or kind of robots; layouts are files or names of shipped ones. Fails if a text is neither.
 robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, RunOptions& options);
+/// Applies TASK=SOLUTION for all robots, or NAME/TASK=SOLUTION for one robot or team. Fails if a text is
+/// neither.
+robotlink::Result<void> chooseSolutions(const std::vector<std::string>& texts, RunOptions& options);
 
 /// A simulated world with the programs of all its robots, stepped by the caller. It is made as a whole or
 /// refused with all reasons.
@@ -117,7 +130,7 @@ class SimulatedRun {
         labeled = {};
     /// Called with a line about what other programs did at the robots' ports.
     std::function<void(const std::string& text)> ports = {};
-    /// Called with a sentence about a goal or a kick-off.
+    /// Called with a sentence about what happened in the game.
     std::function<void(robotlink::Instant time, const std::string& text)> game = {};
     /// Called with sentences about a robot's platform being set up and shut down.
     std::function<void(const std::string& robot, robotlink::Instant time, const std::string& text)> platform =
@@ -156,6 +169,9 @@ class SimulatedRun {
   robotlink::Errors reset(std::uint64_t seed);
   /// Fulfills a request that changes the world only (WorldRequests.h), and keeps it for runAgain().
   robotlink::Result<void> changeWorld(const robotcontrol::Request& request);
+  /// Has the referee, or the radio of the teams, do what is asked, and keeps it for runAgain(). Fails with the
+  /// reason, changing nothing.
+  robotlink::Result<void> controlGame(const robotcontrol::Request& request);
   /// Keeps the state of the world and the game, and what is needed to run the programs again.
   simcore::Snapshot snapshot() const;
   /// Puts the world to where it was; the programs run on, and their time does, too. Fails, changing nothing,
@@ -232,7 +248,13 @@ class SimulatedRun {
   /// Not null; its name is empty if there is no field.
   std::shared_ptr<const robotlink::FieldDescription> field() const { return field_; }
   /// Null without a field or a ball, or if kick-offs are switched off.
-  const KickOff* game() const { return kickOff_.get(); }
+  const Umpire* game() const { return umpire_.get(); }
+  /// Null if there is none: the scene names no rules.
+  const Referee* referee() const { return referee_; }
+  /// The game for those who watch; null without a referee.
+  std::shared_ptr<const robotcontrol::GameStatus> gameStatus() const;
+  /// By which robots of a team hear each other.
+  const TeamRadio& radio() const { return radio_; }
   /// The layout file of the first robot's program; empty without robots.
   std::filesystem::path layout() const;
 
@@ -254,6 +276,14 @@ class SimulatedRun {
   SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
   /// Makes and starts everything; to be called once.
   robotlink::Errors load();
+  /// Makes referee and radio. Fails if the rules cannot be read.
+  robotlink::Errors makeGame();
+  /// The umpire that the present scene has.
+  void makeUmpire();
+  /// The game begins anew, as at the start.
+  void restartGame();
+  /// Lets the umpire follow the models that there are.
+  void followModels();
   /// Reads descriptions and field, and makes the hosts.
   robotlink::Errors describeRobots();
   using Hosts = std::vector<std::unique_ptr<RobotHost>>;
@@ -270,6 +300,11 @@ class SimulatedRun {
   /// The layout file for a robot: the chosen one of it or of its kind, otherwise that of the scene, otherwise
   /// that of its description.
   std::filesystem::path layoutOf(const RobotHost& robot, const Layouts& chosen) const;
+  /// The solutions that were chosen for a robot, by task.
+  std::map<std::string, std::string> solutionsOf(const RobotHost& robot) const;
+  /// Its layout with them.
+  tl::expected<robotlink::Layout, robotlink::Errors> readLayoutOf(const RobotHost& robot,
+                                                                  const std::filesystem::path& file) const;
   /// Makes programs for all robots without touching those that run.
   tl::expected<Candidates, robotlink::Errors> makePrograms(const Layouts& layouts);
   /// Returns why robots of a kind cannot be run in a layout; nothing if they can.
@@ -352,8 +387,13 @@ class SimulatedRun {
   /// Compares the state that came of it.
   void endRunningAgain();
 
-  /// Lets the referee act, and reports goals and kick-offs.
+  /// Lets the umpire act, and reports what happened.
   void watchGame();
+  /// Carries what robots tell their team.
+  void passMail();
+  /// What goes between a robot's platform and the game.
+  std::shared_ptr<GameMail> mailOf(const std::string& robot);
+  void recordGame();
   /// Reports controllers that were switched off.
   void watchControllers();
 
@@ -365,8 +405,18 @@ class SimulatedRun {
   std::shared_ptr<const simcore::Scene> read_;
   /// The newest last.
   std::vector<Edit> edits_;
+  /// Null if there are none.
+  std::shared_ptr<const GameRules> rules_;
   /// Null if there is none; see game().
-  std::unique_ptr<KickOff> kickOff_;
+  std::unique_ptr<Umpire> umpire_;
+  /// The umpire, if it is one.
+  Referee* referee_ = nullptr;
+  TeamRadio radio_;
+  /// By robot.
+  std::map<std::string, std::shared_ptr<GameMail>> mails_;
+  /// What robots were told of the game last, and when.
+  std::uint64_t toldChanges_ = 0;
+  robotlink::Instant toldAt_;
   /// Null if they are closed. Declared after the world, which it uses.
   std::unique_ptr<ArcosPorts> ports_;
   /// Null if nothing is recorded.

@@ -51,6 +51,10 @@ std::string SimulatedRun::settings() const {
                                  onOff(options_.world.kinematic), onOff(options_.kickOffs));
   for (const auto& robot : robots_)
     text += fmt::format("layout of {}: {}\n", robot->name(), layoutOf(*robot, options_.layouts).string());
+  if (rules_) text += fmt::format("rules of the game: {}\n", rules_->title);
+  for (const auto& [name, solutions] : options_.robotSolutions) {
+    for (const auto& [task, solution] : solutions) text += fmt::format("{} of {}: {}\n", task, name, solution);
+  }
   for (const auto& [task, solution] : options_.solutions) text += fmt::format("{}: {}\n", task, solution);
   if (options_.preset) text += "a preset\n";
   return text;
@@ -78,9 +82,9 @@ Result<void> SimulatedRun::changeWorld(const robotcontrol::Request& request) {
 
 simcore::Snapshot SimulatedRun::snapshot() const {
   simcore::Snapshot snapshot = world_->snapshot();
-  if (kickOff_) {
+  if (umpire_) {
     simcore::StateStream stream(snapshot.parts[kGamePart]);
-    kickOff_->transfer(stream);
+    umpire_->transfer(stream);
   }
   snapshot.parts[kJournalPart] = journal_.encode();
   return snapshot;
@@ -91,23 +95,27 @@ Result<void> SimulatedRun::restore(const simcore::Snapshot& snapshot) {
   if (auto restored = world_->restore(snapshot); !restored) return restored;
   again_.reset();
   spoilJournal(isFresh ? "it began with a snapshot" : "the world was put to a snapshot without the programs");
-  if (!kickOff_) return {};
-  kickOff_->worldJumped();
+  if (!umpire_) return {};
+  umpire_->worldJumped();
   const auto part = snapshot.parts.find(kGamePart);
   if (part == snapshot.parts.end()) return {};
-  const KickOff::Score before = kickOff_->present();
+  std::vector<std::uint8_t> before;
+  simcore::StateStream keep(before);
+  umpire_->transfer(keep);
   simcore::StateStream stream(part->second, snapshot.isForeign ? simcore::StateStream::Trust::kForeign
                                                                : simcore::StateStream::Trust::kOwn);
-  kickOff_->transfer(stream);
-  // A score that cannot be read is that of before.
-  if (!stream.complete()) kickOff_->adopt(before);
+  umpire_->transfer(stream);
+  if (stream.complete()) return {};
+  // A game that cannot be read is that of before.
+  simcore::StateStream back(before, simcore::StateStream::Trust::kOwn);
+  umpire_->transfer(back);
   return {};
 }
 
 Result<void> SimulatedRun::rewind(robotlink::Duration back) {
   if (auto done = world_->rewind(back); !done) return done;
   spoilJournal("the world was rewound without the programs");
-  if (kickOff_) kickOff_->worldJumped();
+  if (umpire_) umpire_->worldJumped();
   return {};
 }
 
@@ -160,6 +168,8 @@ void SimulatedRun::repeatRequests() {
     // What was accepted then is accepted now; if not, the state shows it at the end.
     if (changesWorld(request)) {
       (void)changeWorld(request);
+    } else if (request.has_control_game()) {
+      (void)controlGame(request);
     } else {
       (void)this->request(request);
     }

@@ -161,6 +161,7 @@ void SimulatedWheelPlatform::execute() {
   sendSonars();
   sendLaser();
   sendOracle();
+  exchangeGame();
 }
 
 // As encoders count: slip is not noticed.

@@ -186,6 +186,7 @@ void SimulationFeed::step() {
   if (!ports_->isEmpty()) stepPorts(real);
   if (readsForces_) stepForces(real);
   afterControl(real);
+  stepGame(real);
   const bool isRead = demand_.anything || recorder_.active();
   if (isRead && (single || real - lastStatus_ >= kSimulationStatusEvery)) publishStatus();
   publishAnswers();
@@ -241,7 +242,8 @@ struct SimulationFeed::Handlers {
       {Request::kControlSnapshots, &SimulationFeed::controlSnapshots},
       {Request::kSendEvent, &SimulationFeed::sendEvent},
       {Request::kAttachController, &SimulationFeed::attachController},
-      {Request::kSetPorts, &SimulationFeed::setPorts}};
+      {Request::kSetPorts, &SimulationFeed::setPorts},
+      {Request::kControlGame, &SimulationFeed::controlGame}};
 };
 
 bool SimulationFeed::fulfills(const robotcontrol::Request& request) {
@@ -408,6 +410,7 @@ void SimulationFeed::publishScene() {
   if (lastPorts_ != Clock::time_point()) publishPorts();
   publishTransforms();
   publishDrawings();
+  publishGameStatus();
   publishStatus();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -99,6 +100,7 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> sendEvent(const robotcontrol::Request& request);
   robotlink::Result<void> attachController(const robotcontrol::Request& request);
   robotlink::Result<void> setPorts(const robotcontrol::Request& request);
+  robotlink::Result<void> controlGame(const robotcontrol::Request& request);
   struct Handlers;
 
   /// Resets the run with the same seed, and publishes the scene again.
@@ -112,6 +114,10 @@ class SimulationFeed final : public PlatformFeed {
   void publishScene();
   /// Publishes a sentence about the simulation in the log of the first robot.
   void say(const std::string& text);
+  /// The game, if there is a referee.
+  void publishGameStatus();
+  /// The same at its rate, and when something has happened.
+  void stepGame(Clock::time_point real);
   /// Unless nobody reads them.
   void publishTransforms();
   /// What is read or held of ports, if there is something.
@@ -170,7 +176,9 @@ class SimulationFeed final : public PlatformFeed {
   int stepsWanted_ = 0;
   Pace pace_;
   /// When transforms, status and ports were last published.
-  Clock::time_point lastTransforms_, lastStatus_, lastPorts_, lastForces_;
+  Clock::time_point lastTransforms_, lastStatus_, lastPorts_, lastForces_, lastGame_;
+  /// Referee::changes() at lastGame_.
+  std::uint64_t gameChanges_ = 0;
   /// Until when somebody asked for forces, and whether they are measured.
   Clock::time_point forcesUntil_;
   bool readsForces_ = false;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+namespace robotcontrol {
+class GameState;
+class TeamMessage;
+class TeamMessages;
+}  // namespace robotcontrol
+
+namespace app {
+
+/// What goes between a robot's platform and the game between two steps: the platform sends its program what
+/// others have put here, and puts here what its program has sent. It outlives platforms, which are replaced.
+/// Used in the thread of the simulation.
+struct GameMail {
+  /// Null: there is no referee.
+  std::shared_ptr<const robotcontrol::GameState> state = nullptr;
+  /// What arrived since the platform took it; null: nothing.
+  std::shared_ptr<const robotcontrol::TeamMessages> received = nullptr;
+  /// What was sent since it was taken; null: nothing.
+  std::shared_ptr<const robotcontrol::TeamMessage> sent = nullptr;
+};
+
+}  // namespace app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a referee says, as packages.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/core/game/GameRules.h"
+#include "robotlink/base/Clock.h"
+
+namespace robotcontrol {
+class GameState;
+class GameStatus;
+}  // namespace robotcontrol
+
+namespace app {
+
+class Referee;
+
+/// What it says to a robot; a robot that does not play gets what concerns all.
+std::shared_ptr<robotcontrol::GameState> gameStateFor(const Referee& referee, const std::string& robot,
+                                                      robotlink::Instant now);
+/// What it says to those who watch.
+std::shared_ptr<robotcontrol::GameStatus> gameStatus(const Referee& referee, const RadioSettings& radio,
+                                                     robotlink::Instant now);
+
+}  // namespace app

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robotlink/base/Clock.h"
+#include "robotlink/base/Error.h"
+#include "robotlink/base/Geometry.h"
+
+namespace app {
+
+/// How messages get from robot to robot of a team.
+struct RadioSettings {
+  /// m; 0: without limit.
+  double range = 0;
+  /// s.
+  double delay = 0;
+  /// The share of messages that do not arrive.
+  double loss = 0;
+
+  bool operator==(const RadioSettings&) const = default;
+};
+
+/// How a simulated game is refereed, as read from a file like resources/games/2002.yaml. Meters, in the
+/// field's frame; places are those of the team that plays toward +x. A plain value.
+struct GameRules {
+  /// What the referee notices by itself.
+  enum class Watch : std::uint8_t { kNothing, kLeaving, kPushing };
+  enum class Placing : std::uint8_t { kAll, kIllegal };
+  /// Why a robot is taken out of the game, and for how long.
+  struct Penalty {
+    std::string reason;
+    Watch watch = Watch::kNothing;
+    /// How long it must have lasted, if it is watched.
+    robotlink::Duration after{};
+    robotlink::Duration time{};
+  };
+
+  std::string title;
+  /// Two; the first one plays toward +x in the first half.
+  std::vector<std::string> teams;
+
+  unsigned halves = 2;
+  robotlink::Duration half{}, pause{};
+  bool switchSides = false;
+  /// How long these phases last.
+  robotlink::Duration initial{}, ready{}, set{};
+
+  Placing placing = Placing::kAll;
+  robotlink::Vector2 goalie = robotlink::Vector2::Zero();
+  /// The places of the others, for a team with and without the kick-off; not empty.
+  std::vector<robotlink::Vector2> kicking, waiting;
+
+  robotlink::Duration ballOut{}, ballStuck{};
+  double ballInset = 0, stuckDistance = 0;
+  /// Where a ball that is stuck may go, in the field's frame for both teams.
+  std::vector<robotlink::Vector2> drops;
+
+  /// Not empty.
+  std::vector<Penalty> penalties;
+  /// m/s, and m.
+  double pushingSpeed = 0, pushingNearBall = 0;
+  double leavingMargin = 0;
+  /// Where penalized robots stand: from the field's edge, and from each other.
+  double besideField = 0, besideSpacing = 0;
+
+  RadioSettings radio;
+
+  /// Null if there is no such reason.
+  const Penalty* penalty(std::string_view reason) const;
+  /// The penalty for what is watched; null if it is not.
+  const Penalty* penaltyFor(Watch watch) const;
+
+  /// Reads a file. Every problem is reported with its line; ids begin with "game.", "yaml." or "file.".
+  static tl::expected<GameRules, robotlink::Errors> load(const std::filesystem::path& file);
+  static tl::expected<GameRules, robotlink::Errors> parse(std::string_view text, std::string file);
+};
+
+/// The file of shipped rules by their name ("2002"), or any other by its path.
+std::filesystem::path gameRulesNamed(const std::string& name);
+
+}  // namespace app

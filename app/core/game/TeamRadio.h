@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/game/GameRules.h"
+#include "robotlink/base/Clock.h"
+#include "robotlink/base/Geometry.h"
+
+namespace robotcontrol {
+class TeamMessage;
+class TeamMessages;
+class TeamRadioSettings;
+}  // namespace robotcontrol
+
+namespace app {
+
+/// The simulated radio by which robots of a team hear each other: what one sends arrives at the others of its
+/// team after a delay, unless they are too far away or it is lost. Which messages are lost follows from the
+/// seed and how many each robot has sent, so it is the same for any number of threads.
+///
+/// One thread at a time.
+class TeamRadio {
+ public:
+  using Message = std::shared_ptr<const robotcontrol::TeamMessage>;
+  using Messages = std::shared_ptr<const robotcontrol::TeamMessages>;
+  /// A robot that can hear and be heard.
+  struct Station {
+    std::string robot;
+    /// Empty: nobody hears it.
+    std::string team;
+    robotlink::Vector2 place = robotlink::Vector2::Zero();
+  };
+
+  explicit TeamRadio(std::uint64_t seed = 0) : seed_(seed) {}
+
+  const RadioSettings& settings() const { return settings_; }
+  /// For what is sent from now on.
+  void setSettings(const RadioSettings& settings) { settings_ = settings; }
+  /// Changes those that are set.
+  void setSettings(const robotcontrol::TeamRadioSettings& settings);
+
+  /// Nothing was sent so far.
+  void restart(std::uint64_t seed);
+  /// Where everybody is who can hear from now on; forgets what is on the way to others.
+  void setStations(std::vector<Station> stations);
+  /// Sends a message of a station; its sender and team are filled in.
+  void send(const std::string& robot, const Message& message, robotlink::Instant now);
+  /// What a robot has received by now, the newest of each other robot of its team, if there is something new
+  /// since the last call; otherwise null. Instants do not decrease.
+  Messages receive(const std::string& robot, robotlink::Instant now);
+
+  /// The messages that were sent to somebody, and those of them that did not arrive, since the start.
+  std::uint64_t sent() const { return sent_; }
+  std::uint64_t lost() const { return lost_; }
+
+ private:
+  struct OnTheWay {
+    robotlink::Instant due;
+    /// Of its sender, from 1.
+    std::uint64_t number = 0;
+    Message message;
+  };
+  struct Heard {
+    std::uint64_t number = 0;
+    Message message;
+  };
+  struct Receiver {
+    std::vector<OnTheWay> onTheWay;
+    /// By sender.
+    std::map<std::string, Heard> heard;
+  };
+  bool arrives(const Station& from, const Station& to, std::uint64_t number) const;
+
+  std::uint64_t seed_ = 0;
+  RadioSettings settings_;
+  std::vector<Station> stations_;
+  /// By robot.
+  std::map<std::string, Receiver> receivers_;
+  std::map<std::string, std::uint64_t> numbers_;
+  std::uint64_t sent_ = 0, lost_ = 0;
+};
+
+}  // namespace app

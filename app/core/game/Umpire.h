@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace simcore {
+class StateStream;
+}
+
+namespace app {
+
+/// Watches a simulated game and acts in its world: a Referee where the scene names rules, otherwise a
+/// KickOff. Decisions depend on the state of the simulation and on what was asked only, so a run stays
+/// reproducible. Used in the simulation's thread.
+class Umpire {
+ public:
+  virtual ~Umpire() = default;
+
+  /// To be called after each step of the world. Returns a sentence for the user for each thing that happened.
+  virtual std::vector<std::string> step() = 0;
+  /// To be called after a reset of the simulation: the game begins anew.
+  virtual void restart() = 0;
+  /// Writes or reads all that the game consists of.
+  virtual void transfer(simcore::StateStream& stream) = 0;
+  /// The simulation went back or on to another instant; the game goes on as it is.
+  virtual void worldJumped() = 0;
+  /// To be called when there are other models. False if there is no game any more.
+  virtual bool followModels() = 0;
+  /// Goals by the name of the team that scored.
+  virtual const std::map<std::string, int>& goals() const = 0;
+};
+
+}  // namespace app
