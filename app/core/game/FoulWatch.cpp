@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "app/core/game/FieldOfPlay.h"
+#include "app/core/game/GameTime.h"
 #include "robotlink/config/FieldDescription.h"
-#include "simcore/world/StateStream.h"
 
 namespace app {
 
@@ -78,12 +78,7 @@ std::vector<FoulWatch::Foul> FoulWatch::look(const std::vector<Robot>& robots,
 
 void FoulWatch::transfer(simcore::StateStream& stream) {
   for (History& history : histories_) {
-    for (Duration* time : {&history.outside, &history.pushing}) {
-      std::int64_t count = time->count();
-      stream.raw(count);
-      stream.require(count >= 0);
-      if (stream.good()) *time = Duration(count);
-    }
+    for (Duration* time : {&history.outside, &history.pushing}) transferTime(stream, *time);
     bool isKnown = history.place.has_value();
     stream.flag(isKnown);
     Vector2 place = history.place.value_or(Vector2::Zero());

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "simcore/world/StateStream.h"
+#include "app/core/game/GameTime.h"
 
 namespace app {
 
@@ -12,13 +12,6 @@ using robotlink::Duration;
 namespace {
 
 constexpr unsigned kMostGoals = 1000, kMostHalves = 10;
-
-void transferTime(simcore::StateStream& stream, Duration& time) {
-  std::int64_t count = time.count();
-  stream.raw(count);
-  stream.require(count >= 0);
-  if (stream.good()) time = Duration(count);
-}
 
 }  // namespace
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "app/core/game/FieldOfPlay.h"
+#include "app/core/game/GameTime.h"
 #include "app/core/world/SimulatedWorld.h"
 #include "robotlink/config/FieldDescription.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
-#include "simcore/world/StateStream.h"
 
 namespace app {
 
@@ -26,6 +26,8 @@ constexpr Duration kRefereeStep = SimulatedWorld::kStep;
 constexpr double kLeftPlace = 0.15, kLeftPenaltyPlace = 0.5;
 /// The same of the ball.
 constexpr double kBallLeftPlace = 0.03;
+/// The cosine of the tilt from which a robot lies.
+constexpr double kLies = 0.5;
 /// A ball that is dropped goes at least so far, m.
 constexpr double kFarDrop = 0.3;
 
@@ -89,6 +91,8 @@ void Referee::findPlayers() {
     }
   }
   fouls_.restart(players_.size());
+  tallies_.assign(players_.size(), {});
+  outside_.assign(players_.size(), {});
 }
 
 bool Referee::followModels() {
@@ -105,6 +109,8 @@ void Referee::restart() {
   ballToPlace_ = false;
   fouls_.restart(players_.size());
   untilFouls_ = outFor_ = stuckFor_ = {};
+  tallies_.assign(players_.size(), {});
+  outside_.assign(players_.size(), {});
   texts_.clear();
   message_.clear();
   noteGoals();
@@ -135,6 +141,7 @@ std::vector<std::string> Referee::step() {
   untilFouls_ -= kRefereeStep;
   if (untilFouls_ <= Duration()) {
     untilFouls_ = FoulWatch::kEvery;
+    tally();
     watchFouls();
   }
   passPenalties();
@@ -271,10 +278,26 @@ void Referee::watchFouls() {
     penalize(foul.robot, *foul.penalty);
 }
 
+void Referee::tally() {
+  for (std::size_t i = 0; i < players_.size(); ++i) {
+    const auto pose = simulation_.modelPose(players_[i].robot);
+    if (!pose || penalized_[i]) {
+      outside_[i] = {};
+      continue;
+    }
+    const Vector2 place = pose->translation().head<2>();
+    outside_[i] =
+        isRobotOnField(*field_, place, rules_->leavingMargin) ? Duration() : outside_[i] + FoulWatch::kEvery;
+    tallies_[i].longestOutside = std::max(tallies_[i].longestOutside, outside_[i]);
+    if (pose->linear()(2, 2) < kLies) tallies_[i].fallen += FoulWatch::kEvery;
+  }
+}
+
 void Referee::penalize(std::size_t player, const GameRules::Penalty& penalty) {
   penalized_[player] = Penalized{&penalty, penalty.time};
   toPlace_[player] = false;
   fouls_.forget(player);
+  ++tallies_[player].penalties;
   placing_.put(players_[player], placing_.penaltyPlace(players_[player], directionOf(players_[player])));
   say(fmt::format("{} is penalized for {} s: {}.", players_[player].robot, robotlink::seconds(penalty.time),
                   penalty.reason));
@@ -322,13 +345,14 @@ void Referee::transfer(simcore::StateStream& stream) {
     penalized.reset();
     if (which > 0) penalized = Penalized{&rules_->penalties[which - 1], Duration(left)};
   }
+  for (std::size_t i = 0; i < players_.size(); ++i) {
+    stream.raw(tallies_[i].penalties);
+    for (Duration* time : {&tallies_[i].longestOutside, &tallies_[i].fallen, &outside_[i]})
+      transferTime(stream, *time);
+  }
   stream.bits(toPlace_);
   stream.flag(ballToPlace_);
-  for (Duration* time : {&untilFouls_, &outFor_, &stuckFor_}) {
-    std::int64_t count = time->count();
-    stream.raw(count);
-    if (stream.good()) *time = Duration(count);
-  }
+  for (Duration* time : {&untilFouls_, &outFor_, &stuckFor_}) transferTime(stream, *time);
   stream.number(stuckPlace_.x());
   stream.number(stuckPlace_.y());
   noteGoals();

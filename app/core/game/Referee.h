@@ -32,6 +32,13 @@ class Referee final : public Umpire {
     robotlink::Duration left{};
   };
 
+  /// What became of a player since the game began.
+  struct Tally {
+    unsigned penalties = 0;
+    /// How long it was outside of the field at most, without being penalized, and how long it lay.
+    robotlink::Duration longestOutside{}, fallen{};
+  };
+
   /// Returns null if the scene has no field, no ball, or no robot of the teams.
   static std::unique_ptr<Referee> create(std::shared_ptr<const GameRules> rules,
                                          std::shared_ptr<const robotlink::FieldDescription> field,
@@ -60,6 +67,7 @@ class Referee final : public Umpire {
   const std::vector<GamePlayer>& players() const { return players_; }
   /// By the index of the player.
   const std::optional<Penalized>& penaltyOf(std::size_t player) const { return penalized_[player]; }
+  const Tally& tallyOf(std::size_t player) const { return tallies_[player]; }
   /// The last thing that happened, as a sentence.
   const std::string& message() const { return message_; }
   /// Grows with everything that happens.
@@ -93,6 +101,8 @@ class Referee final : public Umpire {
   void noteGoal(std::size_t team);
   void dropBall(const robotlink::Vector2& from);
   void watchFouls();
+  /// Counts how long robots are outside and lie.
+  void tally();
   void penalize(std::size_t player, const GameRules::Penalty& penalty);
   /// False if there is no room for it.
   bool returnPlayer(std::size_t player);
@@ -110,6 +120,9 @@ class Referee final : public Umpire {
   std::vector<GamePlayer> players_;
   /// By the index of the player.
   std::vector<std::optional<Penalized>> penalized_;
+  std::vector<Tally> tallies_;
+  /// For how long each has been outside now.
+  std::vector<robotlink::Duration> outside_;
   std::vector<bool> toPlace_;
   bool ballToPlace_ = false;
   robotlink::Duration untilFouls_{}, outFor_{}, stuckFor_{};

@@ -88,7 +88,7 @@ tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::
     const std::string team = robot.team.empty() ? its.use.teamOf(robot.name) : robot.team;
     hosts.push_back(std::make_unique<RobotHost>(
         HostedRobot{robot.name, team, its.description, its.field, map(), its.fieldFile,
-                    map() ? scene.file() : std::filesystem::path(), options_.preset},
+                    map() ? scene.file() : std::filesystem::path(), presetOf(robot.name, team)},
         RobotHost::Listeners{
             listeners_.queue, listeners_.trouble, listeners_.platform, {}, listeners_.hosting},
         tap_.get()));
@@ -146,6 +146,15 @@ std::filesystem::path SimulatedRun::layoutOf(const RobotHost& robot, const Layou
                                                        : layoutFile(robot.description());
 }
 
+std::shared_ptr<const robotlink::Preset> SimulatedRun::presetOf(const std::string& robot,
+                                                                const std::string& team) const {
+  for (const std::string& name : {robot, team}) {
+    const auto own = options_.robotPresets.find(name);
+    if (!name.empty() && own != options_.robotPresets.end()) return own->second;
+  }
+  return options_.preset;
+}
+
 std::map<std::string, std::string> SimulatedRun::solutionsOf(const RobotHost& robot) const {
   std::map<std::string, std::string> solutions = options_.solutions;
   for (const std::string& name : {robot.robot().team, robot.name()}) {
@@ -194,10 +203,11 @@ Errors SimulatedRun::checkChosenSolutions() const {
   Errors errors = check(options_.solutions, {});
   for (const auto& [name, solutions] : options_.robotSolutions) {
     if (!hasRobotOrTeam(name)) {
-      errors.push_back({"sim.no-robot",
-                        "there is no robot or team " + name + " in this scene, for which a solution is chosen",
-                        {name},
-                        {}});
+      errors.push_back(
+          {"sim.no-robot",
+           "there is no robot or team " + name + " in this scene, for which a solution is chosen",
+           {name},
+           {}});
       continue;
     }
     std::ranges::move(check(solutions, name), std::back_inserter(errors));

@@ -84,6 +84,9 @@ struct RunOptions {
   std::map<std::string, std::map<std::string, std::string>> robotSolutions = {};
   /// What all programs start with besides; null: nothing.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
+  /// The same for single robots and teams, by name, instead of that of all; that of a robot goes before that
+  /// of its team.
+  std::map<std::string, std::shared_ptr<const robotlink::Preset>> robotPresets = {};
   /// Whether there is an Umpire: a Referee, or else ball and robots are put back after a goal.
   bool kickOffs = true;
   /// The rules by which the referee decides: the name of shipped ones, or a file. Empty: those that the scene
@@ -169,8 +172,8 @@ class SimulatedRun {
   robotlink::Errors reset(std::uint64_t seed);
   /// Fulfills a request that changes the world only (WorldRequests.h), and keeps it for runAgain().
   robotlink::Result<void> changeWorld(const robotcontrol::Request& request);
-  /// Has the referee, or the radio of the teams, do what is asked, and keeps it for runAgain(). Fails with the
-  /// reason, changing nothing.
+  /// Has the referee, or the radio of the teams, do what is asked, and keeps it for runAgain(). Fails with
+  /// the reason, changing nothing.
   robotlink::Result<void> controlGame(const robotcontrol::Request& request);
   /// Keeps the state of the world and the game, and what is needed to run the programs again.
   simcore::Snapshot snapshot() const;
@@ -300,6 +303,8 @@ class SimulatedRun {
   /// The layout file for a robot: the chosen one of it or of its kind, otherwise that of the scene, otherwise
   /// that of its description.
   std::filesystem::path layoutOf(const RobotHost& robot, const Layouts& chosen) const;
+  /// The preset with which a robot begins.
+  std::shared_ptr<const robotlink::Preset> presetOf(const std::string& robot, const std::string& team) const;
   /// The solutions that were chosen for a robot, by task.
   std::map<std::string, std::string> solutionsOf(const RobotHost& robot) const;
   /// Its layout with them.

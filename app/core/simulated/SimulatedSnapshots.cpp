@@ -53,10 +53,11 @@ std::string SimulatedRun::settings() const {
     text += fmt::format("layout of {}: {}\n", robot->name(), layoutOf(*robot, options_.layouts).string());
   if (rules_) text += fmt::format("rules of the game: {}\n", rules_->title);
   for (const auto& [name, solutions] : options_.robotSolutions) {
-    for (const auto& [task, solution] : solutions) text += fmt::format("{} of {}: {}\n", task, name, solution);
+    for (const auto& [task, solution] : solutions)
+      text += fmt::format("{} of {}: {}\n", task, name, solution);
   }
   for (const auto& [task, solution] : options_.solutions) text += fmt::format("{}: {}\n", task, solution);
-  if (options_.preset) text += "a preset\n";
+  if (options_.preset || !options_.robotPresets.empty()) text += "a preset\n";
   return text;
 }
 

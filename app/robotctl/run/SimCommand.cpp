@@ -22,7 +22,6 @@
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/PresetOverrides.h"
 #include "app/core/program/ShippedFiles.h"
-#include "app/core/program/SolutionChoices.h"
 #include "app/core/simulated/BallTrials.h"
 #include "app/core/simulated/RunEnd.h"
 #include "app/core/simulated/SimulatedRun.h"
@@ -40,10 +39,10 @@
 #include "app/robotctl/run/SimScript.h"
 #include "app/robotctl/run/SimTrials.h"
 #include "app/robotctl/run/SnapshotOptions.h"
+#include "app/robotctl/run/TeamOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
 #include "robotlink/base/threads/ThreadPool.h"
-#include "robotlink/session/Presets.h"
 
 namespace app {
 namespace {
@@ -59,10 +58,8 @@ using nlohmann::json;
 
 struct SimArguments {
   RunOptions run = defaultSimulation();
-  std::vector<std::string> layouts;
+  TeamOptions teams;
   std::vector<std::string> models;
-  std::vector<std::string> solutions;
-  std::string preset;
   std::string script;
   std::string executor = "lockstep";
   std::vector<std::string> ownProcesses;
@@ -272,8 +269,8 @@ int runTrials(const SimArguments& arguments) {
 
 /// Runs a simulation whose robots are driven by other programs.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
-  if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layouts.empty() ||
-      arguments.snapshots.given() || !arguments.solutions.empty() || !arguments.preset.empty()) {
+  if (arguments.trials > 0 || !arguments.record.file.empty() || arguments.teams.given() ||
+      arguments.snapshots.given()) {
     std::cerr << "robotctl sim: with --arcos robots have no programs here; omit --trials, --record, "
                  "--layout, --solution, --preset, --snapshot-at and --restore\n";
     return kUsage;
@@ -349,16 +346,11 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
                  "and --listen\n";
     return kUsage;
   }
-  const auto solutions = solutionsOf(arguments.solutions);
-  if (!solutions) {
-    std::cerr << "robotctl sim: " << solutions.error().text << "\n";
+  if (const auto chosen = arguments.teams.applyTo(arguments.run); !chosen) {
+    const bool isUsage = chosen.error().front().id == "usage";
+    if (!isUsage) return printErrors(chosen.error());
+    std::cerr << "robotctl sim: " << chosen.error().front().text << "\n";
     return kUsage;
-  }
-  arguments.run.solutions = *solutions;
-  if (!arguments.preset.empty()) {
-    auto preset = presetToStartWith(arguments.preset);
-    if (!preset) return printErrors(preset.error());
-    arguments.run.preset = std::make_shared<const robotlink::Preset>(std::move(*preset));
   }
   const bool threads = arguments.executor == "threads";
   if (arguments.trials > 0 && threads) {
@@ -379,10 +371,6 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   }
   arguments.camera.applyTo(arguments.run);
   arguments.arcos.applyTo(arguments.run);
-  if (const auto chosen = chooseLayouts(arguments.layouts, arguments.run); !chosen) {
-    std::cerr << "robotctl sim: " << chosen.error().text << "\n";
-    return kUsage;
-  }
   arguments.run.world.noise = !arguments.noNoise;
   applyHosting(arguments, threads);
   // Threads run in real time: nothing waits for them.
@@ -437,22 +425,13 @@ void addSimCommand(CLI::App& app, int& status) {
           ->check(numberFrom(0, 1e6));
   sim->add_option("--seed", arguments->run.world.seed, "Seed of all noise and of the trials' places")
       ->capture_default_str();
-  sim->add_option("--layout", arguments->layouts,
-                  "A process layout: a file, or the name of a shipped one, for all robots that can be run in "
-                  "it; or NAME=LAYOUT for one robot or kind of robots; may be given several times")
-      ->expected(1)
-      ->take_all();
+  arguments->teams.addTo(*sim);
   sim->add_option("--models", arguments->models,
                   "Folders in which model://NAME is searched first, with colons between them")
       ->expected(1)
       ->take_all()
       ->delimiter(':')
       ->type_name("FOLDER");
-  sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
-  sim->add_option(
-      "--preset", arguments->preset,
-      "A preset (a file, or a name of one of yours) with the keys, solutions and parameters that all "
-      "programs start with");
   sim->add_option("--script", arguments->script,
                   "Runs a script of commands, such as simulation.step and scene.add, and ends with it; the "
                   "simulation is paused at first")

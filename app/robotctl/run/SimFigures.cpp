@@ -9,6 +9,7 @@
 #include "app/core/simulated/ArcosSimulation.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/truth/ErrorFigures.h"
+#include "app/robotctl/run/GameFigures.h"
 
 namespace app {
 namespace {
@@ -172,7 +173,7 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   for (const auto& pioneer : world.pioneers())
     figures["robots_on_wheels"].push_back(contactFigures(world, pioneer->robot()));
   figures["ball_contacts"] = world.simulation().ballContacts();
-  if (run.game() != nullptr) figures["goals"] = run.game()->goals();
+  addGameFigures(run, figures);
   figures["digest"] = fmt::format("{:016x}", world.digest());
   return figures;
 }

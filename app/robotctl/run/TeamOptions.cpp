@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotctl/run/TeamOptions.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/core/program/PresetOverrides.h"
+#include "app/core/program/SolutionChoices.h"
+#include "robotlink/session/Presets.h"
+
+namespace app {
+namespace {
+
+using robotlink::Errors;
+
+tl::expected<void, Errors> choosePreset(const std::string& text, RunOptions& run) {
+  std::error_code ignored;
+  const auto choice = assignmentOf(text);
+  // A file may be called so.
+  const bool isOfOne = choice && !std::filesystem::exists(text, ignored);
+  auto preset = presetToStartWith(isOfOne ? choice->second : text);
+  if (!preset) return tl::unexpected(std::move(preset.error()));
+  auto& chosen = isOfOne ? run.robotPresets[choice->first] : run.preset;
+  chosen = std::make_shared<const robotlink::Preset>(std::move(*preset));
+  return {};
+}
+
+}  // namespace
+
+void TeamOptions::addTo(CLI::App& command) {
+  command
+      .add_option("--layout", layouts,
+                  "A process layout: a file, or the name of a shipped one, for all robots that can be run in "
+                  "it; or NAME=LAYOUT for one robot, team or kind of robots; may be given several times")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--solution", solutions,
+                     "TASK=SOLUTION to start with, instead of the layout's; NAME/TASK=SOLUTION for one robot "
+                     "or team");
+  command
+      .add_option("--preset", presets,
+                  "A preset (a file, or a name of one of yours) with the keys, solutions and parameters that "
+                  "all programs start with; NAME=PRESET for one robot or team")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--game", game,
+                     "The rules of the game: the name of shipped ones (2002), or a file; none: without a "
+                     "referee (default: as the scene says)");
+}
+
+tl::expected<void, Errors> TeamOptions::applyTo(RunOptions& run) const {
+  Errors errors;
+  if (auto chosen = chooseLayouts(layouts, run); !chosen) errors.push_back(chosen.error());
+  if (auto chosen = chooseSolutions(solutions, run); !chosen) errors.push_back(chosen.error());
+  for (const std::string& preset : presets) {
+    if (auto chosen = choosePreset(preset, run); !chosen)
+      errors.insert(errors.end(), chosen.error().begin(), chosen.error().end());
+  }
+  run.game = game;
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return {};
+}
+
+}  // namespace app

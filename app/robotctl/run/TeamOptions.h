@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/core/simulated/SimulatedRun.h"
+#include "robotlink/base/Error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+/// The options of `robotctl sim` about what the robots' programs are, for all robots and for single robots
+/// and teams, and about the game that they play. A plain value.
+struct TeamOptions {
+  std::vector<std::string> layouts, solutions, presets;
+  /// See RunOptions::game.
+  std::string game;
+
+  /// Adds the options to a command; this object must outlive it.
+  void addTo(CLI::App& command);
+  /// Whether layouts, solutions or presets were chosen.
+  bool given() const { return !layouts.empty() || !solutions.empty() || !presets.empty(); }
+  /// Sets what was chosen. Fails with all reasons.
+  tl::expected<void, robotlink::Errors> applyTo(RunOptions& run) const;
+};
+
+}  // namespace app
