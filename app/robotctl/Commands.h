@@ -17,6 +17,7 @@ namespace app {
 // sets `status`, an ExitStatus, which must outlive the parsing.
 void addSimCommand(CLI::App& app, int& status);
 void addCompareCommand(CLI::App& app, int& status);
+void addTournamentCommand(CLI::App& app, int& status);
 void addSceneCommand(CLI::App& app, int& status);
 void addLayoutCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);

@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   int status = kDone;
   addSimCommand(app, status);
   addCompareCommand(app, status);
+  addTournamentCommand(app, status);
   addSceneCommand(app, status);
   addLayoutCommand(app, status);
   addLogCommand(app, status);

@@ -38,13 +38,6 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
 std::string csvNumber(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : std::string();
 }
@@ -116,6 +109,18 @@ std::string plotOf(const Comparison::Row& row, const std::vector<std::string>& v
   return svg;
 }
 
+std::string plainTable(const ReportTable& table) {
+  std::string html = "<h2>" + escaped(table.heading) + "</h2>\n<table>";
+  const char* cell = "th";
+  for (const auto& row : table.rows) {
+    html += "<tr>";
+    for (const std::string& text : row) html += fmt::format("<{0}>{1}</{0}>", cell, escaped(text));
+    html += "</tr>\n";
+    cell = "td";
+  }
+  return html + "</table>\n";
+}
+
 std::string summaryTable(const Comparison& comparison) {
   std::string html = "<table><tr><th>figure</th>";
   for (const std::string& variant : comparison.variants()) html += "<th>" + escaped(variant) + "</th>";
@@ -146,6 +151,13 @@ std::string differenceTable(const Comparison& comparison) {
 }
 
 }  // namespace
+
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
 
 std::string resultsCsv(const Comparison& comparison) {
   std::string csv = "variant,subject,figure,unit,value\n";
@@ -187,6 +199,7 @@ std::string reportHtml(const Comparison& comparison, const ReportTitle& title) {
                      escaped(title.title) + "</h1>\n";
   html += "<p>Made by <code>" + escaped(title.command) + "</code></p>\n";
   for (const std::string& run : title.missing) html += "<p>Without a result: " + escaped(run) + "</p>\n";
+  for (const ReportTable& table : title.tables) html += plainTable(table);
   html +=
       "<h2>Figures</h2>\n<p class=note>Means over the runs, in brackets the bounds that hold the mean with "
       "95 % "

@@ -10,13 +10,22 @@
 
 namespace app {
 
+/// A table of a report; the first row has its titles.
+struct ReportTable {
+  std::string heading;
+  std::vector<std::vector<std::string>> rows;
+};
+
 /// What a report says of itself, besides its figures.
 struct ReportTitle {
   std::string title;                 ///< "ball-model: filtered, oracle"
   std::string command;               ///< that makes it again
   std::vector<std::string> missing;  ///< runs without a result
+  std::vector<ReportTable> tables = {};
 };
 
+/// A text as a field of CSV.
+std::string csvField(const std::string& text);
 /// Each figure of each run: variant, subject, figure, unit, value.
 std::string resultsCsv(const Comparison& comparison);
 /// The mean of each figure and variant with its bounds.

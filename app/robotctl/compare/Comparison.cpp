@@ -46,7 +46,7 @@ void addErrors(const json& packages, Means& means) {
       if (quantity.is_number()) means.add(path + " " + name, "", quantity.get<double>());
       if (!quantity.is_object()) continue;
       for (const char* statistic : {"mean", "median", "p95"})
-        if (quantity.contains(statistic))
+        if (quantity.contains(statistic) && quantity[statistic].is_number())
           means.add(path + " " + name + " " + statistic, quantity.value("unit", ""),
                     quantity[statistic].get<double>());
     }

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotctl/compare/RunExecution.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <thread>
+
+#include "app/core/platform/NumberRange.h"
+#include "app/robotctl/Interrupt.h"
+#include "app/robotctl/compare/RunPool.h"
+#include "app/robotctl/compare/SlurmBatch.h"
+#include "robotlink/base/AtomicFile.h"
+
+namespace app {
+namespace {
+
+constexpr std::chrono::milliseconds kShowEvery{500};
+
+/// A line on a terminal that shows how far it is.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::size_t before) : before_(before) {}
+
+  bool show(const RunProgress& progress) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - shown_ >= kShowEvery || progress.running == 0) {
+      shown_ = now;
+      std::string line = fmt::format("\r{} of {} runs", before_ + progress.done, before_ + progress.all);
+      if (progress.failed > 0) line += fmt::format(", {} failed", progress.failed);
+      if (progress.done > 0 && progress.running > 0) {
+        const double spent = std::chrono::duration<double>(now - begin_).count();
+        const auto left = static_cast<double>(progress.all - progress.done - progress.failed);
+        line += fmt::format(", about {:.0f} s left", spent / static_cast<double>(progress.done) * left);
+      }
+      std::cerr << line << "    " << std::flush;
+    }
+    return !Interrupt::noted();
+  }
+
+ private:
+  const std::size_t before_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point shown_{};
+};
+
+/// What a run printed; fails if that is no object of JSON.
+robotlink::Result<nlohmann::json> readResult(const std::filesystem::path& file) {
+  const auto text = robotlink::readFile(file);
+  if (!text) return tl::unexpected(text.error());
+  try {
+    return nlohmann::json::parse(*text);
+  } catch (const nlohmann::json::exception& error) {
+    return robotlink::failure("compare.result", file.string() + " has no figures: " + error.what(), {},
+                              {file.string()});
+  }
+}
+
+}  // namespace
+
+std::string wholePath(const std::string& name) {
+  std::error_code ignored;
+  return std::filesystem::exists(name, ignored) ? std::filesystem::absolute(name).string() : name;
+}
+
+void printDifferences(const Comparison& comparison) {
+  for (const Difference& one : comparison.differences()) {
+    if (!one.isReal()) continue;
+    std::cout << fmt::format("{}: {} {} than {}, by {:.4g} [{:.3g}, {:.3g}]{}{} in {} runs\n", one.figure,
+                             one.second, one.change.mean < 0 ? "less" : "more", one.first,
+                             std::abs(one.change.mean), one.change.low, one.change.high,
+                             one.unit.empty() ? "" : " ", one.unit, one.subjects);
+  }
+}
+
+void RunExecution::addTo(CLI::App& command) {
+  command.add_option("--seconds", seconds, "Simulated seconds of each run")
+      ->check(numberFrom(0.1, 1e6))
+      ->capture_default_str();
+  command.add_option("--seed", firstSeed, "The first seed; the others follow it")->capture_default_str();
+  command.add_option("--out", out, "The folder of results and report; results that are there count")
+      ->required();
+  command.add_option("--batch", batch, "Hands the runs to a batch system, as an array of jobs")
+      ->check(CLI::IsMember({"slurm"}));
+  command.add_option("--parallel", parallel, "How many run at once here (as many as there are cores)")
+      ->check(numberFrom(1, 1024));
+  command.add_option("--retries", retries, "How often a run that fails is tried again")
+      ->check(numberFrom(0, 10))
+      ->capture_default_str();
+}
+
+robotlink::Result<std::vector<PlannedRun>> RunExecution::executeAll(const RunFiles& files,
+                                                                    std::vector<PlannedRun> runs,
+                                                                    std::size_t before) const {
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  for (int attempt = 0; attempt <= retries && !runs.empty() && !Interrupt::noted(); ++attempt) {
+    ProgressLine line(before);
+    const auto look = [&](const RunProgress& progress) { return line.show(progress); };
+    if (batch.empty()) {
+      RunPool pool(files, parallel > 0 ? parallel : cores);
+      runs = pool.execute(std::move(runs), look);
+    } else {
+      auto left = SlurmBatch(files).execute(runs, look);
+      if (!left) return tl::unexpected(left.error());
+      runs = std::move(*left);
+    }
+    std::cerr << "\n";
+  }
+  return runs;
+}
+
+robotlink::Result<RunExecution::Results> RunExecution::execute(const std::vector<PlannedRun>& runs) const {
+  const Interrupt interrupt;
+  const auto files = RunFiles::in(std::filesystem::path(out) / "runs");
+  if (!files) return tl::unexpected(files.error());
+  std::vector<PlannedRun> open;
+  std::ranges::copy_if(runs, std::back_inserter(open),
+                       [&](const PlannedRun& run) { return !files->isDone(run); });
+  const auto failed = executeAll(*files, open, runs.size() - open.size());
+  if (!failed) return tl::unexpected(failed.error());
+  Results results;
+  for (const PlannedRun& run : *failed) {
+    results.missing.push_back(run.variant + ", " + run.subject);
+    std::cerr << "no result: " << results.missing.back() << "; see " << files->texts(run).string() << "\n";
+  }
+  for (const PlannedRun& run : runs) {
+    if (!files->isDone(run)) continue;
+    auto printed = readResult(files->result(run));
+    if (!printed) return tl::unexpected(printed.error());
+    results.results.emplace_back(run, std::move(*printed));
+  }
+  if (Interrupt::noted()) std::cerr << "The same command goes on where this ended.\n";
+  return results;
+}
+
+}  // namespace app

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/robotctl/compare/Comparison.h"
+#include "app/robotctl/compare/RunPlan.h"
+#include "robotlink/base/Error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+/// How the runs of a comparison or a tournament are executed: the options about it, and the execution. A
+/// plain value.
+struct RunExecution {
+  /// Of each run, simulated.
+  double seconds = 60;
+  std::uint64_t firstSeed = 1;
+  /// The folder of results and report.
+  std::string out;
+  /// "slurm", or empty: here.
+  std::string batch;
+  /// 0: as many as there are cores.
+  unsigned parallel = 0;
+  int retries = 1;
+
+  /// What came of the runs, in their order.
+  struct Results {
+    /// What each run printed.
+    std::vector<std::pair<PlannedRun, nlohmann::json>> results;
+    /// "variant, subject" of the runs without a result.
+    std::vector<std::string> missing;
+  };
+
+  /// Adds the options to a command; this object must outlive it.
+  void addTo(CLI::App& command);
+  /// Executes those that have no result yet, here or in a batch system, and those that fail again; shows on a
+  /// terminal how far it is, and which are missing. A signal ends it. Fails if the folder cannot be written,
+  /// the batch system refuses, or a result cannot be read.
+  robotlink::Result<Results> execute(const std::vector<PlannedRun>& runs) const;
+
+ private:
+  robotlink::Result<std::vector<PlannedRun>> executeAll(const RunFiles& files, std::vector<PlannedRun> runs,
+                                                        std::size_t before) const;
+};
+
+/// Prints the differences that are real, a line each.
+void printDifferences(const Comparison& comparison);
+/// A file by its whole path, since jobs run in other folders; the name of what is shipped as it is.
+std::string wholePath(const std::string& name);
+
+}  // namespace app

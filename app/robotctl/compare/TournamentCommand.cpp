@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl tournament`: which of two teams plays better soccer.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/core/platform/JsonOutput.h"
+#include "app/core/platform/NumberRange.h"
+#include "app/robotctl/Commands.h"
+#include "app/robotctl/compare/RunExecution.h"
+#include "app/robotctl/compare/Tournament.h"
+#include "robotlink/base/AtomicFile.h"
+
+namespace app {
+namespace {
+
+struct TournamentArguments {
+  std::string first, second;
+  Tournament tournament{.scene = "game2002"};
+  RunExecution execution{.seconds = 240};
+  bool asJson = false;
+};
+
+int wrongTournament(const std::string& text) {
+  std::cerr << "robotctl tournament: " << text << "\n";
+  return kUsage;
+}
+
+std::string commandOf(const TournamentArguments& arguments) {
+  const Tournament& tournament = arguments.tournament;
+  std::vector<std::string> words{"robotctl",      "tournament",
+                                 arguments.first, arguments.second,
+                                 "--games",       std::to_string(tournament.games),
+                                 "--scene",       tournament.scene,
+                                 "--seconds",     fmt::format("{}", tournament.seconds),
+                                 "--seed",        std::to_string(tournament.firstSeed)};
+  if (tournament.errors) words.emplace_back("--errors");
+  words.insert(words.end(), {"--out", arguments.execution.out});
+  return shellLine(words);
+}
+
+void printStandings(const TournamentTable& table) {
+  for (const auto& one : table.standings())
+    std::cout << fmt::format("{}: {} won, {} drawn, {} lost, goals {} : {}\n", one.team, one.wins, one.draws,
+                             one.losses, one.goals, one.conceded);
+}
+
+robotlink::Result<void> writeTournament(const TournamentArguments& arguments, const TournamentTable& table,
+                                        const std::vector<std::string>& missing) {
+  const std::filesystem::path folder = arguments.execution.out;
+  const Tournament& tournament = arguments.tournament;
+  const ReportTitle title{tournament.teams[0].name + " against " + tournament.teams[1].name,
+                          commandOf(arguments), missing, table.tables()};
+  if (auto written = writeReport(folder, table.figures(), title); !written) return written;
+  if (auto written = robotlink::writeFileAtomically(folder / "games.csv", table.csv()); !written)
+    return written;
+  return robotlink::writeFileAtomically(folder / "tournament.json", jsonOutput(table.json()));
+}
+
+int playTournament(TournamentArguments& arguments) {
+  Tournament& tournament = arguments.tournament;
+  const auto first = TeamChoice::parse(arguments.first), second = TeamChoice::parse(arguments.second);
+  if (!first || !second) return wrongTournament((first ? second : first).error().text);
+  if (first->name == second->name)
+    return wrongTournament("both teams are called '" + first->name + "'; name them, as in a:" + first->name);
+  tournament.teams = {*first, *second};
+  tournament.firstSeed = arguments.execution.firstSeed;
+  tournament.seconds = arguments.execution.seconds;
+  const auto results = arguments.execution.execute(tournament.runs());
+  if (!results) return printErrors({results.error()});
+  TournamentTable table(tournament);
+  for (const auto& [run, printed] : results->results) {
+    int game = 0;
+    while (tournament.run(game).subject != run.subject) ++game;
+    if (auto added = table.add(game, printed); !added) return printErrors({added.error()});
+  }
+  if (auto written = writeTournament(arguments, table, results->missing); !written)
+    return printErrors({written.error()});
+  if (arguments.asJson) {
+    std::cout << jsonOutput(table.json());
+  } else {
+    printStandings(table);
+    printDifferences(table.figures());
+    std::cout << (std::filesystem::path(arguments.execution.out) / "report.html").string() << "\n";
+  }
+  return results->missing.empty() ? kDone : kFailed;
+}
+
+}  // namespace
+
+void addTournamentCommand(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<TournamentArguments>();
+  CLI::App* command = app.add_subcommand(
+      "tournament", "Plays games between two teams of simulated robots, and says which is better");
+  command
+      ->add_option("team", arguments->first,
+                   "What the robots of a team run: NAME:LAYOUT,TASK=SOLUTION,preset=PRESET, each of which "
+                   "may be left out")
+      ->required();
+  command->add_option("opponent", arguments->second, "The same of the other team")->required();
+  command
+      ->add_option("--games", arguments->tournament.games,
+                   "How many games; in each second one the sides are swapped, with the same seed")
+      ->check(numberFrom(1, 100000))
+      ->capture_default_str();
+  command
+      ->add_option("--scene", arguments->tournament.scene, "A scene with two teams and the rules of a game")
+      ->capture_default_str();
+  command->add_flag("--errors", arguments->tournament.errors,
+                    "Adds how far percepts and models of both teams are from the truth");
+  command->add_flag("--json", arguments->asJson, "Prints games and standings as one JSON object");
+  arguments->execution.addTo(*command);
+  command->callback(
+      [arguments, &status] { status = withResources([&] { return playTournament(*arguments); }); });
+}
+
+}  // namespace app
