@@ -22,7 +22,7 @@ std::vector<Group> groups() {
       {ViewMenu::tr("The robot and its world"),
        {QStringLiteral("robots"), QStringLiteral("scene"), QStringLiteral("scene-tree"),
         QStringLiteral("scene-properties"), QStringLiteral("field"), QStringLiteral("image"),
-        QStringLiteral("radar"), QStringLiteral("base-state"), QStringLiteral("motion"),
+        QStringLiteral("radar"), QStringLiteral("game"), QStringLiteral("base-state"), QStringLiteral("motion"),
         QStringLiteral("joints"), QStringLiteral("motion-editor"), QStringLiteral("scene-editor")}},
       {ViewMenu::tr("The robot's program"),
        {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),

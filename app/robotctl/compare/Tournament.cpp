@@ -167,7 +167,7 @@ std::string TournamentTable::csv() const {
   return text;
 }
 
-json TournamentTable::json() const {
+json TournamentTable::asJson() const {
   nlohmann::json all{{"scene", tournament_.scene},
                      {"seconds", tournament_.seconds},
                      {"games", nlohmann::json::array()},

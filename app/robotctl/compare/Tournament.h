@@ -81,7 +81,7 @@ class TournamentTable {
   const Comparison& figures() const { return figures_; }
 
   std::string csv() const;
-  nlohmann::json json() const;
+  nlohmann::json asJson() const;
   std::vector<ReportTable> tables() const;
 
  private:

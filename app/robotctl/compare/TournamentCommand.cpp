@@ -57,7 +57,7 @@ robotlink::Result<void> writeTournament(const TournamentArguments& arguments, co
   if (auto written = writeReport(folder, table.figures(), title); !written) return written;
   if (auto written = robotlink::writeFileAtomically(folder / "games.csv", table.csv()); !written)
     return written;
-  return robotlink::writeFileAtomically(folder / "tournament.json", jsonOutput(table.json()));
+  return robotlink::writeFileAtomically(folder / "tournament.json", jsonOutput(table.asJson()));
 }
 
 int playTournament(TournamentArguments& arguments) {
@@ -80,7 +80,7 @@ int playTournament(TournamentArguments& arguments) {
   if (auto written = writeTournament(arguments, table, results->missing); !written)
     return printErrors({written.error()});
   if (arguments.asJson) {
-    std::cout << jsonOutput(table.json());
+    std::cout << jsonOutput(table.asJson());
   } else {
     printStandings(table);
     printDifferences(table.figures());

@@ -94,8 +94,8 @@ TEST(Tournament, isReportedAsTablesAndJson) {
   TournamentTable table(tournament);
   ASSERT_TRUE(table.add(0, printed(2, 0)));
   EXPECT_EQ(table.csv(), "game,seed,red,blue,goals of red,goals of blue,digest\n1,5,good,compact,2,0,0123\n");
-  EXPECT_EQ(table.json()["games"][0]["red"]["goals"], 2);
-  EXPECT_EQ(table.json()["standings"][1]["losses"], 1);
+  EXPECT_EQ(table.asJson()["games"][0]["red"]["goals"], 2);
+  EXPECT_EQ(table.asJson()["standings"][1]["losses"], 1);
   const std::string page =
       reportHtml(table.figures(), {"good against compact", "robotctl", {}, table.tables()});
   EXPECT_THAT(page, HasSubstr("<h2>Standings</h2>"));

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/game/GameView.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QTableView>
+#include <QToolButton>
+
+#include "tests/widgets/Bench.h"
+
+namespace widgets::test {
+
+using robotcontrol::ControlGame;
+using robotcontrol::GameState;
+
+namespace {
+
+/// A game of two robots, of which one is penalized.
+robotcontrol::GameStatus gameStatus() {
+  robotcontrol::GameStatus status;
+  status.set_automatic(true);
+  auto& state = *status.mutable_state();
+  state.set_phase(GameState::PLAYING);
+  state.set_half(2);
+  state.set_seconds_left(63.2);
+  state.set_kick_off("blue");
+  state.set_message("blue1 is penalized for 30 s: pushing.");
+  for (const char* team : {"red", "blue"}) {
+    auto& one = *state.add_teams();
+    one.set_name(team);
+    one.set_goals(team == std::string("red") ? 3 : 1);
+    auto& player = *status.add_players();
+    player.set_robot(std::string(team) + "1");
+    player.set_team(team);
+    player.set_number(1);
+    player.set_role("goalie");
+  }
+  auto& penalty = *state.add_penalties();
+  penalty.set_robot("blue1");
+  penalty.set_reason("pushing");
+  penalty.set_seconds(12.3);
+  status.add_reasons("pushing");
+  status.add_reasons("holding");
+  status.mutable_radio()->set_delay(0.02);
+  status.mutable_radio()->set_loss(0.05);
+  return status;
+}
+
+/// A view of a game.
+struct GameBench : Bench {
+  GameBench() : Bench({.answers = true}) { push("game", gameStatus(), 1); }
+  const ControlGame& asked() const { return requests.back().control_game(); }
+};
+
+QString textOf(const QWidget& view, const char* label) {
+  return child<QLabel>(view, label).text();
+}
+
+/// The button that triggers an action.
+void press(const QWidget& view, const char* action) {
+  child<QAction>(view, action).trigger();
+}
+
+}  // namespace
+
+class GameViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void scoreTimePhaseAndPenaltiesAreShown() {
+    GameBench bench;
+    auto view = bench.open<GameView>();
+    QCOMPARE(textOf(*view, "gameScore"), QStringLiteral("red 3 : 1 blue"));
+    QCOMPARE(textOf(*view, "gameTime"), QStringLiteral("half 2, 1:04 left, playing"));
+    QVERIFY(textOf(*view, "gameMessage").startsWith(QStringLiteral("blue1 is penalized")));
+    QVERIFY(child<QAction>(*view, "gamePlay").isChecked());
+    QVERIFY(!child<QAction>(*view, "gameReady").isChecked());
+    QVERIFY(child<QAction>(*view, "gameAutomatic").isChecked());
+    QCOMPARE(child<QComboBox>(*view, "gameKickOff").currentText(), QStringLiteral("blue"));
+    auto& model = *child<QTableView>(*view, "gamePlayers").model();
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QCOMPARE(model.rowCount(), 2);
+    QCOMPARE(model.index(1, GamePlayerModel::kPenalty).data().toString(), QStringLiteral("pushing"));
+    QCOMPARE(model.index(1, GamePlayerModel::kLeft).data().toString(), QStringLiteral("13"));
+    QCOMPARE(model.index(0, GamePlayerModel::kPenalty).data().toString(), QString());
+    QCOMPARE(child<QDoubleSpinBox>(*view, "gameRadioDelay").value(), 20.0);
+    QCOMPARE(child<QDoubleSpinBox>(*view, "gameRadioLoss").value(), 5.0);
+    keepPicture(*view, "game");
+  }
+
+  void buttonsAskTheReferee() {
+    GameBench bench;
+    auto view = bench.open<GameView>();
+    const std::pair<const char*, ControlGame::Action> buttons[]{{"gameReady", ControlGame::READY},
+                                                                {"gameSet", ControlGame::SET},
+                                                                {"gamePlay", ControlGame::PLAY},
+                                                                {"gameFinish", ControlGame::FINISH},
+                                                                {"gameRestart", ControlGame::RESTART}};
+    for (const auto& [button, action] : buttons) {
+      press(*view, button);
+      QCOMPARE(bench.asked().action(), action);
+    }
+    press(*view, "gameAutomatic");
+    QCOMPARE(bench.asked().action(), ControlGame::AUTOMATIC);
+    QVERIFY(!bench.asked().on());
+    bench.tick(*view);
+    QVERIFY2(child<QAction>(*view, "gameAutomatic").isChecked(), "until the referee says so");
+  }
+
+  void theChosenRobotIsPenalizedAndReturns() {
+    GameBench bench;
+    auto view = bench.open<GameView>();
+    QVERIFY(!child<QAction>(*view, "gamePenalize").isEnabled());
+    auto& table = child<QTableView>(*view, "gamePlayers");
+    table.setCurrentIndex(table.model()->index(1, 0));
+    child<QComboBox>(*view, "gameReason").setCurrentText(QStringLiteral("holding"));
+    bench.tick(*view);
+    press(*view, "gamePenalize");
+    QCOMPARE(bench.asked().action(), ControlGame::PENALIZE);
+    QCOMPARE(bench.asked().robot(), std::string("blue1"));
+    QCOMPARE(bench.asked().reason(), std::string("holding"));
+    press(*view, "gameReturn");
+    QCOMPARE(bench.asked().action(), ControlGame::RETURN);
+    QCOMPARE(bench.asked().robot(), std::string("blue1"));
+    table.setCurrentIndex(table.model()->index(0, 0));
+    bench.tick(*view);
+    QVERIFY2(!child<QAction>(*view, "gameReturn").isEnabled(), "red1 plays");
+  }
+
+  void kickOffAndRadioAreChosen() {
+    GameBench bench;
+    auto view = bench.open<GameView>();
+    auto& kickOff = child<QComboBox>(*view, "gameKickOff");
+    kickOff.setCurrentIndex(0);
+    Q_EMIT kickOff.activated(0);
+    QCOMPARE(bench.asked().action(), ControlGame::KICK_OFF);
+    QCOMPARE(bench.asked().team(), std::string("red"));
+    child<QDoubleSpinBox>(*view, "gameRadioRange").setValue(3);
+    QCOMPARE(bench.asked().action(), ControlGame::RADIO);
+    QCOMPARE(bench.asked().radio().range(), 3.0);
+    QVERIFY2(!bench.asked().radio().has_delay(), "it stays as it is");
+    child<QDoubleSpinBox>(*view, "gameRadioLoss").setValue(50);
+    QCOMPARE(bench.asked().radio().loss(), 0.5);
+  }
+
+  void aRefusalIsShown() {
+    GameBench bench;
+    bench.refusal = "the game is over";
+    auto view = bench.open<GameView>();
+    press(*view, "gamePlay");
+    bench.tick(*view);
+    QCOMPARE(textOf(*view, "gameOutcome"), QStringLiteral("the game is over"));
+  }
+
+  void withoutAGameItSaysHowToGetOne() {
+    Bench bench;
+    auto view = bench.open<GameView>();
+    QVERIFY(!child<QWidget>(*view, "gamePlayers").isVisible());
+  }
+};
+
+const GuiTest<GameViewTest> kGameViewTest;
+
+}  // namespace widgets::test
+
+#include "GameViewTest.moc"

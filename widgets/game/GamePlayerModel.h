@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "widgets/RowModel.h"
+
+namespace robotcontrol {
+class GameStatus;
+}
+
+namespace widgets {
+
+/// A robot that plays.
+struct GamePlayerRow {
+  std::string robot, team, role;
+  unsigned number = 0;
+  /// Why it is penalized; empty: it is not.
+  std::string reason;
+  /// Of its penalty that are left.
+  double seconds = 0;
+};
+
+/// The robots of a game, and their penalties. GUI thread.
+class GamePlayerModel final : public RowModel<GamePlayerRow> {
+  Q_OBJECT
+ public:
+  enum Column { kRobot, kTeam, kNumber, kRole, kPenalty, kLeft, kColumns };
+
+  explicit GamePlayerModel(QObject* parent = nullptr);
+  /// Replaces the rows; a selection survives unless the robots are others. Null: there is no game.
+  void setStatus(const robotcontrol::GameStatus* status);
+
+  QVariant data(const QModelIndex& index, int role) const override;
+
+ private:
+  QVariant text(const GamePlayerRow& row, int column) const;
+};
+
+}  // namespace widgets

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/game/GameView.h"
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/Session.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/Requests.h"
+#include "widgets/game/RadioPanel.h"
+
+namespace widgets {
+
+using robotcontrol::ControlGame;
+using robotcontrol::GameState;
+
+namespace {
+
+const ViewRegistration kGameViewRegistration{
+    {"game", QT_TRANSLATE_NOOP("View", "Game"),
+     QT_TRANSLATE_NOOP("View",
+                       "Shows score, time and penalties of a simulated game, and lets you referee it."),
+     "kick", false, create<GameView>}};
+
+/// The phases that the actions begin, in their order.
+constexpr std::array<std::pair<ControlGame::Action, GameState::Phase>, 4> kGamePhases{
+    {{ControlGame::READY, GameState::READY},
+     {ControlGame::SET, GameState::SET},
+     {ControlGame::PLAY, GameState::PLAYING},
+     {ControlGame::FINISH, GameState::FINISHED}}};
+
+QString clockText(double seconds) {
+  const int all = static_cast<int>(std::ceil(seconds));
+  return QStringLiteral("%1:%2").arg(all / 60).arg(all % 60, 2, 10, QLatin1Char('0'));
+}
+
+/// Replaces the entries of a box if they are others; the chosen one stays if it is still there.
+void setEntries(QComboBox& box, const QStringList& entries) {
+  QStringList present;
+  for (int i = 0; i < box.count(); ++i) present << box.itemText(i);
+  if (present == entries) return;
+  const QSignalBlocker quiet(box);
+  const QString chosen = box.currentText();
+  box.clear();
+  box.addItems(entries);
+  box.setCurrentText(chosen);
+}
+
+}  // namespace
+
+GameView::GameView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("gameView"));
+  createActions();
+  createViews();
+  connectSignals();
+  tick();
+}
+
+void GameView::createActions() {
+  phases_ = {makeAction(this, "follow", {"gameReady", tr("Ready"), tr("The robots go to their places")}),
+             makeAction(this, "grab",
+                        {"gameSet", tr("Set"), tr("Robots and ball are put to their places, and wait")}),
+             makeAction(this, "play", {"gamePlay", tr("Play"), tr("The robots play")}),
+             makeAction(this, "stop", {"gameFinish", tr("Finish"), tr("The half ends")})};
+  for (QAction* phase : phases_) phase->setCheckable(true);
+  restart_ = makeAction(this, "reset",
+                        {"gameRestart", tr("New game"), tr("No goals, first half, nobody is penalized")});
+  automatic_ = makeToggle(this, "auto-send",
+                          {"gameAutomatic", tr("Automatic"),
+                           tr("The referee decides by itself: phases, goals, balls out, penalties")});
+  penalize_ = makeAction(this, "must-not",
+                         {"gamePenalize", tr("Penalize"), tr("Takes the chosen robot out of the game")});
+  return_ = makeAction(this, "undo", {"gameReturn", tr("Return"), tr("The chosen robot plays again")});
+}
+
+void GameView::createViews() {
+  contents_ = new QWidget(this);
+  auto* top = makeToolRow(contents_, 0);
+  score_ = addLabel(top, "gameScore", tr("Score"));
+  QFont large = score_->font();
+  large.setPointSizeF(1.6 * large.pointSizeF());
+  large.setBold(true);
+  score_->setFont(large);
+  top->addSpacing(12);
+  time_ = addLabel(top, "gameTime", tr("Half and time"));
+  top->addStretch(1);
+  top->addWidget(makeLabeledButton(contents_, automatic_));
+
+  auto* phases = makeToolRow(contents_, 0);
+  for (QAction* phase : phases_) phases->addWidget(makeLabeledButton(contents_, phase));
+  phases->addWidget(makeLabeledButton(contents_, restart_));
+  auto* kickOffLabel = new QLabel(tr("Kick-off"), contents_);
+  kickOff_ = new QComboBox(contents_);
+  describe(*kickOff_, {"gameKickOff", tr("Kick-off"), tr("The team that kicks off next")});
+  kickOffLabel->setBuddy(kickOff_);
+  phases->addWidget(kickOffLabel);
+  phases->addWidget(kickOff_);
+  phases->addStretch(1);
+
+  table_ = makeTable(contents_, {"gamePlayers", tr("Robots"), {}}, &players_);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kName,
+                          ColumnKind::kText, ColumnKind::kNumber});
+  auto* penalties = makeToolRow(contents_, 0);
+  reason_ = new QComboBox(contents_);
+  describe(*reason_, {"gameReason", tr("Reason"), tr("What the robot is penalized for")});
+  penalties->addWidget(makeLabeledButton(contents_, penalize_));
+  penalties->addWidget(reason_);
+  penalties->addWidget(makeLabeledButton(contents_, return_));
+  penalties->addStretch(1);
+
+  radio_ = new RadioPanel(contents_);
+  message_ = makeNote(contents_, "gameMessage", tr("What happened last"));
+  outcome_ = makeNote(contents_, "gameOutcome", tr("What came of it"));
+  auto* layout = makeColumn(contents_, {6, 4, 6, 4}, 4);
+  layout->addWidget(top->parentWidget());
+  layout->addWidget(message_);
+  layout->addWidget(phases->parentWidget());
+  layout->addWidget(table_, 1);
+  layout->addWidget(penalties->parentWidget());
+  layout->addWidget(radio_);
+  layout->addWidget(outcome_);
+  makeColumn(this)->addWidget(contents_, 1);
+  hint_ = new EmptyHint(this);
+}
+
+void GameView::connectSignals() {
+  const auto asks = [this](QAction* action, ControlGame::Action what) {
+    connect(action, &QAction::triggered, this, [this, what] {
+      ControlGame control;
+      control.set_action(what);
+      ask(control);
+    });
+  };
+  for (std::size_t i = 0; i < phases_.size(); ++i) asks(phases_[i], kGamePhases[i].first);
+  asks(restart_, ControlGame::RESTART);
+  connect(automatic_, &QAction::triggered, this, [this](bool on) {
+    ControlGame control;
+    control.set_action(ControlGame::AUTOMATIC);
+    control.set_on(on);
+    ask(control);
+  });
+  connect(penalize_, &QAction::triggered, this, [this] { askForPlayer(ControlGame::PENALIZE); });
+  connect(return_, &QAction::triggered, this, [this] { askForPlayer(ControlGame::RETURN); });
+  connect(kickOff_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    ControlGame control;
+    control.set_action(ControlGame::KICK_OFF);
+    control.set_team(kickOff_->currentText().toStdString());
+    ask(control);
+  });
+  connect(radio_, &RadioPanel::wanted, this, [this](const robotcontrol::TeamRadioSettings& settings) {
+    ControlGame control;
+    control.set_action(ControlGame::RADIO);
+    *control.mutable_radio() = settings;
+    ask(control);
+  });
+}
+
+void GameView::ask(const ControlGame& control) {
+  robotcontrol::Request request;
+  *request.mutable_control_game() = control;
+  widgets::ask(session(), {}, std::move(request), this, [this](bool accepted, const QString& reason) {
+    showOutcome(*outcome_, accepted ? QString() : reason, !accepted);
+  });
+}
+
+void GameView::askForPlayer(ControlGame::Action action) {
+  ControlGame control;
+  control.set_action(action);
+  control.set_robot(chosenRobot().toStdString());
+  if (action == ControlGame::PENALIZE) control.set_reason(reason_->currentText().toStdString());
+  ask(control);
+}
+
+QString GameView::chosenRobot() const {
+  const QModelIndex index = table_->currentIndex();
+  return index.isValid() ? QString::fromStdString(players_.row(index.row()).robot) : QString();
+}
+
+void GameView::tick() {
+  show(session().store().latestAs<robotcontrol::GameStatus>(robotlink::streams::kGame,
+                                                            session().timeline().shown()));
+}
+
+void GameView::show(const robotcontrol::GameStatus* status) {
+  contents_->setVisible(status != nullptr);
+  hint_->setHint(status != nullptr ? QString()
+                                   : tr("No game is played. Open a scene with a game, such as game2002."));
+  players_.setStatus(status);
+  if (status == nullptr) return;
+  showPhase(*status);
+  showChoices(*status);
+  radio_->show(status->radio());
+  const QModelIndex index = table_->currentIndex();
+  const bool isChosen = index.isValid();
+  const bool isPenalized = isChosen && !players_.row(index.row()).reason.empty();
+  penalize_->setEnabled(isChosen);
+  return_->setEnabled(isPenalized);
+}
+
+void GameView::showPhase(const robotcontrol::GameStatus& status) {
+  const GameState& state = status.state();
+  QStringList names, goals;
+  for (const auto& team : state.teams()) {
+    names << QString::fromStdString(team.name());
+    goals << QString::number(team.goals());
+  }
+  if (names.size() == 2)
+    score_->setText(QStringLiteral("%1 %2 : %3 %4").arg(names[0], goals[0], goals[1], names[1]));
+  static const char* const kWords[]{QT_TR_NOOP("initial"), QT_TR_NOOP("ready"), QT_TR_NOOP("set"),
+                                    QT_TR_NOOP("playing"), QT_TR_NOOP("finished")};
+  const int phase = GameState::Phase_IsValid(state.phase()) ? state.phase() : 0;
+  time_->setText(
+      tr("half %1, %2 left, %3").arg(state.half()).arg(clockText(state.seconds_left()), tr(kWords[phase])));
+  message_->setText(QString::fromStdString(state.message()));
+  for (std::size_t i = 0; i < phases_.size(); ++i)
+    phases_[i]->setChecked(state.phase() == kGamePhases[i].second);
+  automatic_->setChecked(status.automatic());
+}
+
+void GameView::showChoices(const robotcontrol::GameStatus& status) {
+  QStringList teams, reasons;
+  for (const auto& team : status.state().teams()) teams << QString::fromStdString(team.name());
+  for (const auto& reason : status.reasons()) reasons << QString::fromStdString(reason);
+  setEntries(*kickOff_, teams);
+  setEntries(*reason_, reasons);
+  if (!kickOff_->view()->isVisible()) {
+    const QSignalBlocker quiet(kickOff_);
+    kickOff_->setCurrentText(QString::fromStdString(status.state().kick_off()));
+  }
+}
+
+}  // namespace widgets

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "robotcontrol/Game.pb.h"
+#include "widgets/View.h"
+#include "widgets/game/GamePlayerModel.h"
+
+class QLabel;
+class QTableView;
+
+namespace widgets {
+
+class EmptyHint;
+class RadioPanel;
+
+/// The game that simulated robots play: score, time and phase, the referee's decisions by hand, penalties,
+/// and the radio of the teams.
+class GameView final : public View {
+  Q_OBJECT
+ public:
+  explicit GameView(ViewContext& context, QWidget* parent = nullptr);
+
+  void tick() override;
+
+ private:
+  void createActions();
+  void createViews();
+  void connectSignals();
+  /// Shows what the referee says; null: there is none.
+  void show(const robotcontrol::GameStatus* status);
+  void showPhase(const robotcontrol::GameStatus& status);
+  /// The choices of teams and reasons, which the rules name.
+  void showChoices(const robotcontrol::GameStatus& status);
+  void ask(const robotcontrol::ControlGame& control);
+  /// Asks for something about the selected robot.
+  void askForPlayer(robotcontrol::ControlGame::Action action);
+  QString chosenRobot() const;
+
+  GamePlayerModel players_;
+  /// Ready, set, play, finish.
+  std::array<QAction*, 4> phases_{};
+  QAction *restart_ = nullptr, *automatic_ = nullptr, *penalize_ = nullptr, *return_ = nullptr;
+  QComboBox *kickOff_ = nullptr, *reason_ = nullptr;
+  QLabel *score_ = nullptr, *time_ = nullptr, *message_ = nullptr, *outcome_ = nullptr;
+  RadioPanel* radio_ = nullptr;
+  QTableView* table_ = nullptr;
+  QWidget* contents_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+};
+
+}  // namespace widgets
