@@ -100,8 +100,8 @@ void OpenPlatform::reloadScene(const FileTexts& texts) {
   });
 }
 
-void OpenPlatform::setLayout(const std::filesystem::path& file) {
-  platform_.setLayout(file, outcomeOf(Change::kLayout));
+void OpenPlatform::setLayout(const std::filesystem::path& file, const std::string& name) {
+  platform_.setLayout(file, outcomeOf(Change::kLayout), name);
 }
 
 robotlink::Result<void> OpenPlatform::connectRemote(const std::string& url, const std::string& token) {

@@ -59,8 +59,9 @@ class OpenPlatform {
   /// Reads the scene of the simulation again, which was edited, and goes on in it; if its robots are others
   /// now, it is opened from the start. `texts` count instead of files until it is loaded again.
   void reloadScene(const FileTexts& texts = {});
-  /// Restarts the robots' programs in another layout.
-  void setLayout(const std::filesystem::path& file);
+  /// Restarts the robots' programs in another layout; with a name only those of that robot or team of a
+  /// simulation.
+  void setLayout(const std::filesystem::path& file, const std::string& name = {});
 
   /// Connects robots whose programs run elsewhere, see RemoteRobots::connect().
   robotlink::Result<void> connectRemote(const std::string& url, const std::string& token);

@@ -88,7 +88,7 @@ void addPlatformCommands(CommandTable& commands, OpenPlatform& open) {
     });
   }
   commands.attach("layout.open", [&open](const Values& values) -> Result<void> {
-    open.setLayout(layoutNamed(text(values, 0)));
+    open.setLayout(layoutNamed(text(values, 0)), text(values, 1));
     return {};
   });
 }

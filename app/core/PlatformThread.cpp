@@ -147,14 +147,14 @@ void PlatformThread::addLog(std::filesystem::path file, robotlink::Duration offs
       });
 }
 
-void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) {
-  postOther([this, file = std::move(file), handler = std::move(handler)] {
+void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler, std::string name) {
+  postOther([this, file = std::move(file), handler = std::move(handler), name = std::move(name)] {
     robotlink::Errors errors{
         {"platform.none",
          "nothing is running that uses a layout; open a scene or a log, or connect a robot first",
          {},
          {}}};
-    if (feed_) errors = feed_->setLayout(file);
+    if (feed_) errors = name.empty() ? feed_->setLayout(file) : feed_->setLayoutOf(name, file);
     reportedAtEnd_.clear();
     if (errors.empty()) {
       handler(describe());

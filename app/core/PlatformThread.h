@@ -55,8 +55,8 @@ class PlatformThread {
   /// Adds a log to those that are open; what the user chose for these stays. `offset` is added to its times.
   void addLog(std::filesystem::path file, robotlink::Duration offset, logplayer::LogFile::Progress progress,
               LoadHandler handler);
-  /// Restarts the programs of the platform in another layout.
-  void setLayout(std::filesystem::path file, LoadHandler handler);
+  /// Restarts the programs of the platform in another layout; with a name only those of that robot or team.
+  void setLayout(std::filesystem::path file, LoadHandler handler, std::string name = {});
   /// Reads the file of what runs again and goes on in it, see PlatformFeed::reload(); where that is
   /// impossible what `anew` returns is opened instead, as open() does. One of the handlers is called.
   void reload(FileTexts texts, std::function<PlatformOpening(const LoadedPlatform&)> anew,

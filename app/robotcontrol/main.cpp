@@ -64,6 +64,30 @@ std::string helpOnFiles() {
          "2002 if nothing is given";
 }
 
+/// The options about what robots' programs are.
+void defineProgramOptions(CLI::App& app, Arguments& arguments) {
+  // One on each line.
+  const auto linesOf = [&](const char* option, const char* value, const char* help) {
+    app.add_option_function<std::vector<std::string>>(
+           option,
+           [&arguments, value](const std::vector<std::string>& texts) {
+             std::string lines;
+             for (const std::string& text : texts) lines += (lines.empty() ? "" : "\n") + text;
+             arguments.platform.values[value] = lines;
+           },
+           help)
+        ->expected(1)
+        ->take_all();
+  };
+  linesOf("--layout", "layout",
+          "A process layout: a file, or the name of a shipped one; for a simulation also NAME=LAYOUT for one "
+          "robot, team or kind of robots, several times");
+  linesOf(
+      "--solution", "solution",
+      "TASK=SOLUTION to start with in a simulation, instead of the layout's, or NAME/TASK=SOLUTION for one "
+      "robot or team; several times");
+}
+
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.sources, helpOnFiles());
@@ -74,17 +98,7 @@ void define(CLI::App& app, Arguments& arguments) {
          "(robotctl platform)")
       ->check(CLI::IsMember({"there", "here"}))
       ->capture_default_str();
-  app.add_option_function<std::vector<std::string>>(
-         "--layout",
-         [&arguments](const std::vector<std::string>& layouts) {
-           std::string lines;
-           for (const std::string& layout : layouts) lines += (lines.empty() ? "" : "\n") + layout;
-           arguments.platform.values["layout"] = lines;
-         },
-         "A process layout: a file, or the name of a shipped one; for a simulation also NAME=LAYOUT for one "
-         "robot or kind of robots, several times")
-      ->expected(1)
-      ->take_all();
+  defineProgramOptions(app, arguments);
   for (const app::PlatformAdapter& adapter : app::platformAdapters()) {
     for (const app::PlatformField& field : formOf(adapter).fields) {
       if (!field.option.empty()) arguments.platform.addTo(app, field);

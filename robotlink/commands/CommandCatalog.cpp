@@ -75,7 +75,8 @@ Rows simulationRows() {
       {"layout.open",
        "Restarts the robots' programs in another process layout, given by its path or the name of a shipped "
        "one",
-       {{"layout", Type::kText, "a layout file"}}},
+       {{"layout", Type::kText, "a layout file"},
+        {"robot", Type::kText, "only that robot or team of a simulation; '': all", std::string()}}},
   };
 }
 

@@ -43,6 +43,15 @@ Result<void> PlatformFeed::requestReplay(const robotcontrol::Request&) {
   return robotlink::failure("replay.none", "no log is open; open one first");
 }
 
+robotlink::Errors PlatformFeed::setLayoutOf(const std::string& name, const std::filesystem::path& file) {
+  (void)file;
+  return {
+      {"layout.robot",
+       "only robots of a simulation have layouts of their own; without a name, " + name + " gets that of all",
+       {name},
+       {}}};
+}
+
 tl::expected<bool, robotlink::Errors> PlatformFeed::reload(FileTexts) {
   return tl::unexpected(
       robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});

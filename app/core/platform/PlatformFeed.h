@@ -117,6 +117,8 @@ class PlatformFeed {
   /// Restarts the programs in another layout. If that is impossible, the errors say why, and the programs
   /// that run continue.
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;
+  /// The same for one robot, or for those of a team. By default that is refused.
+  virtual robotlink::Errors setLayoutOf(const std::string& name, const std::filesystem::path& file);
   /// Reads the file of what runs again, which was edited, and goes on in it as far as that is possible.
   /// False: it has to be opened instead. Only simulations can do it. If it fails, everything continues as
   /// before. `texts` count instead of files, until it is loaded again.

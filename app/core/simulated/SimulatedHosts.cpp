@@ -258,6 +258,23 @@ Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
   return {};
 }
 
+Errors SimulatedRun::setLayoutOf(const std::string& name, const std::filesystem::path& file) {
+  if (!hasRobotOrTeam(name))
+    return {{"sim.no-robot", "there is no robot or team " + name + " in this scene", {name}, {}}};
+  const auto before = options_.robotLayouts;
+  std::vector<RobotHost*> meant;
+  for (const auto& robot : robots_) {
+    if (robot->name() != name && robot->robot().team != name) continue;
+    meant.push_back(robot.get());
+    // It may have had one of its own in a team that gets another one now.
+    options_.robotLayouts.erase(robot->name());
+  }
+  options_.robotLayouts[name] = file;
+  Errors errors = exchangePrograms(meant);
+  if (!errors.empty()) options_.robotLayouts = before;
+  return errors;
+}
+
 std::vector<std::string> SimulatedRun::robots() const {
   std::vector<std::string> names;
   for (const auto& robot : robots_) names.push_back(robot->name());

@@ -238,22 +238,25 @@ Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::Ho
   const RunOptions before = options_;
   const std::vector<RobotHost*> changed = applyHosting(name, choice);
   if (changed.empty()) return {};
+  Errors errors = exchangePrograms(changed);
+  if (!errors.empty()) options_ = before;
+  return errors;
+}
+
+Errors SimulatedRun::exchangePrograms(const std::vector<RobotHost*>& robots) {
   spoilJournal("programs were started again");
   Candidates candidates;
-  for (RobotHost* robot : changed) {
+  for (RobotHost* robot : robots) {
     auto made = makeProgramOnPlatform(*robot);
-    if (!made) {
-      options_ = before;
-      return made.error();
-    }
+    if (!made) return made.error();
     candidates.push_back(std::move(*made));
   }
   stopExecutor();
-  for (std::size_t i = 0; i < changed.size(); ++i) {
-    changed[i]->stop();
-    changed[i]->adopt(std::move(candidates[i]));
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    robots[i]->stop();
+    robots[i]->adopt(std::move(candidates[i]));
   }
-  beginPrograms(changed);
+  beginPrograms(robots);
   return {};
 }
 

@@ -229,6 +229,8 @@ class SimulatedRun {
   /// is no such kind, everything continues as before. The user's overrides are kept as far as the layout
   /// permits.
   robotlink::Errors setLayout(const std::filesystem::path& file);
+  /// The same for one robot, or for those of a team; the other programs go on, too.
+  robotlink::Errors setLayoutOf(const std::string& name, const std::filesystem::path& file);
   /// Chooses where the program of a robot runs, or of all if the name is empty, and starts programs there or
   /// anew; the world and the other programs continue. If that is impossible, everything continues as before.
   robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
@@ -340,6 +342,8 @@ class SimulatedRun {
   /// The robots whose programs are exchanged by hostProgram(); adapts the options.
   std::vector<RobotHost*> applyHosting(const std::string& robot, const robotcontrol::HostProgram& choice);
   robotlink::Errors checkHosting(const std::string& robot) const;
+  /// Makes new programs for robots, and exchanges theirs. If that is impossible, all go on as they are.
+  robotlink::Errors exchangePrograms(const std::vector<RobotHost*>& robots);
   /// Reads the scene of the options, with the robots that are added to it.
   tl::expected<std::shared_ptr<const simcore::Scene>, robotlink::Errors> readScene();
   /// reload() with the texts of the options.

@@ -81,23 +81,33 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   if (values.contains("models")) options.models = foldersIn(textOf(values, "models"));
 }
 
+std::vector<std::string> linesIn(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
 Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
   const FormValues& values = choices.values;
   if (numberOf(values, "port") + numberOf(values, "robots") > kLastPort + 1) {
     return robotlink::failure("simulation.setup",
                               "there are not so many ports above the first one; choose a lower first port");
   }
-  // One on each line.
-  std::vector<std::string> layouts;
-  std::istringstream lines(textOf(values, "layout"));
-  for (std::string line; std::getline(lines, line);) layouts.push_back(line);
   RunOptions chosen;
-  if (const auto done = chooseLayouts(layouts, chosen); !done) return tl::unexpected(done.error());
+  if (const auto done = chooseLayouts(linesIn(textOf(values, "layout")), chosen); !done)
+    return tl::unexpected(done.error());
+  if (const auto done = chooseSolutions(linesIn(textOf(values, "solution")), chosen); !done)
+    return tl::unexpected(done.error());
   return SimulationFeed::opening(sceneNamed(choices.sources.front()), [values, chosen](RunOptions& options) {
     applySimulationChoices(values, options);
     if (!chosen.layout.empty()) options.layout = chosen.layout;
     for (const auto& [kind, layout] : chosen.layouts) options.layouts[kind] = layout;
     for (const auto& [robot, layout] : chosen.robotLayouts) options.robotLayouts[robot] = layout;
+    for (const auto& [task, solution] : chosen.solutions) options.solutions[task] = solution;
+    for (const auto& [robot, solutions] : chosen.robotSolutions) {
+      for (const auto& [task, solution] : solutions) options.robotSolutions[robot][task] = solution;
+    }
   });
 }
 

@@ -348,15 +348,6 @@ robotlink::Result<void> SimulationFeed::controlSimulation(const robotcontrol::Re
   return {};
 }
 
-robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
-  robotlink::Errors errors = run_->setLayout(file);
-  if (errors.empty()) {
-    if (choices_) choices_(run_->options());
-    publishAnswers();
-  }
-  return errors;
-}
-
 tl::expected<bool, robotlink::Errors> SimulationFeed::reload(FileTexts texts) {
   auto done = run_->reload(std::move(texts));
   if (!done) return tl::unexpected(std::move(done.error()));

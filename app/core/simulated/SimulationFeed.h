@@ -57,6 +57,7 @@ class SimulationFeed final : public PlatformFeed {
   /// Makes one step; publishes transforms and status at their rates, or at once after a single step.
   void step() override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
+  robotlink::Errors setLayoutOf(const std::string& name, const std::filesystem::path& file) override;
   /// Also publishes the scene, and which models could not keep their state.
   tl::expected<bool, robotlink::Errors> reload(FileTexts texts) override;
   bool takeDescriptionChange() override { return std::exchange(descriptionChanged_, false); }
@@ -114,6 +115,8 @@ class SimulationFeed final : public PlatformFeed {
   void publishScene();
   /// Publishes a sentence about the simulation in the log of the first robot.
   void say(const std::string& text);
+  /// Keeps layouts that were chosen, and publishes what the programs answer in them.
+  void afterLayout();
   /// The game, if there is a referee.
   void publishGameStatus();
   /// The same at its rate, and when something has happened.

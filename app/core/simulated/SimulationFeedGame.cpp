@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SimulationFeed: the game that robots play.
+// SimulationFeed: the game that robots play, and the layouts of their programs.
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Game.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -19,6 +19,23 @@ robotlink::Result<void> SimulationFeed::controlGame(const robotcontrol::Request&
     publishTransforms();
   }
   return done;
+}
+
+robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
+  robotlink::Errors errors = run_->setLayout(file);
+  if (errors.empty()) afterLayout();
+  return errors;
+}
+
+robotlink::Errors SimulationFeed::setLayoutOf(const std::string& name, const std::filesystem::path& file) {
+  robotlink::Errors errors = run_->setLayoutOf(name, file);
+  if (errors.empty()) afterLayout();
+  return errors;
+}
+
+void SimulationFeed::afterLayout() {
+  if (choices_) choices_(run_->options());
+  publishAnswers();
 }
 
 void SimulationFeed::publishGameStatus() {

@@ -220,3 +220,21 @@ TEST(Referee, teamsHaveLayoutsAndSolutionsOfTheirOwn) {
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().front().id, "sim.no-robot");
 }
+
+TEST(Referee, aTeamGetsAnotherLayoutWhileTheOthersPlayOn) {
+  RunOptions options = simulationOptions();
+  options.scene = sceneNamed("game2002-2");
+  const auto run = makeRun(options);
+  ASSERT_TRUE(run);
+  play(*run, 0.5);
+  EXPECT_TRUE(run->setLayoutOf("blue", layoutNamed("parallel")).empty());
+  EXPECT_EQ(run->layout().stem(), "compact");
+  EXPECT_EQ(run->otherLayouts().at("blue2").stem(), "parallel");
+  EXPECT_TRUE(run->setLayoutOf("blue2", layoutNamed("compact")).empty());
+  EXPECT_EQ(run->otherLayouts().size(), 1U);
+  EXPECT_FALSE(run->setLayoutOf("green", layoutNamed("compact")).empty());
+  EXPECT_FALSE(run->setLayoutOf("red", "/no/such/layout.yaml").empty());
+  EXPECT_EQ(run->layout().stem(), "compact");
+  play(*run, 0.5);
+  EXPECT_NEAR(robotlink::seconds(run->world().clock().now()), 1, 0.02);
+}
