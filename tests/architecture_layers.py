@@ -64,7 +64,7 @@ ROOMS = {
     "widgets": ["controls", ".", "text", "steering", "drawings", "picture", "keys", "ports", "packets", "processes", "solutions", "image", "camera", "motion", "motions", "joints", "world", "field",
         "log", "streams", "timing", "color", "drive", "game", "messages", "search", "console", "plots/items", "plots", "data", "overview", "sceneedit", "scene/render", "scene/gizmo", "scene", "objects", "timeline", "export", "color/image", "color/quality",
         "color/samples", "color/space"],
-    "app/core": ["plugins", "truth", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "scenetext", "world/control", "world", "snapshots", "game", "simulated", "remote", "body", "."],
+    "app/core": ["plugins", "truth", "team", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "scenetext", "world/control", "world", "snapshots", "game", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "compare", "link", "log", "run"],
     "app/robotcontrol": ["language", "actions", "commands", "presets", "remote", "docks", "bars", "."],
 }

@@ -12,6 +12,7 @@
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/packages/GamePackages.h"
 
 namespace app {
 
@@ -188,7 +189,10 @@ Errors BodyFeed::describeRobot() {
 
 Errors BodyFeed::startProgram() {
   if (Errors errors = program_->checkSolutions(); !errors.empty()) return errors;
-  auto platform = std::make_unique<RemoteBodyPlatform>(*link_, *clock_, local_);
+  // A team that is heard here is not heard by way of the body.
+  std::set<std::string> leftOut;
+  if (options_.program.team.port) leftOut = {robotlink::kTeamMessages.name, robotlink::kTeamMessage.name};
+  auto platform = std::make_unique<RemoteBodyPlatform>(*link_, *clock_, local_, leftOut);
   platform_ = platform.get();
   return program_->start(std::move(platform));
 }

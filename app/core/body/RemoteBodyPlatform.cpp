@@ -64,7 +64,8 @@ void shiftTimes(Message& message, Duration by) {
 
 }  // namespace
 
-RemoteBodyPlatform::RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const robotlink::Clock& local)
+RemoteBodyPlatform::RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const robotlink::Clock& local,
+                                       const std::set<std::string>& leftOut)
     : Platform("platform", clock),
       link_(link),
       bodyClock_(clock),
@@ -76,7 +77,7 @@ RemoteBodyPlatform::RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const r
   const auto& offer = link.body()->offer;
   for (const std::string& package : offer.sensors()) {
     const auto type = types.find(package);
-    if (type == types.end()) continue;
+    if (type == types.end() || leftOut.contains(package)) continue;
     Sensor& sensor = sensors_[package];
     sensor.type = type->second;
     // The state of the body's own line becomes a part of that of the link.
@@ -85,7 +86,7 @@ RemoteBodyPlatform::RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const r
   }
   for (const std::string& package : offer.commands()) {
     const auto type = types.find(package);
-    if (type == types.end()) continue;
+    if (type == types.end() || leftOut.contains(package)) continue;
     Command& command = commands_[package];
     command.type = type->second;
     command.receiver = std::make_unique<robotlink::AnyReceiver>(*this, package, robotlink::Blocking::kNo);

@@ -33,7 +33,9 @@ namespace app {
 class RemoteBodyPlatform final : public robotlink::Platform {
  public:
   /// The link knows its body.
-  RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const robotlink::Clock& local);
+  /// `leftOut` are packages of the body that come and go in another way.
+  RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const robotlink::Clock& local,
+                     const std::set<std::string>& leftOut = {});
   ~RemoteBodyPlatform() override;
 
   /// Takes in what came, and sends commands.

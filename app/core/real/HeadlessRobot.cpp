@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/platform/RobotName.h"
@@ -32,8 +33,35 @@ std::vector<PlatformField> headlessRobotFields(const std::string& robot) {
            .help = "Robots: prints the program's text messages on stderr",
            .initial = false,
            .option = "--texts"},
+          {.name = kTeamPortField,
+           .kind = Kind::kNumber,
+           .help = "Robots: the UDP port at which it hears its team (none)",
+           .initial = 0.0,
+           .noun = "port",
+           .max = 65535,
+           .option = "--team-port"},
+          {.name = kTeamPeersField,
+           .help = "Robots: the others of its team, HOST:PORT with commas between them; a broadcast address "
+                   "reaches all of a network",
+           .option = "--team-peers"},
+          {.name = kTeamField, .help = "Robots: the name of its team", .option = "--team"},
           ownProcessField()};
 }
+
+namespace {
+
+/// Nothing unless a port was chosen.
+TeamLinkOptions teamOf(const FormValues& values) {
+  TeamLinkOptions team{.team = textOf(values, kTeamField)};
+  const double port = numberOf(values, kTeamPortField);
+  if (port > 0) team.port = static_cast<std::uint16_t>(port);
+  std::istringstream stream(textOf(values, kTeamPeersField));
+  for (std::string peer; std::getline(stream, peer, ',');)
+    if (!peer.empty()) team.peers.push_back(peer);
+  return team;
+}
+
+}  // namespace
 
 void applyChoices(const HeadlessChoices& choices, RealTimeOptions& program) {
   const FormValues& values = choices.options.values;
@@ -41,6 +69,7 @@ void applyChoices(const HeadlessChoices& choices, RealTimeOptions& program) {
   program.map = textOf(values, kMapField);
   for (const auto& [task, solution] : choices.solutions) program.solutions[task] = solution;
   program.preset = choices.preset;
+  program.team = teamOf(values);
   program.spread = choices.spread;
   program.hosting.ownProcesses = flagOf(values, ownProcessField().name);
 }

@@ -15,10 +15,11 @@ namespace app {
 
 /// The names of the options in headlessRobotFields().
 inline constexpr char kMapField[] = "map", kRobotField[] = "robot", kSecondsField[] = "seconds",
-                      kTextsField[] = "texts";
+                      kTextsField[] = "texts", kTeamPortField[] = "team-port",
+                      kTeamPeersField[] = "team-peers", kTeamField[] = "team";
 
-/// The options --map, --robot, --seconds, --texts and --own-process. `robot` is the robot's name if the user
-/// gives none; empty if it is not known.
+/// The options --map, --robot, --seconds, --texts, --team-port, --team-peers, --team and --own-process.
+/// `robot` is the robot's name if the user gives none; empty if it is not known.
 std::vector<PlatformField> headlessRobotFields(const std::string& robot);
 /// Puts what was chosen for the program into its options; a solution takes the place of one for the same
 /// task.

@@ -70,11 +70,20 @@ Errors RealTimeProgram::checkSolutions() const {
 Errors RealTimeProgram::start(std::unique_ptr<robotlink::Platform> platform) {
   stopSwitch_ = std::make_shared<StopSwitch>(
       name(), [robot = platform.get()](bool engaged) { robot->engageStop(engaged); });
+  if (auto joined = joinTeam(*platform); !joined) return {joined.error()};
   auto program = makeProgram(std::move(platform), layout());
   if (!program) return program.error();
   if (tap_) tap_->restart();
   adopt(std::move(*program));
   return {};
+}
+
+robotlink::Result<void> RealTimeProgram::joinTeam(robotlink::Platform& platform) {
+  if (!options_.team.port) return {};
+  auto team = TeamLink::open(options_.team, name(), host_.robot().team);
+  if (!team) return tl::unexpected(team.error());
+  team_ = std::move(*team);
+  return team_->attach(platform);
 }
 
 std::filesystem::path RealTimeProgram::layout() const {
@@ -147,6 +156,7 @@ void RealTimeProgram::step() {
   host_.enqueueRequests();
   if (tap_) tap_->askForPackages();
   executor_->step();
+  if (team_) team_->step(clock_->now());
   host_.startStep();
   host_.endStep();
   if (tap_) tap_->endStep();

@@ -14,6 +14,7 @@
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/spread/SpreadOptions.h"
+#include "app/core/team/TeamLink.h"
 
 namespace logplayer {
 class Recorder;
@@ -46,6 +47,8 @@ struct RealTimeOptions {
   HostedProgram::Maker instead = {};
   /// Which of the layout's programs it is, if other programs run the other processes.
   SpreadOptions spread = {};
+  /// By what it hears its team.
+  TeamLinkOptions team = {};
   /// Gets sentences about the other programs, from any thread; empty: they go to the listener of the
   /// platform.
   std::function<void(const std::string& text)> spreadReport = {};
@@ -116,6 +119,8 @@ class RealTimeProgram {
   tl::expected<HostedProgram::Maker, robotlink::Errors> maker(const robotlink::Layout& layout);
   /// Makes a program in a layout, and replaces the present one by it.
   robotlink::Errors replace(const std::filesystem::path& file);
+  /// Connects the platform with the robot's team, if that was chosen.
+  robotlink::Result<void> joinTeam(robotlink::Platform& platform);
   /// Adopts a program and starts its threads.
   void adopt(RobotHost::Candidate program);
   /// Ends the threads and the program.
@@ -130,6 +135,8 @@ class RealTimeProgram {
   std::unique_ptr<RecordingTap> tap_;
   /// Null if all processes run in this program.
   std::unique_ptr<SpreadProgram> spread_;
+  /// Null if it hears no team. Before the host, whose platform has its ends.
+  std::unique_ptr<TeamLink> team_;
   RobotHost host_;
   std::vector<std::string> lostChoices_;
   std::shared_ptr<StopSwitch> stopSwitch_;

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "app/core/simulated/GameEnds.h"
+#include "app/core/team/GameEnds.h"
 #include "app/core/world/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/process/Platform.h"

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/game/GameMail.h"
 #include "app/core/game/Referee.h"
 #include "app/core/game/TeamRadio.h"
 #include "app/core/own/OwnProgram.h"
@@ -22,6 +21,7 @@
 #include "app/core/program/RobotHost.h"
 #include "app/core/simulated/ArcosPorts.h"
 #include "app/core/snapshots/RunJournal.h"
+#include "app/core/team/GameMail.h"
 #include "app/core/world/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/core/simulated/GameEnds.h"
+#include "app/core/team/GameEnds.h"
 #include "robotcontrol/Game.pb.h"
 #include "robotlink/packages/GamePackages.h"
 #include "robotlink/process/Process.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/GameEnds.h"
+#include "app/core/team/GameEnds.h"
 
 #include <utility>
 

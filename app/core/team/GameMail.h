@@ -13,7 +13,7 @@ namespace app {
 
 /// What goes between a robot's platform and the game between two steps: the platform sends its program what
 /// others have put here, and puts here what its program has sent. It outlives platforms, which are replaced.
-/// Used in the thread of the simulation.
+/// One thread at a time.
 struct GameMail {
   /// Null: there is no referee.
   std::shared_ptr<const robotcontrol::GameState> state = nullptr;

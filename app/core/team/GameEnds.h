@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/core/game/GameMail.h"
+#include "app/core/team/GameMail.h"
 #include "robotlink/process/Sender.h"
 
 namespace robotcontrol {
@@ -14,7 +14,7 @@ class TeamMessages;
 
 namespace app {
 
-/// The ends of a simulated robot's platform for a game: it sends game/state and team/messages, and receives
+/// The ends of a robot's platform for a game: it sends game/state and team/messages, and receives
 /// team/message.
 class GameEnds {
  public:

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What robots of a team send each other over UDP: one message in each datagram.
+//
+//     4 bytes  "RCTM"
+//     2 bytes  version: 1
+//     2 bytes  length of the rest behind the checksum, at most kMostTeamBytes
+//     4 bytes  CRC-32 of the rest (zlib's), as numbers are little-endian
+//     the rest robotcontrol.TeamMessage, serialized
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+
+namespace robotcontrol {
+class TeamMessage;
+}
+
+namespace app {
+
+/// The most that a message may take; with its head it fits into a packet of Ethernet.
+inline constexpr std::size_t kMostTeamBytes = 1400;
+
+/// Fails if the message is too long.
+robotlink::Result<std::vector<std::uint8_t>> teamDatagram(const robotcontrol::TeamMessage& message);
+/// Fails if these are no such bytes, of another version, of another length than they say, or damaged; or if
+/// sender or team are missing, or a number is none.
+robotlink::Result<std::shared_ptr<const robotcontrol::TeamMessage>> teamMessageIn(
+    std::span<const std::uint8_t> datagram);
+
+}  // namespace app
