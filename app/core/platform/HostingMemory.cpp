@@ -10,7 +10,7 @@ namespace app {
 namespace {
 
 constexpr char kOwnKey[] = "/own-processes", kOtherwiseKey[] = "/otherwise", kThreadsKey[] = "/threads",
-               kModelsKey[] = "models";
+               kModelsKey[] = "models", kSceneKey[] = "teams/";
 
 template <typename T>
 T valueIn(const robotlink::Settings& settings, const std::string& name) {
@@ -69,6 +69,38 @@ void HostingMemory::chooseModelFolders(const std::vector<std::filesystem::path>&
   std::vector<std::string> texts;
   for (const auto& folder : folders) texts.push_back(folder.string());
   settings_.set(kModelsKey, texts);
+  hasChanged_ = true;
+}
+
+std::optional<TeamPrograms> HostingMemory::teamPrograms(const std::filesystem::path& scene) const {
+  const std::lock_guard lock(mutex_);
+  const std::string key = kSceneKey + scene.string();
+  if (!settings_.all().contains(key)) return std::nullopt;
+  TeamPrograms programs;
+  for (const auto& text : valueIn<std::vector<std::string>>(settings_, key)) {
+    const auto equals = text.find('=');
+    const auto slash = text.find('/');
+    if (equals == std::string::npos) continue;
+    const std::string value = text.substr(equals + 1);
+    if (slash < equals) {
+      programs.solutions[text.substr(0, slash)][text.substr(slash + 1, equals - slash - 1)] = value;
+    } else {
+      programs.layouts[text.substr(0, equals)] = value;
+    }
+  }
+  return programs;
+}
+
+void HostingMemory::chooseTeamPrograms(const std::filesystem::path& scene, const TeamPrograms& programs) {
+  // Scenes in which nothing was ever chosen take no room.
+  if (teamPrograms(scene).value_or(TeamPrograms()) == programs) return;
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> texts;
+  for (const auto& [name, layout] : programs.layouts) texts.push_back(name + "=" + layout.string());
+  for (const auto& [name, solutions] : programs.solutions) {
+    for (const auto& [task, solution] : solutions) texts.push_back(name + "/" + task + "=" + solution);
+  }
+  settings_.set(kSceneKey + scene.string(), texts);
   hasChanged_ = true;
 }
 

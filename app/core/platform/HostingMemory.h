@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +18,19 @@ class HostProgram;
 
 namespace app {
 
+/// The layouts and solutions that were chosen for single robots and teams of a scene, by their names. A plain
+/// value.
+struct TeamPrograms {
+  std::map<std::string, std::filesystem::path> layouts;
+  /// By task.
+  std::map<std::string, std::map<std::string, std::string>> solutions;
+
+  bool operator==(const TeamPrograms&) const = default;
+};
+
 /// The HostingChoices of each kind of platform, and the folders in which the models of scenes are searched
-/// first, kept in a file from one run of the workbench to the next. Any thread.
+/// first, and the TeamPrograms of scenes, kept in a file from one run of the workbench to the next. Any
+/// thread.
 class HostingMemory {
  public:
   explicit HostingMemory(std::filesystem::path file);
@@ -27,6 +40,9 @@ class HostingMemory {
   void choose(const std::string& adapter, const HostingChoices& choices);
   std::vector<std::filesystem::path> modelFolders() const;
   void chooseModelFolders(const std::vector<std::filesystem::path>& folders);
+  /// Unset if nothing was chosen in that scene yet.
+  std::optional<TeamPrograms> teamPrograms(const std::filesystem::path& scene) const;
+  void chooseTeamPrograms(const std::filesystem::path& scene, const TeamPrograms& programs);
   /// Writes the file if something was chosen since the last time. Fails once for each change.
   robotlink::Result<void> save();
 

@@ -11,6 +11,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 #include "simcore/Scene.h"
@@ -29,6 +30,7 @@ std::shared_ptr<RunOptions> lastSimulation(const PlatformContext& context) {
   std::any& memory = context.memory;
   if (!memory.has_value()) {
     const auto first = std::make_shared<RunOptions>(defaultSimulation());
+    first->scene.clear();
     if (context.hosting != nullptr) {
       first->hosting = context.hosting->choices(SimulationFeed::kAdapter);
       first->models = context.hosting->modelFolders();
@@ -36,6 +38,23 @@ std::shared_ptr<RunOptions> lastSimulation(const PlatformContext& context) {
     memory = first;
   }
   return std::any_cast<std::shared_ptr<RunOptions>>(memory);
+}
+
+/// What was chosen for teams and robots when this scene was open before, as far as it still exists; those of
+/// another scene have other teams.
+void useTeamPrograms(const PlatformContext& context, const std::filesystem::path& scene,
+                     RunOptions& options) {
+  if (options.scene == scene || context.hosting == nullptr) return;
+  auto kept = context.hosting->teamPrograms(scene);
+  if (!kept) return;
+  const auto catalog = robotlink::registeredTasks();
+  for (auto& [name, solutions] : kept->solutions)
+    std::erase_if(solutions, [&](const auto& one) { return catalog.find(one.first, one.second) == nullptr; });
+  std::error_code ignored;
+  std::erase_if(kept->layouts,
+                [&](const auto& one) { return !std::filesystem::exists(one.second, ignored); });
+  options.robotLayouts = std::move(kept->layouts);
+  options.robotSolutions = std::move(kept->solutions);
 }
 
 /// Keeps the options of a simulation for the next one; and where the user lets programs run, as far as that
@@ -46,6 +65,8 @@ SimulationFeed::Choices keeperOf(std::shared_ptr<RunOptions> last, HostingMemory
     *last = running;
     const HostingChoices& now = running.hosting;
     if (hosting != nullptr) hosting->chooseModelFolders(running.models);
+    if (hosting != nullptr)
+      hosting->chooseTeamPrograms(running.scene, {running.robotLayouts, running.robotSolutions});
     if (hosting != nullptr && known && *known != now) hosting->choose(SimulationFeed::kAdapter, now);
     known = now;
   };
@@ -64,6 +85,7 @@ PlatformOpening SimulationFeed::opening(const std::filesystem::path& scene,
     const std::shared_ptr<RunOptions> last = lastSimulation(context);
     RunOptions options = *last;
     options.texts.clear();
+    useTeamPrograms(context, scene, options);
     adapt(options);
     options.scene = scene;
     options.progress = context.progress;
