@@ -241,15 +241,7 @@ int runOnce(const SimArguments& arguments) {
     if (robot == kAllRobots || run.description(robot)) continue;
     return printErrors({{"sim.no-robot", "there is no robot " + robot + " in this scene", {robot}, {}}});
   }
-  for (const auto& [robot, layout] : arguments.run.robotLayouts) {
-    if (run.hasRobotOrTeam(robot)) continue;
-    return printErrors({{"sim.no-robot",
-                         "there is no robot, team or kind of robots " + robot +
-                             " in this scene, for which --layout "
-                             "chooses one",
-                         {robot},
-                         {}}});
-  }
+  if (const auto known = TeamOptions::check(run); !known) return printErrors({known.error()});
   printMapNotes(std::cerr, run.map().get());
   unfinished.reset();
   return playGame(run, arguments, outputs, *troubles);

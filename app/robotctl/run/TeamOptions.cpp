@@ -47,6 +47,22 @@ void TeamOptions::addTo(CLI::App& command) {
                      "referee (default: as the scene says)");
 }
 
+robotlink::Result<void> TeamOptions::check(const SimulatedRun& run) {
+  const auto find = [&](const auto& chosen, const std::string& option) -> robotlink::Result<void> {
+    for (const auto& [name, what] : chosen) {
+      if (run.hasRobotOrTeam(name)) continue;
+      return robotlink::failure("sim.no-robot",
+                                "there is no robot, team or kind of robots " + name +
+                                    " in this scene, for which " + option + " chooses one",
+                                {}, {name});
+    }
+    return {};
+  };
+  if (auto found = find(run.options().robotLayouts, "--layout"); !found) return found;
+  if (auto found = find(run.options().robotSolutions, "--solution"); !found) return found;
+  return find(run.options().robotPresets, "--preset");
+}
+
 tl::expected<void, Errors> TeamOptions::applyTo(RunOptions& run) const {
   Errors errors;
   if (auto chosen = chooseLayouts(layouts, run); !chosen) errors.push_back(chosen.error());

@@ -24,6 +24,8 @@ struct TeamOptions {
   void addTo(CLI::App& command);
   /// Whether layouts, solutions or presets were chosen.
   bool given() const { return !layouts.empty() || !solutions.empty() || !presets.empty(); }
+  /// Fails if something was chosen for a robot, team or kind of robots that a run does not have.
+  static robotlink::Result<void> check(const SimulatedRun& run);
   /// Sets what was chosen. Fails with all reasons.
   tl::expected<void, robotlink::Errors> applyTo(RunOptions& run) const;
 };

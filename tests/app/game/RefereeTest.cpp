@@ -215,10 +215,10 @@ TEST(Referee, teamsHaveLayoutsAndSolutionsOfTheirOwn) {
   EXPECT_EQ(run->otherLayouts().size(), 2U) << "blue1 and blue2";
   EXPECT_FALSE(chooseSolutions({"blue/=stand"}, options));
   EXPECT_FALSE(chooseSolutions({"stand"}, options));
-  options.robotSolutions["green"]["behavior"] = "stand";
+  options.robotSolutions["red"]["behavior"] = "sleep";
   const auto wrong = SimulatedRun::create(options, {});
   ASSERT_FALSE(wrong);
-  EXPECT_EQ(wrong.error().front().id, "sim.no-robot");
+  EXPECT_EQ(wrong.error().front().id, "solution.unknown");
 }
 
 TEST(Referee, aTeamGetsAnotherLayoutWhileTheOthersPlayOn) {

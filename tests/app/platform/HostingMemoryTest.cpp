@@ -25,6 +25,25 @@ TEST(HostingMemory, choicesAreThereAgainInTheNextRun) {
   EXPECT_TRUE(memory.choices("pioneer").threads);
 }
 
+TEST(HostingMemory, whatTeamsOfASceneRunIsThereAgain) {
+  const TestFolder folder;
+  const TeamPrograms programs{{{"red", "/layouts/a b.yaml"}, {"blue2", "/c.yaml"}},
+                              {{"blue", {{"behavior", "stand"}, {"motion", "crawl"}}}}};
+  {
+    HostingMemory memory(folder / "hosting.json");
+    EXPECT_FALSE(memory.teamPrograms("/scenes/a.sdf"));
+    memory.chooseTeamPrograms("/scenes/b.sdf", {});
+    EXPECT_FALSE(memory.teamPrograms("/scenes/b.sdf")) << "nothing was chosen";
+    memory.chooseTeamPrograms("/scenes/a.sdf", programs);
+    EXPECT_TRUE(memory.save());
+  }
+  HostingMemory memory(folder / "hosting.json");
+  EXPECT_EQ(memory.teamPrograms("/scenes/a.sdf"), programs);
+  EXPECT_FALSE(memory.teamPrograms("/scenes/b.sdf"));
+  memory.chooseTeamPrograms("/scenes/a.sdf", {});
+  EXPECT_EQ(memory.teamPrograms("/scenes/a.sdf"), TeamPrograms());
+}
+
 TEST(HostingMemory, aDamagedFileIsPutAside) {
   const TestFolder folder;
   folder.write("hosting.json", "nonsense");
