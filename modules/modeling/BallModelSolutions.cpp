@@ -1,74 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions of the task "ball-model": the position of the ball, whether it is visible or not.
-#include <optional>
-
 #include "ModelingParameters.pb.h"
 #include "modules/modeling/BallFilter.h"
+#include "modules/modeling/BallModeler.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
-#include "robotlink/config/FieldDescription.h"
-#include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace modules {
 namespace {
 
-using robotlink::PlotKey;
 using robotlink::Pose2;
-using robotlink::RobotDrawingKey;
-
-const RobotDrawingKey kBallKey{
-    "ball-model/ball",
-    "The ball's estimated position, its certainty, and where it rolls (drawn around the robot)"};
-const PlotKey kPositionKey{"ball-model/position",
-                           "Place of the ball in the robot's frame, and its deviation"};
-const PlotKey kAgeKey{"ball-model/age", "Seconds since the ball was seen"};
-
-/// Sends an estimate, and draws and plots it.
-class BallModeler : public robotlink::Solution {
- public:
-  explicit BallModeler(robotlink::SolutionContext& context)
-      : debug_(context.debug()),
-        ballRadius_(context.robot().field->ballRadius),
-        model_(context.output(robotlink::kBallModel)) {}
-
- protected:
-  void publish(const BallEstimate& ball, const google::protobuf::Timestamp& time) {
-    auto package = std::make_shared<robotcontrol::BallModel>();
-    *package->mutable_timestamp() = time;
-    package->set_known(ball.known);
-    robotlink::assign(*package->mutable_position_in_robot(), ball.position);
-    robotlink::assign(*package->mutable_velocity_in_robot(), ball.velocity);
-    package->set_seconds_since_seen(ball.secondsSinceSeen);
-    package->set_standard_deviation(ball.deviation);
-    draw(ball);
-    model_.send(std::move(package));
-  }
-
- private:
-  void draw(const BallEstimate& ball) {
-    if (debug_.on(kAgeKey)) debug_.plot(kAgeKey, ball.secondsSinceSeen, "s");
-    if (!ball.known) return;
-    if (debug_.on(kBallKey)) {
-      auto drawing = debug_.robotDrawing(kBallKey);
-      drawing.circle(ball.position, ballRadius_, robotlink::colors::kOrange, 2);
-      drawing.circle(ball.position, ballRadius_ + ball.deviation, robotlink::colors::kGray);
-      if (ball.velocity.norm() > 0.02)
-        drawing.arrow(ball.position, ball.position + ball.velocity, robotlink::colors::kOrange);
-    }
-    if (debug_.on(kPositionKey)) {
-      debug_.plot(kPositionKey, "x", ball.position.x(), "m");
-      debug_.plot(kPositionKey, "y", ball.position.y(), "m");
-      debug_.plot(kPositionKey, "deviation", ball.deviation, "m");
-    }
-  }
-
-  robotlink::DebugContext& debug_;
-  double ballRadius_;
-  robotlink::Output<robotcontrol::BallModel> model_;
-};
 
 LastBall::Options optionsOf(const robotcontrol::LastPerceptBallParameters& p) {
   return {p.memory()};
@@ -79,36 +23,22 @@ BallFilter::Options optionsOf(const robotcontrol::FilteredBallParameters& p) {
           p.gate(),   p.outliers_to_restart()};
 }
 
-/// The common part of the two solutions based on percepts; `Estimator` is LastBall or BallFilter.
+/// A percept modeler whose parameters are all set in their file.
 template <typename Estimator, typename Parameters>
-class PerceptBallModeler final : public BallModeler {
+class PlainBallModeler final : public PerceptBallModeler<Estimator> {
  public:
-  explicit PerceptBallModeler(robotlink::SolutionContext& context)
-      : BallModeler(context),
-        parameters_(context.parameters<Parameters>()),
-        percept_(context.input(robotlink::kBallPercept)),
-        motion_(context.input(robotlink::kMotionStatus)),
-        estimator_(optionsOf(parameters_)) {}
-
-  void execute() override {
-    if (!percept_ || !percept_.isNew()) return;
-    std::optional<BallMeasurement> seen;
-    if (percept_->seen() && percept_->confidence() >= parameters_.minimum_confidence())
-      seen = BallMeasurement{robotlink::vector2(percept_->position_in_robot()), percept_->confidence()};
-    const Pose2 odometry = motion_ ? robotlink::pose2(motion_->odometry()) : Pose2{};
-    estimator_.setOptions(optionsOf(parameters_));
-    estimator_.update(robotlink::seconds(robotlink::instant(percept_->timestamp())), odometry, seen);
-    publish(estimator_.estimate(), percept_->timestamp());
-  }
+  explicit PlainBallModeler(robotlink::SolutionContext& context)
+      : PerceptBallModeler<Estimator>(context, optionsOf(context.parameters<Parameters>())),
+        parameters_(context.parameters<Parameters>()) {}
 
  private:
+  typename Estimator::Options options() const override { return optionsOf(parameters_); }
+  double minimumConfidence() const override { return parameters_.minimum_confidence(); }
+
   const Parameters& parameters_;
-  robotlink::Input<robotcontrol::BallPercept> percept_;
-  robotlink::Input<robotcontrol::MotionStatus> motion_;
-  Estimator estimator_;
 };
 
-using LastPerceptBall = PerceptBallModeler<LastBall, robotcontrol::LastPerceptBallParameters>;
+using LastPerceptBall = PlainBallModeler<LastBall, robotcontrol::LastPerceptBallParameters>;
 
 const robotlink::SolutionRegistration kLastPercept =
     robotlink::SolutionBuilder<LastPerceptBall>(
@@ -117,10 +47,10 @@ const robotlink::SolutionRegistration kLastPercept =
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
         .yields(robotlink::kBallModel)
-        .keys({&kBallKey, &kPositionKey, &kAgeKey})
+        .keys({&kBallKey, &kBallPositionKey, &kBallAgeKey})
         .parameters<robotcontrol::LastPerceptBallParameters>();
 
-using FilteredBall = PerceptBallModeler<BallFilter, robotcontrol::FilteredBallParameters>;
+using FilteredBall = PlainBallModeler<BallFilter, robotcontrol::FilteredBallParameters>;
 
 const robotlink::SolutionRegistration kFiltered =
     robotlink::SolutionBuilder<FilteredBall>(
@@ -129,7 +59,7 @@ const robotlink::SolutionRegistration kFiltered =
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
         .yields(robotlink::kBallModel)
-        .keys({&kBallKey, &kPositionKey, &kAgeKey})
+        .keys({&kBallKey, &kBallPositionKey, &kBallAgeKey})
         .parameters<robotcontrol::FilteredBallParameters>();
 
 class OracleBall final : public BallModeler {
@@ -156,7 +86,7 @@ const robotlink::SolutionRegistration kOracleBall =
                                            "The ball's true place, from the simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kBallModel)
-        .keys({&kBallKey, &kPositionKey, &kAgeKey});
+        .keys({&kBallKey, &kBallPositionKey, &kBallAgeKey});
 
 }  // namespace
 }  // namespace modules

@@ -2,52 +2,14 @@
 // The solutions of the task "players-model": the positions of other robots.
 #include "ModelingParameters.pb.h"
 #include "modules/modeling/PlayerTracker.h"
+#include "modules/modeling/PlayersModeler.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
-#include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace modules {
 namespace {
-
-using robotlink::FieldDrawingKey;
-using robotlink::PlotKey;
-
-const FieldDrawingKey kPlayersKey{"players-model/players",
-                                  "The estimated positions of the other robots (drawn on the field)"};
-const PlotKey kCountKey{"players-model/count", "How many other robots are known"};
-
-/// Sends the players, and draws them.
-class PlayersModeler : public robotlink::Solution {
- public:
-  explicit PlayersModeler(robotlink::SolutionContext& context)
-      : debug_(context.debug()), model_(context.output(robotlink::kPlayersModel)) {}
-
- protected:
-  void publish(const std::vector<TrackedPlayer>& players, const google::protobuf::Timestamp& time) {
-    auto package = std::make_shared<robotcontrol::PlayersModel>();
-    *package->mutable_timestamp() = time;
-    for (const TrackedPlayer& player : players) {
-      robotcontrol::PlayersModel::Player& added = *package->add_players();
-      added.set_team(player.team);
-      robotlink::assign(*added.mutable_position_in_field(), player.positionInField);
-      added.set_confidence(player.confidence);
-    }
-    model_.send(std::move(package));
-    if (debug_.on(kCountKey)) debug_.plot(kCountKey, static_cast<double>(players.size()));
-    if (!debug_.on(kPlayersKey)) return;
-    auto drawing = debug_.fieldDrawing(kPlayersKey);
-    for (const TrackedPlayer& player : players)
-      drawing.circle(player.positionInField, 0.15,
-                     player.team == "red" ? robotlink::colors::kRed : robotlink::colors::kBlue,
-                     1 + 2 * player.confidence);
-  }
-
- private:
-  robotlink::DebugContext& debug_;
-  robotlink::Output<robotcontrol::PlayersModel> model_;
-};
 
 class PerceptPlayers final : public PlayersModeler {
  public:
@@ -85,7 +47,7 @@ const robotlink::SolutionRegistration kPercepts =
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)
         .yields(robotlink::kPlayersModel)
-        .keys({&kPlayersKey, &kCountKey})
+        .keys({&kPlayersKey, &kPlayerCountKey})
         .parameters<robotcontrol::PerceptPlayersParameters>();
 
 class OraclePlayers final : public PlayersModeler {
@@ -110,7 +72,7 @@ const robotlink::SolutionRegistration kOraclePlayers =
                                               "The true places of the other robots, from the simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kPlayersModel)
-        .keys({&kPlayersKey, &kCountKey});
+        .keys({&kPlayersKey, &kPlayerCountKey});
 
 }  // namespace
 }  // namespace modules

@@ -11,8 +11,10 @@
 #include "modules/motion/JointLayout.h"
 #include "modules/perception/BodyPosture.h"
 #include "modules/perception/PerceptPackages.h"
+#include "modules/perception/body/BodyTiltFilter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/debugging/ParameterTable.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
 
@@ -94,7 +96,18 @@ class HeadCameraPose : public CameraPoseEstimator {
   virtual BodyTilt estimateTilt() = 0;
   virtual double horizontalAngle() const = 0;
   virtual double verticalAngle() const = 0;
-  LegAngles leg(Leg leg) const { return layout_.leg(positions_, leg); }
+  /// The tilt that follows from the joints of the legs and the contacts of the paws, as far as there are any.
+  BodyTilt tiltByLegs(const robotlink::Input<robotcontrol::BodySensors>& body,
+                      const BodyPosture::Options& options) const {
+    std::array<LegAngles, 4> angles;
+    std::array<bool, 4> contacts{true, true, true, true};
+    for (const Leg each : kLegs) {
+      angles[index(each)] = layout_.leg(positions_, each);
+      const int number = static_cast<int>(index(each));
+      if (body && number < body->paw_contacts_size()) contacts[index(each)] = body->paw_contacts(number);
+    }
+    return BodyPosture(LegKinematics(), options).estimate(angles, contacts);
+  }
 
  private:
   static JointLayout layoutOf(const robotlink::RobotDescription& description) {
@@ -137,16 +150,8 @@ class KinematicCameraPose final : public HeadCameraPose {
   double verticalAngle() const override { return parameters_.vertical_angle(); }
 
   BodyTilt estimateTilt() override {
-    std::array<LegAngles, 4> angles;
-    std::array<bool, 4> contacts{true, true, true, true};
-    for (const Leg each : kLegs) {
-      angles[index(each)] = leg(each);
-      const int number = static_cast<int>(index(each));
-      if (body_ && number < body_->paw_contacts_size()) contacts[index(each)] = body_->paw_contacts(number);
-    }
-    const BodyPosture posture(LegKinematics(), {parameters_.ground_weight(), parameters_.level_weight(),
-                                                parameters_.usual_pitch()});
-    const BodyTilt now = posture.estimate(angles, contacts);
+    const BodyTilt now = tiltByLegs(
+        body_, {parameters_.ground_weight(), parameters_.level_weight(), parameters_.usual_pitch()});
     const double keep = last_ ? parameters_.smoothing() : 0;
     const BodyTilt before = last_.value_or(now);
     last_ =
@@ -170,6 +175,65 @@ const robotlink::SolutionRegistration kKinematic =
         .yields(robotlink::kCameraPose)
         .keys({&kHorizonKey, &kViewKey, &kTiltKey})
         .parameters<robotcontrol::KinematicCameraPoseParameters>();
+
+struct AccelerometerOptions : BodyPosture::Options, BodyTiltFilter::Options {
+  /// Opening angles of the ERS-210's camera, rad.
+  double horizontalAngle = 1.00531, verticalAngle = 0.834267;
+};
+
+using AccelerometerFields = robotcontrol::AccelerometerCameraPoseParameters;
+constexpr robotlink::ParameterRange kOpening{0, robotlink::kPi, true};
+const robotlink::ParameterTable<AccelerometerOptions> kAccelerometerTable{
+    {AccelerometerFields::kHorizontalAngleFieldNumber, &AccelerometerOptions::horizontalAngle, kOpening},
+    {AccelerometerFields::kVerticalAngleFieldNumber, &AccelerometerOptions::verticalAngle, kOpening},
+    {AccelerometerFields::kGroundWeightFieldNumber, &BodyPosture::Options::groundWeight,
+     robotlink::kAtLeastZero},
+    {AccelerometerFields::kLevelWeightFieldNumber, &BodyPosture::Options::levelWeight, robotlink::kAboveZero},
+    {AccelerometerFields::kUsualPitchFieldNumber, &BodyPosture::Options::usualPitch, {-1, 1}},
+    {AccelerometerFields::kTimeConstantFieldNumber, &BodyTiltFilter::Options::timeConstant,
+     robotlink::kAtLeastZero},
+    {AccelerometerFields::kMaximumJoltFieldNumber, &BodyTiltFilter::Options::maximumJolt,
+     robotlink::kAtLeastZero}};
+
+class AccelerometerCameraPose final : public HeadCameraPose {
+ public:
+  explicit AccelerometerCameraPose(robotlink::SolutionContext& context)
+      : HeadCameraPose(context),
+        parameters_(context.parameters<AccelerometerFields>()),
+        body_(context.input(robotlink::kBodySensors)) {}
+
+ private:
+  double horizontalAngle() const override { return options_.horizontalAngle; }
+  double verticalAngle() const override { return options_.verticalAngle; }
+
+  BodyTilt estimateTilt() override {
+    options_ = kAccelerometerTable.read(parameters_);
+    const BodyTilt legs = tiltByLegs(body_, options_);
+    if (!body_) return legs;
+    const double now = robotlink::seconds(robotlink::instant(body_->timestamp()));
+    const double passed = last_ ? now - *last_ : 0;
+    last_ = now;
+    return filter_.update(legs, robotlink::vector3(body_->acceleration()), passed, options_);
+  }
+
+  const AccelerometerFields& parameters_;
+  robotlink::Input<robotcontrol::BodySensors> body_;
+  AccelerometerOptions options_;
+  BodyTiltFilter filter_;
+  std::optional<double> last_;
+};
+
+const robotlink::SolutionRegistration kAccelerometer =
+    robotlink::SolutionBuilder<AccelerometerCameraPose>(
+        "camera-pose", "accelerometer",
+        "Follows the neck's joints from a body whose slope comes from the legs in the short run and from the "
+        "accelerometer in the long run.")
+        .needs(robotlink::kCameraImage)
+        .needs(robotlink::kJointStates)
+        .needs(robotlink::kBodySensors)
+        .yields(robotlink::kCameraPose)
+        .keys({&kHorizonKey, &kViewKey, &kTiltKey})
+        .parameters<AccelerometerFields>(kAccelerometerTable.rules<AccelerometerFields>());
 
 class FixedStanceCameraPose final : public HeadCameraPose {
  public:

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "modules/modeling/BallFilter.h"
+#include "modules/modeling/ball/BallMeasuring.h"
+#include "robotlink/base/Random.h"
+
+namespace modules {
+
+/// A particle filter over place and velocity of the ball in the frame of dead reckoning (Kwok, Fox: Map-based
+/// multiple model tracking of a moving object, RoboCup 2004). Each particle rests or rolls, and begins to
+/// roll or stops at random; so the ball may be in two places until the next percepts decide.
+///
+/// With each percept some particles are drawn anew at its place, so that a ball that was moved is found again
+/// without a threshold. The estimate is the mean of the particles near the heaviest place. Deterministic for
+/// a seed. Not thread-safe.
+class ParticleBall {
+ public:
+  struct Options {
+    int particles = 80;
+    /// How long the ball is known without percepts, s.
+    double memory = 6;
+    /// Deceleration of a rolling ball, m/s^2.
+    double deceleration = 0.3;
+    /// How often a ball begins to roll and comes to rest, 1/s.
+    double startRate = 0.5, stopRate = 0.5;
+    /// Standard deviation of the velocity of a ball that begins to roll, m/s.
+    double startSpeed = 0.6;
+    /// How far dead reckoning moves a ball, m after one second, growing with the root of time.
+    double drift = 0.06;
+    BallAccuracy accuracy;
+    /// The fraction of particles that are drawn at a percept.
+    double newShare = 0.06;
+    /// The fraction of a percept's information that the percept before did not contain.
+    double evidence = 0.5;
+    std::uint64_t seed = 1;
+  };
+  struct Particle {
+    /// In the odometry frame, m and m/s.
+    robotlink::Vector2 position = robotlink::Vector2::Zero();
+    robotlink::Vector2 velocity = robotlink::Vector2::Zero();
+    double weight = 1;
+  };
+
+  explicit ParticleBall(const Options& options) : options_(options), random_(options.seed) {}
+  /// Takes effect with the next update(), except for the seed.
+  void setOptions(const Options& options) { options_ = options; }
+
+  /// Call it once a frame; the arguments are those of LastBall::update().
+  void update(double time, const robotlink::Pose2& robotInOdometry,
+              const std::optional<BallMeasurement>& seen);
+  BallEstimate estimate() const { return estimate_; }
+  /// Empty before the first percept.
+  const std::vector<Particle>& particles() const { return particles_; }
+
+ private:
+  void move(double seconds);
+  void see(const BallMeasurement& seen, const robotlink::Pose2& robotInOdometry);
+  Particle drawAt(const robotlink::Vector2& place, const Eigen::Matrix2d& root);
+  void resample(const robotlink::Vector2& place, const Eigen::Matrix2d& covariance);
+  void summarize(const robotlink::Pose2& robotInOdometry);
+
+  Options options_;
+  robotlink::Random random_;
+  BallEstimate estimate_;
+  std::vector<Particle> particles_, drawn_;
+  std::optional<double> updatedAt_, seenAt_;
+};
+
+}  // namespace modules

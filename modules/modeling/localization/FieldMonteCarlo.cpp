@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/modeling/localization/FieldMonteCarlo.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace modules {
+
+using robotlink::kPi;
+using robotlink::normalizedAngle;
+using robotlink::Pose2;
+using robotlink::Vector2;
+
+namespace {
+
+/// A squared deviation counts at most as much, so that one wrong measurement does not outweigh the others.
+constexpr double kMaxSquare = 9;
+/// Goals have no exact position, because posts and robots hide parts of them.
+constexpr double kGoalDoubt = 2;
+/// Cells of poses in which clusters are looked for, m and per turn.
+constexpr double kClusterCell = 0.4;
+constexpr int kHeadingCells = 12;
+/// By what fraction the fit follows an image.
+constexpr double kFitRate = 0.12;
+
+}  // namespace
+
+FieldMonteCarlo::FieldMonteCarlo(const robotlink::FieldDescription& field, const Options& options)
+    : options_(options),
+      random_(options.seed),
+      edges_(field),
+      halfLength_(0.5 * field.length),
+      halfWidth_(0.5 * field.width),
+      particles_(static_cast<std::size_t>(std::max(1, options.particles))) {
+  for (Particle& particle : particles_) set(particle, anyPose());
+  summarize();
+}
+
+void FieldMonteCarlo::startAt(const Pose2& pose, double deviation) {
+  for (Particle& particle : particles_) {
+    set(particle,
+        {pose.x + deviation * noise(), pose.y + deviation * noise(), pose.heading + deviation * noise()});
+    particle.weight = 1;
+  }
+  memory_.clear();
+  fit_ = 1;
+  summarize();
+}
+
+double FieldMonteCarlo::noise() {
+  // The sum of four uniform numbers, scaled to a deviation of 1 (Irwin-Hall).
+  const std::uint64_t bits = random_.bits();
+  const auto part = [&](int i) { return static_cast<double>((bits >> (16 * i)) & 0xFFFFU); };
+  constexpr double kScale = 1.7320508075688772 / 65536;
+  return (part(0) + part(1) + part(2) + part(3) - 2 * 65535.0) * kScale;
+}
+
+void FieldMonteCarlo::set(Particle& particle, const Pose2& pose) const {
+  particle.pose = {std::clamp(pose.x, -halfLength_, halfLength_), std::clamp(pose.y, -halfWidth_, halfWidth_),
+                   normalizedAngle(pose.heading)};
+  particle.cosine = std::cos(pose.heading);
+  particle.sine = std::sin(pose.heading);
+}
+
+Pose2 FieldMonteCarlo::anyPose() {
+  return {random_.uniform(-halfLength_, halfLength_), random_.uniform(-halfWidth_, halfWidth_),
+          random_.uniform(-kPi, kPi)};
+}
+
+void FieldMonteCarlo::move(const Pose2& step, bool shaken) {
+  const double drift = (shaken ? 10 : 1) * options_.driftNoise;
+  const double way = options_.walkNoise * std::sqrt(std::hypot(step.x, step.y)) + drift;
+  const double turn = options_.turnNoise * std::sqrt(std::abs(step.heading)) + drift;
+  for (Particle& particle : particles_) {
+    const double x = step.x + way * noise(), y = step.y + way * noise();
+    set(particle, {particle.pose.x + particle.cosine * x - particle.sine * y,
+                   particle.pose.y + particle.sine * x + particle.cosine * y,
+                   particle.pose.heading + step.heading + turn * noise()});
+  }
+}
+
+void FieldMonteCarlo::choose(const Frame& frame) {
+  sights_.clear();
+  for (const LandmarkMeasurement& landmark : frame.landmarks) {
+    const double doubt = (landmark.isGoal ? kGoalDoubt : 1) * (2 - landmark.confidence);
+    sights_.push_back({landmark.position,
+                       {std::cos(landmark.bearing), std::sin(landmark.bearing)},
+                       landmark.distance,
+                       doubt * options_.bearingDeviation,
+                       doubt * (options_.distanceDeviation * landmark.distance + 0.05)});
+  }
+  // Evenly chosen points: neighbors in the list lie next to each other in the image.
+  points_.clear();
+  const auto wanted = static_cast<std::size_t>(std::max(0, options_.linePoints));
+  const std::size_t count = std::min(frame.lines.size(), wanted);
+  for (std::size_t i = 0; i < count; ++i) points_.push_back(frame.lines[i * frame.lines.size() / count]);
+}
+
+double FieldMonteCarlo::landmarkSquares(const Particle& particle) const {
+  double squares = 0;
+  for (const Sight& sight : sights_) {
+    const double dx = sight.position.x() - particle.pose.x, dy = sight.position.y() - particle.pose.y;
+    const double distance = std::max(0.05, std::sqrt(dx * dx + dy * dy));
+    // The sine of the angle between two unit vectors is their cross product.
+    const double x = (particle.cosine * dx + particle.sine * dy) / distance;
+    const double y = (particle.cosine * dy - particle.sine * dx) / distance;
+    const double sine = x * sight.direction.y() - y * sight.direction.x();
+    const bool ahead = x * sight.direction.x() + y * sight.direction.y() > 0;
+    const double off = ahead ? sine / sight.directionDeviation : kMaxSquare;
+    const double far = (sight.distance - distance) / sight.distanceDeviation;
+    squares += std::min(kMaxSquare, off * off) + std::min(kMaxSquare, far * far);
+  }
+  return squares;
+}
+
+double FieldMonteCarlo::lineSquares(const Particle& particle) const {
+  double squares = 0;
+  for (const LineMeasurement& point : points_) {
+    const double x = point.inRobot.x(), y = point.inRobot.y();
+    const Vector2 inField(particle.pose.x + particle.cosine * x - particle.sine * y,
+                          particle.pose.y + particle.sine * x + particle.cosine * y);
+    const double deviation =
+        options_.lineDeviation + options_.lineDeviationPerMeter * std::sqrt(x * x + y * y);
+    const double off = edges_.distance(inField, point.direction + particle.pose.heading) / deviation;
+    squares += std::min(kMaxSquare, off * off);
+  }
+  return squares;
+}
+
+void FieldMonteCarlo::weigh(const Frame& frame) {
+  choose(frame);
+  double sum = 0;
+  const double measurements = 2 * static_cast<double>(sights_.size());
+  for (Particle& particle : particles_) {
+    const double landmarks = landmarkSquares(particle);
+    if (measurements > 0) sum += std::exp(-0.5 * landmarks / measurements);
+    const double weighted =
+        options_.landmarkEvidence * landmarks + options_.lineEvidence * lineSquares(particle);
+    particle.weight *= std::exp(-0.5 * weighted);
+  }
+  if (measurements > 0) fit_ += kFitRate * (sum / static_cast<double>(particles_.size()) - fit_);
+}
+
+Pose2 FieldMonteCarlo::drawPose(const Pose2& robotInOdometry) {
+  const auto& known = memory_.sightings();
+  if (known.empty()) return anyPose();
+  const Pose2 odometryInRobot = robotInOdometry.inverse();
+  const auto place = [&](const LandmarkMemory::Sighting& sighting) {
+    const Vector2 inRobot = odometryInRobot * sighting.inOdometry;
+    return Vector2(inRobot * (1 + options_.distanceDeviation * noise()));
+  };
+  const auto pick = [&] {
+    return static_cast<std::size_t>(random_.uniform() * static_cast<double>(known.size()));
+  };
+  const std::size_t first = pick(), second = pick();
+  const Vector2 seen = place(known[first]);
+  const double turn = options_.bearingDeviation * noise();
+  if (first != second) {
+    Pose2 pose =
+        LandmarkMemory::poseFrom(known[first].position, seen, known[second].position, place(known[second]));
+    pose.heading += turn;
+    return pose;
+  }
+  const double around = random_.uniform(-kPi, kPi), distance = std::max(0.1, seen.norm());
+  return {known[first].position.x() + distance * std::cos(around),
+          known[first].position.y() + distance * std::sin(around),
+          around + kPi - std::atan2(seen.y(), seen.x()) + turn};
+}
+
+void FieldMonteCarlo::resample(const Pose2& robotInOdometry) {
+  const std::size_t count = particles_.size();
+  double sum = 0;
+  for (const Particle& particle : particles_) sum += particle.weight;
+  if (!(sum > 0)) return;
+  const double lack = options_.goodFit > 0 ? std::max(0.0, 1 - fit_ / options_.goodFit) : 0;
+  const double fresh = options_.newShare * lack;
+  if (fresh == 0 && effectiveParticles() > 0.5 * static_cast<double>(count)) return;
+  const double share = fresh + options_.probeShare;
+  const double start = random_.uniform(), rough = options_.roughening;
+  double passed = 0;
+  std::size_t at = 0;
+  drawn_.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double wanted = (start + static_cast<double>(i)) / static_cast<double>(count) * sum;
+    while (at + 1 < count && passed + particles_[at].weight < wanted) passed += particles_[at++].weight;
+    const Pose2& from = particles_[at].pose;
+    Particle& added = drawn_.emplace_back();
+    // If duplicates stayed equal, the cloud would shrink whatever is seen.
+    if (random_.uniform() < share)
+      set(added, drawPose(robotInOdometry));
+    else
+      set(added, {from.x + rough * noise(), from.y + rough * noise(), from.heading + rough * noise()});
+  }
+  particles_.swap(drawn_);
+}
+
+double FieldMonteCarlo::effectiveParticles() const {
+  double sum = 0, squares = 0;
+  for (const Particle& particle : particles_) {
+    sum += particle.weight;
+    squares += particle.weight * particle.weight;
+  }
+  return squares > 0 ? sum * sum / squares : 0;
+}
+
+bool FieldMonteCarlo::Block::contains(const Block& cell) const {
+  const int turned = (cell.heading - heading + kHeadingCells) % kHeadingCells;
+  return cell.x >= x && cell.x <= x + 1 && cell.y >= y && cell.y <= y + 1 && turned <= 1;
+}
+
+FieldMonteCarlo::Block FieldMonteCarlo::cellOf(const Pose2& pose) const {
+  return {static_cast<int>((pose.x + halfLength_) / kClusterCell),
+          static_cast<int>((pose.y + halfWidth_) / kClusterCell),
+          static_cast<int>((pose.heading + kPi) / (2 * kPi) * kHeadingCells) % kHeadingCells};
+}
+
+FieldMonteCarlo::Block FieldMonteCarlo::densestBlock() {
+  const int columns = static_cast<int>(2 * halfLength_ / kClusterCell) + 2;
+  const int rows = static_cast<int>(2 * halfWidth_ / kClusterCell) + 2;
+  const auto at = [&](int x, int y, int h) -> double& {
+    return cells_[static_cast<std::size_t>((y * columns + x) * kHeadingCells + h)];
+  };
+  // Each particle counts for the eight blocks that contain its cell; a block is named by its first cell.
+  cells_.assign(static_cast<std::size_t>(columns * rows * kHeadingCells), 0);
+  for (const Particle& particle : particles_) {
+    const Block cell = cellOf(particle.pose);
+    const int before = (cell.heading + kHeadingCells - 1) % kHeadingCells;
+    for (int y = std::max(0, cell.y - 1); y <= cell.y; ++y) {
+      for (int x = std::max(0, cell.x - 1); x <= cell.x; ++x) {
+        at(x, y, cell.heading) += particle.weight;
+        at(x, y, before) += particle.weight;
+      }
+    }
+  }
+  const auto index = static_cast<int>(std::ranges::max_element(cells_) - cells_.begin());
+  const int place = index / kHeadingCells;
+  return {place % columns, place / columns, index % kHeadingCells};
+}
+
+void FieldMonteCarlo::summarize() {
+  const Block best = densestBlock();
+  double sum = 0, all = 0, x = 0, y = 0, c = 0, s = 0, squares = 0;
+  for (const Particle& particle : particles_) {
+    all += particle.weight;
+    if (!best.contains(cellOf(particle.pose))) continue;
+    sum += particle.weight;
+    x += particle.weight * particle.pose.x;
+    y += particle.weight * particle.pose.y;
+    c += particle.weight * particle.cosine;
+    s += particle.weight * particle.sine;
+    squares += particle.weight * (particle.pose.x * particle.pose.x + particle.pose.y * particle.pose.y);
+  }
+  if (!(sum > 0)) return;
+  x /= sum;
+  y /= sum;
+  estimate_.robotInField = {x, y, std::atan2(s, c)};
+  // What lies elsewhere makes the estimate doubtful, as if it were a meter and a radian away.
+  const double elsewhere = std::max(0.0, 1 - sum / all);
+  const double inside = std::max(0.0, squares / sum - x * x - y * y);
+  estimate_.positionDeviation = std::sqrt(0.5 * inside + elsewhere);
+  const double length = std::clamp(std::hypot(c, s) / sum, 1e-6, 1.0);
+  estimate_.headingDeviation = std::sqrt(-2 * std::log(length) + elsewhere);
+}
+
+void FieldMonteCarlo::update(const Frame& frame) {
+  if (hasOdometry_) move(odometry_.inverse() * frame.robotInOdometry, frame.shaken);
+  odometry_ = frame.robotInOdometry;
+  hasOdometry_ = true;
+  memory_.add(frame.time, frame.robotInOdometry, frame.landmarks, options_.memory);
+  if (!frame.landmarks.empty() || !frame.lines.empty()) {
+    weigh(frame);
+    resample(frame.robotInOdometry);
+  }
+  summarize();
+}
+
+std::vector<Pose2> FieldMonteCarlo::particles() const {
+  std::vector<Pose2> poses;
+  for (const Particle& particle : particles_) poses.push_back(particle.pose);
+  return poses;
+}
+
+}  // namespace modules
