@@ -4,11 +4,18 @@
 #include <arpa/inet.h>
 #include <ifaddrs.h>
 #include <net/if.h>
-#include <netdb.h>
 #include <netinet/in.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "robotlink/base/network/HostLookup.h"
 
 namespace robotlink::dds {
 namespace {
+
+/// How long the system may take to find the address of a name.
+constexpr std::chrono::seconds kLookupTime{10};
 
 std::string textOfAddress(const sockaddr* address) {
   char text[INET_ADDRSTRLEN] = "";
@@ -50,14 +57,13 @@ std::string whyNotUsable(const std::string& address, const std::vector<LocalInte
 }
 
 std::string addressOf(const std::string& host) {
-  addrinfo hints{};
-  hints.ai_family = AF_INET;
-  hints.ai_socktype = SOCK_DGRAM;
-  addrinfo* found = nullptr;
-  if (::getaddrinfo(host.c_str(), nullptr, &hints, &found) != 0 || found == nullptr) return {};
-  const std::string address = textOfAddress(found->ai_addr);
-  ::freeaddrinfo(found);
-  return address;
+  const auto found = HostLookup::start(host)->wait(kLookupTime);
+  if (!found || !*found) return {};
+  in_addr ignored{};
+  const auto v4 = std::ranges::find_if(**found, [&](const std::string& address) {
+    return ::inet_pton(AF_INET, address.c_str(), &ignored) == 1;
+  });
+  return v4 == (*found)->end() ? std::string() : *v4;
 }
 
 }  // namespace robotlink::dds

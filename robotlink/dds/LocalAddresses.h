@@ -20,8 +20,8 @@ std::vector<std::string> localAddresses();
 /// Why no network can be used by this address of this machine: "its interface eth1 is down"; empty if one
 /// can.
 std::string whyNotUsable(const std::string& address, const std::vector<LocalInterface>& interfaces);
-/// The IPv4 address of a machine, by its address or name; empty if there is none. Asks the system, which may
-/// take seconds for a name.
+/// The IPv4 address of a machine, by its address or name; empty if there is none. Asks the system, for a name
+/// 10 s at most.
 std::string addressOf(const std::string& host);
 
 }  // namespace robotlink::dds

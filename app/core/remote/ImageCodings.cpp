@@ -11,7 +11,7 @@ namespace {
 
 /// Makes messages of what an encoder returns; null if it fails.
 template <typename Encode>
-robotlink::websocket::SessionServer::ImageEncoder encoderBy(Encode encode) {
+robotlink::websocket::ImageEncoder encoderBy(Encode encode) {
   return [encode](const google::protobuf::Message& image) -> robotlink::PackagePtr {
     const auto* raw = dynamic_cast<const foxglove::RawImage*>(&image);
     if (raw == nullptr) return nullptr;

@@ -6,10 +6,13 @@
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <chrono>
 #include <optional>
 #include <system_error>
+#include <vector>
 
 #include "robotlink/arcos/stream/DescriptorStream.h"
+#include "robotlink/base/network/HostLookup.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -47,11 +50,8 @@ class TcpStream final : public DescriptorStream {
   const std::string endpoint_;
 };
 
-tl::unexpected<Error> notFound(const TcpAddress& address, const error_code& error) {
-  return failure("stream.no-host",
-                 "there is no host called '" + address.host + "' (" + error.message() +
-                     "): check its spelling and the network",
-                 {}, {address.host});
+tl::unexpected<Error> notFound(const TcpAddress& address, const std::string& reason) {
+  return failure("stream.no-host", reason, {}, {address.host});
 }
 
 tl::unexpected<Error> notConnected(const TcpAddress& address, const error_code& error) {
@@ -70,15 +70,25 @@ tl::unexpected<Error> notConnected(const TcpAddress& address, const error_code& 
 }  // namespace
 
 Result<std::unique_ptr<ByteStream>> openTcp(const TcpAddress& address, Duration timeLimit) {
+  const auto end = std::chrono::steady_clock::now() + timeLimit;
+  const auto found = HostLookup::start(address.host)->wait(timeLimit);
+  if (!found)
+    return notFound(address, "the network has not yet said which machine is called '" + address.host +
+                                 "': try again, or give its IP address");
+  if (!*found) return notFound(address, found->error().text);
+  std::vector<tcp::endpoint> endpoints;
+  for (const std::string& one : **found) {
+    error_code ignored;
+    endpoints.emplace_back(asio::ip::make_address(one, ignored), address.port);
+  }
+  if (address.host == "localhost") endpoints.emplace_back(asio::ip::address_v6::loopback(), address.port);
+
   asio::io_context context;
   error_code error;
-  const auto endpoints = tcp::resolver(context).resolve(address.host, std::to_string(address.port), error);
-  if (error) return notFound(address, error);
-
   tcp::socket socket(context);
   std::optional<error_code> outcome;
   asio::async_connect(socket, endpoints, [&](const error_code& e, const tcp::endpoint&) { outcome = e; });
-  context.run_for(timeLimit);
+  context.run_until(end);
   if (!outcome) {
     return failure("stream.no-answer",
                    endpointOf(address) + " does not answer: is it switched on, and in this network?", {},

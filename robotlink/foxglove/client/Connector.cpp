@@ -20,7 +20,6 @@
 #include "robotlink/base/Utf8.h"
 #include "robotlink/base/bytes/LittleEndian.h"
 #include "robotlink/foxglove/client/Distrust.h"
-#include "robotlink/foxglove/client/HostLookup.h"
 #include "robotlink/foxglove/client/Refusals.h"
 #include "robotlink/foxglove/client/Upgrade.h"
 #include "robotlink/foxglove/security/Tls.h"
@@ -75,15 +74,21 @@ class ConnectorThread {
   void tickLater();
   void tick();
   void connect();
-  void connectTo(const HostLookup::Outcome& outcome);
+  /// Connects once an address of the robot is known.
+  void connectIfFound();
   void drop();
 
   asio::steady_timer timer_{context};
+  /// The one that is under way, however many tries it takes.
   std::shared_ptr<HostLookup> lookup_;
+  /// What the newest lookup that succeeded has found; a cut line may keep others from it.
+  std::vector<std::string> addresses_;
   /// The objection of the newest failure.
   ServerObjection objection_;
   /// Which of several addresses is tried next.
   std::size_t nextAddress_ = 0;
+  /// Whether an address is waited for.
+  bool isConnecting_ = false;
   std::shared_ptr<ServerConnection> connection_;
   std::thread thread_;
 };
@@ -325,9 +330,7 @@ void ConnectorThread::tickLater() {
 
 void ConnectorThread::tick() {
   tickLater();  // first: it goes on, whatever throws
-  if (lookup_) {
-    if (const auto outcome = lookup_->outcome()) connectTo(*outcome);
-  }
+  if (isConnecting_) connectIfFound();
   switch (watch.next(now())) {
     case LinkWatch::Action::kConnect:
       connect();
@@ -359,15 +362,24 @@ void ConnectorThread::connect() {
   if (!tls) return failed(Failure::kRefused, tls.error().text);
   if (const std::string why = whyNoToken(options.token); !why.empty())
     return failed(Failure::kRefused, why, {ServerObjection::Kind::kToken});
-  lookup_ = HostLookup::start(options.url.host);
-  if (const auto outcome = lookup_->outcome()) connectTo(*outcome);
+  isConnecting_ = true;
+  if (!lookup_) lookup_ = HostLookup::start(options.url.host, options.resolver);
+  connectIfFound();
 }
 
-void ConnectorThread::connectTo(const HostLookup::Outcome& outcome) {
-  lookup_.reset();
-  if (!outcome) return failed(Failure::kEnded, outcome.error().text);
+void ConnectorThread::connectIfFound() {
+  if (const auto outcome = lookup_ ? lookup_->outcome() : std::nullopt) {
+    lookup_.reset();
+    if (*outcome)
+      addresses_ = **outcome;
+    else if (addresses_.empty())
+      return failed(Failure::kEnded, outcome->error().text);
+  }
+  if (addresses_.empty()) return;
+  isConnecting_ = false;
   error_code error;
-  const auto address = asio::ip::make_address((*outcome)[nextAddress_++ % outcome->size()], error);
+  const auto address = asio::ip::make_address(addresses_[nextAddress_++ % addresses_.size()], error);
+  watch.addressFound(now());
   connection_ = std::make_shared<ServerConnection>(*this, tls->get());
   connection_->start({address, options.url.port});
 }
@@ -380,7 +392,7 @@ void ConnectorThread::failed(Failure failure, const std::string& reason, ServerO
 }
 
 void ConnectorThread::drop() {
-  lookup_.reset();
+  isConnecting_ = false;
   // It may be what calls this.
   if (const auto connection = std::exchange(connection_, nullptr)) connection->end();
   client->lost();

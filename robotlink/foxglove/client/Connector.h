@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "robotlink/base/network/HostLookup.h"
 #include "robotlink/foxglove/client/Client.h"
 #include "robotlink/foxglove/client/LinkWatch.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
@@ -32,6 +33,8 @@ class Connector {
     /// The longest message of the server, and the longest of those that are JSON.
     std::size_t messageBytes = 64U << 20U, textBytes = 16U << 20U;
     LinkWatch::Times times = {};
+    /// Finds the addresses of the robot's name; the system's if there is none.
+    HostLookup::Resolver resolver = {};
     /// What the system may hold of data that it has not sent: what is urgent waits behind it.
     int unsentBytes = 2 << 10;
     /// What this client calls itself, for those who look at the robot.

@@ -12,6 +12,7 @@ void LinkWatch::enter(Phase phase, Instant since, std::string reason) {
 }
 
 Duration LinkWatch::stepLimit() const {
+  if (step_ == Step::kLookup) return times_.lookupTime;
   if (step_ == Step::kTcp) return times_.connectTime;
   return wasOpen_ ? times_.stepTime : times_.firstStepTime;
 }
@@ -20,17 +21,13 @@ LinkWatch::Action LinkWatch::next(Instant now) {
   switch (step_) {
     case Step::kWaiting:
       if (now < nextTry_) return Action::kNone;
-      step_ = Step::kTcp;
+      step_ = Step::kLookup;
       stepAt_ = now;
       return Action::kConnect;
+    case Step::kLookup:
     case Step::kTcp:
     case Step::kHandshake:
-      if (now - stepAt_ < stepLimit()) return Action::kNone;
-      failed(Failure::kSilence,
-             step_ == Step::kTcp ? "nothing answers there; is the robot switched on, and in this network?"
-                                 : "something listens there, but does not answer",
-             now);
-      return Action::kGiveUp;
+      return nextWhileConnecting(now);
     default:
       break;
   }
@@ -48,6 +45,29 @@ LinkWatch::Action LinkWatch::next(Instant now) {
   pingedAt_ = now;
   if (asks) askedAt_ = now;
   return asks ? Action::kPing : Action::kPong;
+}
+
+LinkWatch::Action LinkWatch::nextWhileConnecting(Instant now) {
+  if (now - stepAt_ >= stepLimit()) {
+    failed(Failure::kSilence, whyNoStep(), now);
+    return Action::kGiveUp;
+  }
+  if (step_ == Step::kLookup && now - stepAt_ >= times_.connectTime)
+    enter(phase_, since_, "the network has not yet said which address this name has");
+  return Action::kNone;
+}
+
+std::string LinkWatch::whyNoStep() const {
+  if (step_ == Step::kLookup)
+    return "the network does not say which address this name has; check the name, or give the IP address";
+  if (step_ == Step::kTcp) return "nothing answers there; is the robot switched on, and in this network?";
+  return "something listens there, but does not answer";
+}
+
+void LinkWatch::addressFound(Instant now) {
+  if (step_ != Step::kLookup) return;
+  step_ = Step::kTcp;
+  stepAt_ = now;
 }
 
 void LinkWatch::stepDone(Instant now) {

@@ -22,6 +22,8 @@ class LinkWatch {
     /// steps may take firstStepTime, for lines that are very slow.
     Duration connectTime = std::chrono::seconds(1), stepTime = std::chrono::seconds(1),
              firstStepTime = std::chrono::seconds(5);
+    /// Time for finding the address of a name, which the system may have to ask for several times.
+    Duration lookupTime = std::chrono::seconds(30);
     /// Between two tries, and after a refusal.
     Duration retryTime = std::chrono::milliseconds(200), refusedTime = std::chrono::seconds(5);
   };
@@ -43,6 +45,8 @@ class LinkWatch {
 
   /// What to do now. Call it several times a second.
   Action next(Instant now);
+  /// The address is known, and TCP begins to connect.
+  void addressFound(Instant now);
   /// A step of connecting is done: TCP is connected, encryption is agreed on, the handshake is answered.
   void stepDone(Instant now);
   /// The server has said hello.
@@ -58,10 +62,13 @@ class LinkWatch {
   bool isGreeted() const { return step_ == Step::kOpen; }
 
  private:
-  enum class Step { kWaiting, kTcp, kHandshake, kOpen };
+  enum class Step { kWaiting, kLookup, kTcp, kHandshake, kOpen };
   using Phase = ConnectionState::Phase;
   void enter(Phase phase, Instant since, std::string reason);
   Duration stepLimit() const;
+  Action nextWhileConnecting(Instant now);
+  /// Why the step of connecting that is under way has not come to its end.
+  std::string whyNoStep() const;
 
   const Times times_;
   Step step_ = Step::kWaiting;

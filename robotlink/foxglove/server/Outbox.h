@@ -79,6 +79,8 @@ class Outbox {
   bool pushControl(FrameKind kind, SharedBytes bytes);
   /// `maxWaiting` bounds what waits of a complete stream.
   void push(StreamId stream, Outgoing message, Delivery delivery, std::size_t maxWaiting);
+  /// Counts a message of a stream that was left out before it came here.
+  void noteThinned(StreamId stream) { ++streams_[stream].counters.thinned; }
   /// Forgets what waits of a stream; its counters stay.
   void clear(StreamId stream);
   /// Forgets a stream, and what waits of it.

@@ -34,6 +34,10 @@ void ServerChannel::publish(Instant time, SharedBytes payload) {
   if (const auto server = server_.lock()) server->publish(*this, time, std::move(payload));
 }
 
+void ServerChannel::noteThinned() {
+  if (const auto server = server_.lock()) server->noteThinned(*this);
+}
+
 std::string shownName(const ClientInfo& client) {
   return client.name.empty() ? client.address : client.name + " at " + client.address;
 }
@@ -93,6 +97,11 @@ void Server::publish(ServerChannel& channel, Instant time, SharedBytes payload) 
   if (!channel.setup().latched) return;
   channel.latchedTime_ = time;
   channel.latched_ = std::move(payload);
+}
+
+void Server::noteThinned(const ServerChannel& channel) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& subscriber : channel.subscribers_) subscriber.client->outbox.noteThinned(channel.id());
 }
 
 void Server::setBackLatched(Instant time) {

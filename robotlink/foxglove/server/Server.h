@@ -107,6 +107,7 @@ class Server : public std::enable_shared_from_this<Server> {
   Server(ServerOptions options, ServerHandlers handlers);
 
   void publish(ServerChannel& channel, Instant time, SharedBytes payload);
+  void noteThinned(const ServerChannel& channel);
 
   /// A message as it is sent, to one client or several.
   struct SharedFrame {

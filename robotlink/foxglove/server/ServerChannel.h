@@ -44,6 +44,8 @@ class ServerChannel {
   void publish(Instant time, std::string payload) {
     if (isWanted()) publish(time, std::make_shared<const std::string>(std::move(payload)));
   }
+  /// Counts a message that was left out before it was published, as thinned for each subscriber.
+  void noteThinned();
 
  private:
   friend class Server;

@@ -193,6 +193,7 @@ void SessionServer::addChannels(std::vector<ChannelSetup> setups) {
 
 void SessionServer::setImageEncoders(ImageEncoders encoders) {
   encoders_ = std::move(encoders);
+  encoding_ = std::make_unique<ImageEncoding>();
   std::vector<ChannelSetup> setups;
   for (const auto& [path, channel] : channels_) {
     if (channel->setup().schemaName != kRawImage) continue;
@@ -206,8 +207,11 @@ void SessionServer::setImageEncoders(ImageEncoders encoders) {
 void SessionServer::passEncoded(const StreamMessage& message, const std::string& coding) {
   const auto found = channels_.find(message.path + coding);
   if (found == channels_.end() || !found->second->isWanted()) return;
-  if (const PackagePtr encoded = encoders_.at(coding)(*message.value))
-    found->second->publish(message.time, encoded->SerializeAsString());
+  encoding_->post(found->second, message.time, message.value, encoders_.at(coding));
+}
+
+void SessionServer::finishImages() {
+  if (encoding_) encoding_->finish();
 }
 
 std::string SessionServer::codingOf(const std::string& path) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robotlink/foxglove/server/Server.h"
+#include "robotlink/foxglove/session/ImageEncoding.h"
 #include "robotlink/foxglove/session/KeyRequests.h"
 #include "robotlink/foxglove/session/ModuleParameters.h"
 #include "robotlink/foxglove/session/NarrowLines.h"
@@ -51,13 +52,13 @@ class SessionServer {
   SessionServer(const SessionServer&) = delete;
   SessionServer& operator=(const SessionServer&) = delete;
 
-  /// Makes a foxglove.CompressedImage of a foxglove.RawImage; null: it cannot.
-  using ImageEncoder = std::function<PackagePtr(const google::protobuf::Message& image)>;
   /// Keyed by kJpegChannel and kPngChannel.
   using ImageEncoders = std::map<std::string, ImageEncoder>;
   /// From now on each channel of images has others, "red1/camera/image/jpeg", for narrow lines. Images are
-  /// encoded once for all clients, while somebody subscribes.
+  /// encoded once for all clients, while somebody subscribes, in a thread of its own. Call it once.
   void setImageEncoders(ImageEncoders encoders);
+  /// Blocks until all images that tick() has taken are encoded.
+  void finishImages();
 
   /// From now on clients are not offered this request to the world ("control_recording"), which nobody
   /// fulfills here. A service that is called all the same is unknown.
@@ -119,7 +120,7 @@ class SessionServer {
   void addChannels(std::vector<ChannelSetup> setups);
   /// Removes the channel of a path, because its type is another one now; false: not so soon again.
   bool removeOutdated(const std::string& path);
-  /// Publishes an image on the channel of one of its codings, if somebody subscribes.
+  /// Has an image published on the channel of one of its codings, if somebody subscribes.
   void passEncoded(const StreamMessage& message, const std::string& coding);
   /// The coding of a channel of encoded images; empty if it is none.
   std::string codingOf(const std::string& path) const;
@@ -207,6 +208,8 @@ class SessionServer {
   Steering steering_;
   ModuleParameters modules_;
   ImageEncoders encoders_;
+  /// Null without encoders.
+  std::unique_ptr<ImageEncoding> encoding_;
   NarrowLines narrowLines_;
   Instant lookedAtLines_;
   std::vector<ClientStream> clientStreams_;

@@ -9,7 +9,7 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Perception.pb.h"
-#include "tests/app/far/FarDesk.h"
+#include "tests/app/far/FarHall.h"
 #include "tests/logplayer/RecordedMessages.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/image/ImageCanvas.h"
@@ -26,26 +26,6 @@ constexpr char kEdges[] = "red1/drawings/image/ball-percept/edge";
 constexpr char kCamera[] = "red1/camera/image";
 /// Simulated time of a step, s.
 constexpr double kStep = 0.008;
-constexpr std::uint64_t kSeed = 7;
-
-/// A robot on the field of 2002 on another machine, and the desk of somebody who has just connected it.
-struct FarHall {
-  FarHall(FarLine& line, const std::filesystem::path& home)
-      : robot(line, home / "robot",
-              {"sim", defaultSimulation().scene.string(), "--seed", std::to_string(kSeed)}) {
-    qputenv("XDG_STATE_HOME", QByteArray::fromStdString((home / "state").string()));
-    desk = std::make_unique<FarDesk>(home / "desk");
-    wrong = desk->meet(robot);
-  }
-  ~FarHall() { qunsetenv("XDG_STATE_HOME"); }
-  FarHall(const FarHall&) = delete;
-  FarHall& operator=(const FarHall&) = delete;
-
-  FarRobot robot;
-  std::unique_ptr<FarDesk> desk;
-  /// Why it is not connected; empty: it is.
-  QString wrong;
-};
 
 /// How many different pixels an image has; 0 without an image.
 std::size_t colorsOf(const RawImage* image) {
@@ -302,7 +282,7 @@ void FarRobotSteps::itsPicturesAreThoseOfAHostedRobot() {
   {
     FarDesk desk(home_ / "hosted");
     RunOptions options = defaultSimulation();
-    options.world.seed = kSeed;
+    options.world.seed = FarHall::kSeed;
     desk.workbench.open(SimulationFeed::opening(options));
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     QVERIFY(showAll(desk) && step(desk, kSteps));

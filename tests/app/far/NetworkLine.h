@@ -40,6 +40,8 @@ class NetworkLine final : public FarLine {
   }
   std::string reached(const std::string& url) override { return url; }
   void unplug(bool unplugged) override { far_->unplug(unplugged); }
+  /// While it exists, this thread and all that it starts are at the robot's computer.
+  NetworkNamespace::Stay atComputer() const { return NetworkNamespace::Stay(*computer_); }
 
  private:
   static constexpr char kComputer[] = "10.77.1.2", kWheels[] = "10.77.2.2";

@@ -69,7 +69,7 @@ struct Relay::Implementation {
   };
   using ConnectionPtr = std::shared_ptr<Connection>;
 
-  Implementation(std::uint16_t port, Line chosen) : target(port), line(chosen) {
+  Implementation(tcp::endpoint server, Line chosen) : target(std::move(server)), line(chosen) {
     acceptor.open(tcp::v4());
     acceptor.set_option(asio::socket_base::reuse_address(true));
     acceptor.set_option(asio::socket_base::receive_buffer_size(kSystemBuffer));
@@ -97,7 +97,7 @@ struct Relay::Implementation {
     shrink(connection->client);
     shrink(connection->server);
     connection->isDead = state == State::kSilent;
-    connection->server.connect(loopback(target), error);
+    connection->server.connect(target, error);
     tick(connection);
   }
   void tick(const ConnectionPtr& connection) {
@@ -157,7 +157,7 @@ struct Relay::Implementation {
     connections.erase(connection);
   }
 
-  const std::uint16_t target;
+  const tcp::endpoint target;
   const Line line;
   State state = State::kOpen;
   asio::io_context context{1};
@@ -167,8 +167,9 @@ struct Relay::Implementation {
   std::thread thread;
 };
 
-Relay::Relay(std::uint16_t target, Line line)
-    : implementation_(std::make_unique<Implementation>(target, line)) {}
+Relay::Relay(std::uint16_t target, Line line, const std::string& address)
+    : implementation_(std::make_unique<Implementation>(
+          tcp::endpoint(asio::ip::make_address_v4(address), target), line)) {}
 
 Relay::~Relay() = default;
 

@@ -3,12 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "robotlink/base/Clock.h"
 
 namespace robotlink::websocket::test {
 
-/// A line between clients and a server on this machine, as bad as one wants it: it delays, throttles, stalls,
+/// A line between clients on this machine and a server, as bad as one wants it: it delays, throttles, stalls,
 /// and is cut. One thread of its own; any thread may change it.
 class Relay {
  public:
@@ -27,7 +28,8 @@ class Relay {
     kCut       ///< connections are closed, and new ones, too
   };
 
-  Relay(std::uint16_t target, Line line);
+  /// The server's port, and its IPv4 address.
+  Relay(std::uint16_t target, Line line, const std::string& address = "127.0.0.1");
   ~Relay();
   Relay(const Relay&) = delete;
   Relay& operator=(const Relay&) = delete;

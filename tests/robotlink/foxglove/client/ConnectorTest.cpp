@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <stdexcept>
 
 #include "robotlink/foxglove/server/Listener.h"
@@ -203,6 +204,87 @@ TEST_F(ConnectorTest, aHostThatIsNotThereIsNamed) {
   options_.url = {false, "no-such-robot.invalid", 8765, "/"};
   connect();
   EXPECT_THAT(reason(), HasSubstr("no machine is called 'no-such-robot.invalid'"));
+}
+
+/// Names that are found when the test says so.
+class SlowNames {
+ public:
+  SlowNames() = default;
+  ~SlowNames() { finish(); }
+  SlowNames(const SlowNames&) = delete;
+  SlowNames& operator=(const SlowNames&) = delete;
+
+  HostLookup::Resolver resolver() {
+    return [state = state_](const std::string&) -> HostLookup::Outcome {
+      ++state->asked;
+      state->mayFinish.wait(false);
+      return std::vector<std::string>{"127.0.0.1"};
+    };
+  }
+  void finish() {
+    state_->mayFinish = true;
+    state_->mayFinish.notify_all();
+  }
+  void begin() { state_->mayFinish = false; }
+  int asked() const { return state_->asked; }
+
+ private:
+  struct State {
+    std::atomic<bool> mayFinish{false};
+    std::atomic<int> asked{0};
+  };
+  // Shared with threads that nobody waits for.
+  const std::shared_ptr<State> state_ = std::make_shared<State>();
+};
+
+TEST_F(ConnectorTest, aNameThatIsFoundLateIsAskedForOnceAndConnected) {
+  listen();
+  SlowNames names;
+  const auto clock = std::make_shared<ManualClock>();
+  options_.url.host = "red1";
+  options_.resolver = names.resolver();
+  options_.clock = clock;
+  connect();
+  ASSERT_TRUE(eventually([&] { return names.asked() == 1; }));
+  clock->advance(10s);
+  EXPECT_THAT(reason(), HasSubstr("which address this name has"));
+  // It is given up, but the system is not asked a second time meanwhile.
+  clock->advance(25s);
+  EXPECT_TRUE(
+      eventually([&] { return client_->state().reason.find("check the name") != std::string::npos; }));
+  clock->advance(1s);
+  names.finish();
+  EXPECT_TRUE(reaches(Phase::kConnected));
+  EXPECT_EQ(names.asked(), 1);
+}
+
+TEST_F(ConnectorTest, afterACutTheAddressIsKnownThoughTheNameIsNotFoundMeanwhile) {
+  listen();
+  SlowNames names;
+  names.finish();
+  options_.url.host = "red1";
+  options_.resolver = names.resolver();
+  options_.times.retryTime = 10ms;
+  connect();
+  EXPECT_TRUE(receives("1"));
+  names.begin();
+  const std::uint16_t port = listener_->address().port;
+  listener_.reset();
+  EXPECT_TRUE(reaches(Phase::kConnecting));
+  listen("", port);
+  EXPECT_TRUE(receives("2"));
+  EXPECT_EQ(names.asked(), 2);
+}
+
+TEST_F(ConnectorTest, goingDoesNotWaitForAName) {
+  listen();
+  SlowNames names;
+  options_.url.host = "red1";
+  options_.resolver = names.resolver();
+  connect();
+  ASSERT_TRUE(eventually([&] { return names.asked() == 1; }));
+  connector_.reset();
+  EXPECT_EQ(client_->state().phase, Phase::kConnecting);
 }
 
 TEST_F(ConnectorTest, goingNeverWaits) {

@@ -26,6 +26,7 @@ class SilentLine : public testing::Test {
     const Instant now = clock_->now();
     switch (watch_.next(now)) {
       case LinkWatch::Action::kConnect:
+        watch_.addressFound(now);
         // Two round trips for TCP and the handshake.
         served_.reset();
         back_.clear();

@@ -13,12 +13,15 @@ using Phase = ConnectionState::Phase;
 
 class LinkWatchTest : public testing::Test {
  protected:
-  /// What it wants to do within this time, looked at every 10 ms, with its times in ms.
+  /// What it wants to do within this time, looked at every 10 ms, with its times in ms. Addresses are known.
   std::vector<std::pair<Action, int>> actions(Duration time) {
     std::vector<std::pair<Action, int>> found;
-    for (const Instant end = now_ + time; now_ < end; now_ += 10ms)
-      if (const Action action = watch_.next(now_); action != Action::kNone)
+    for (const Instant end = now_ + time; now_ < end; now_ += 10ms) {
+      const Action action = watch_.next(now_);
+      if (action == Action::kConnect) watch_.addressFound(now_);
+      if (action != Action::kNone)
         found.emplace_back(action, static_cast<int>(now_.time_since_epoch() / 1ms));
+    }
     return found;
   }
   void connect() {
@@ -42,6 +45,25 @@ TEST_F(LinkWatchTest, whatDoesNotAnswerIsTriedAgainWithPausesOfLessThanASecond) 
                                                                   {Action::kConnect, 3600}}));
   EXPECT_EQ(watch_.phase(), Phase::kConnecting);
   EXPECT_THAT(watch_.reason(), testing::HasSubstr("nothing answers"));
+}
+
+TEST_F(LinkWatchTest, aNameThatIsLookedUpForLongIsWaitedForAndSaid) {
+  EXPECT_EQ(watch_.next(now_), Action::kConnect);
+  for (const Instant end = now_ + 25s; now_ < end; now_ += 10ms) EXPECT_EQ(watch_.next(now_), Action::kNone);
+  EXPECT_EQ(watch_.phase(), Phase::kConnecting);
+  EXPECT_THAT(watch_.reason(), testing::HasSubstr("which address this name has"));
+  // TCP has its own time, from then on.
+  watch_.addressFound(now_);
+  EXPECT_EQ(actions(1010ms).size(), 1U);
+  EXPECT_THAT(watch_.reason(), testing::HasSubstr("nothing answers"));
+}
+
+TEST_F(LinkWatchTest, aNameThatIsNeverFoundIsGivenUpAndTriedAgain) {
+  EXPECT_EQ(watch_.next(now_), Action::kConnect);
+  now_ += 30s;
+  EXPECT_EQ(watch_.next(now_), Action::kGiveUp);
+  EXPECT_THAT(watch_.reason(), testing::HasSubstr("check the name, or give the IP address"));
+  EXPECT_EQ(actions(210ms).size(), 1U);
 }
 
 TEST_F(LinkWatchTest, aSignOfLifeIsAskedForAndSilenceEndsTheConnection) {
@@ -84,7 +106,10 @@ TEST_F(LinkWatchTest, afterTheFirstSuccessItIsBackWithinTwoSecondsOfTheLinesRetu
   // Whenever the line returns, the next try begins in time.
   for (int i = 0; i < 300; ++i) {
     now_ += 10ms;
-    if (watch_.next(now_) == Action::kConnect && i % 2 == 0) watch_.stepDone(now_);
+    if (watch_.next(now_) == Action::kConnect) {
+      watch_.addressFound(now_);
+      if (i % 2 == 0) watch_.stepDone(now_);
+    }
     Instant back = now_;
     LinkWatch copy = watch_;
     while (copy.next(back) != Action::kConnect) back += 10ms;

@@ -7,6 +7,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
+#include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/Listener.h"
@@ -77,6 +78,11 @@ class BusyRobot {
     return found == arrivals_.end() ? std::nullopt : std::optional(found->second);
   }
   int texts() const { return texts_; }
+  /// Since when it stands; nothing while it walks.
+  std::optional<SteadyTime> stoodAt() {
+    const std::lock_guard lock(mutex_);
+    return stoodAt_;
+  }
 
  private:
   void run() {
@@ -101,7 +107,12 @@ class BusyRobot {
     if (request.has_set_key()) *keys_.mutable_keys(0)->mutable_mode() = request.set_key().mode();
     {
       const std::lock_guard lock(mutex_);
-      arrivals_[request.what_case()] = std::chrono::steady_clock::now();
+      const auto now = std::chrono::steady_clock::now();
+      arrivals_[request.what_case()] = now;
+      if (request.has_motion()) {
+        const bool stands = request.motion().motion().kind() == robotcontrol::MotionRequest::STAND;
+        stoodAt_ = stands ? std::optional(now) : std::nullopt;
+      }
     }
     RequestResult result;
     result.set_id(request.id());
@@ -116,6 +127,8 @@ class BusyRobot {
   std::unique_ptr<Listener> listener_;
   std::mutex mutex_;
   std::map<Request::WhatCase, SteadyTime> arrivals_;
+  /// Nothing while it walks.
+  std::optional<SteadyTime> stoodAt_;
   std::atomic<int> texts_{0};
   std::atomic<bool> isOver_{false};
   std::thread thread_;
@@ -191,12 +204,35 @@ class BadLine : public testing::Test {
     return robot_.now() - image->time;
   }
 
+  /// Steers it, with ten commands a second, until it walks; and for so much longer.
+  void walkFor(Duration time) {
+    std::optional<SteadyTime> commanded, walks;
+    EXPECT_TRUE(soon([&] {
+      const auto now = std::chrono::steady_clock::now();
+      if (!commanded || now - *commanded > 100ms) {
+        Request walk;
+        walk.set_robot("red1");
+        walk.mutable_motion()->mutable_motion()->set_kind(robotcontrol::MotionRequest::WALK);
+        session_.request(std::move(walk), {});
+        commanded = now;
+      }
+      if (!walks && robot_.arrival(Request::kMotion) && !robot_.stoodAt()) walks = now;
+      return walks && now - *walks > time;
+    }));
+  }
   /// Three times 20 s of silence.
   void loseAndFindTheLine() {
     subscribeToImages();
     for (int i = 0; i < 3; ++i) {
+      walkFor(1s);
       relay_.set(Relay::State::kSilent);
+      const auto lost = std::chrono::steady_clock::now();
       goOn(20s);
+      ASSERT_TRUE(robot_.stoodAt().has_value());
+      const Duration stood = *robot_.stoodAt() - lost;
+      RecordProperty("stood_ms_" + std::to_string(i), static_cast<int>(stood / 1ms));
+      // Commands that arrived just before hold for half a second, and are on their way for 0.1 s.
+      EXPECT_LT(stood, 1s);
       EXPECT_EQ(client_->state().phase, ConnectionState::Phase::kSilent);
       relay_.set(Relay::State::kOpen);
       const auto back = std::chrono::steady_clock::now();

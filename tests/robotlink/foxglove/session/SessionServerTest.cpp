@@ -78,6 +78,7 @@ TEST_F(SessionServerTest, aMessageIsSerializedOnceForAllClients) {
   }
   publish<foxglove::RawImage>("red1/camera/image", Instant(2ms));
   tick();
+  server_->finishImages();
   std::map<SharedBytes, int> sent;
   for (const ClientPtr& client : clients) {
     while (const auto next = server_->server()->next(*client, Instant()))

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 namespace robotlink::websocket {
 namespace {
 
@@ -82,6 +84,24 @@ TEST_F(SteeringTest, theRobotStandsHalfASecondAfterTheLastMotion) {
   EXPECT_EQ(steering_.admit(anna_, stand, now_), "");
   pass(2s, {&anna_});
   EXPECT_THAT(asked(), IsEmpty());
+}
+
+TEST_F(SteeringTest, aHundredTimesTheRobotStandsInTimeWhenTheLineIsSilentForTwentySeconds) {
+  for (int round = 0; round < 100; ++round) {
+    // Each time at another moment between two commands, which come every 100 ms.
+    for (const Instant end = now_ + 1s + round * 7ms; now_ < end;) {
+      EXPECT_EQ(steering_.admit(anna_, walk(), now_), "");
+      pass(std::min<Duration>(100ms, end - now_), {&anna_});
+    }
+    EXPECT_THAT(asked(), IsEmpty()) << "round " << round;
+    const Instant cut = now_;
+    while (asked_.empty() && now_ < cut + 20s) pass(10ms, {});
+    EXPECT_LE(now_ - cut, steering_.limits().commandTime + 10ms) << "round " << round;
+    pass(20s, {});
+    EXPECT_TRUE(status_.isSilent) << "round " << round;
+    EXPECT_THAT(std::set<std::string>(asked_.begin(), asked_.end()), ElementsAre("stand"));
+    asked();
+  }
 }
 
 TEST_F(SteeringTest, standingIsAskedAgainUntilItIsAccepted) {

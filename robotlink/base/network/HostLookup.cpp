@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/foxglove/client/HostLookup.h"
+#include "robotlink/base/network/HostLookup.h"
 
 #include <arpa/inet.h>
 #include <netdb.h>
@@ -8,7 +8,7 @@
 #include <system_error>
 #include <thread>
 
-namespace robotlink::websocket {
+namespace robotlink {
 namespace {
 
 bool isIpAddress(const std::string& host) {
@@ -31,41 +31,45 @@ HostLookup::Outcome addressesOf(const std::string& host) {
   }
   if (found != nullptr) freeaddrinfo(found);
   if (status == 0 && !addresses.empty()) return addresses;
-  return failure("foxglove.host",
+  return failure("host.unknown",
                  "no machine is called '" + host + "' (" + gai_strerror(status) +
                      "); check its name, or give its IP address",
                  {}, {host});
 }
 
 /// The same in a thread that nothing may leave by an exception.
-HostLookup::Outcome triedAddressesOf(const std::string& host) {
+HostLookup::Outcome tried(const HostLookup::Resolver& resolver, const std::string& host) {
   try {
-    return addressesOf(host);
+    return resolver(host);
   } catch (const std::exception& error) {
-    return failure("foxglove.host", "the address of '" + host + "' cannot be looked up: " + error.what(), {},
+    return failure("host.unknown", "the address of '" + host + "' cannot be looked up: " + error.what(), {},
                    {host});
   }
 }
 
 }  // namespace
 
-std::shared_ptr<HostLookup> HostLookup::start(const std::string& host) {
+std::shared_ptr<HostLookup> HostLookup::start(const std::string& host, Resolver resolver) {
   auto lookup = std::make_shared<HostLookup>();
   if (isIpAddress(host) || host == "localhost") {
     lookup->finish(std::vector{host == "localhost" ? std::string("127.0.0.1") : host});
     return lookup;
   }
+  if (!resolver) resolver = addressesOf;
   try {
-    std::thread([lookup, host] { lookup->finish(triedAddressesOf(host)); }).detach();
+    std::thread([lookup, host, resolver] { lookup->finish(tried(resolver, host)); }).detach();
   } catch (const std::system_error& error) {
-    lookup->finish(failure("foxglove.host", std::string("the system starts no thread: ") + error.what()));
+    lookup->finish(failure("host.unknown", std::string("the system starts no thread: ") + error.what()));
   }
   return lookup;
 }
 
 void HostLookup::finish(Outcome outcome) {
-  const std::lock_guard lock(mutex_);
-  outcome_ = std::move(outcome);
+  {
+    const std::lock_guard lock(mutex_);
+    outcome_ = std::move(outcome);
+  }
+  finished_.notify_all();
 }
 
 std::optional<HostLookup::Outcome> HostLookup::outcome() const {
@@ -73,4 +77,10 @@ std::optional<HostLookup::Outcome> HostLookup::outcome() const {
   return outcome_;
 }
 
-}  // namespace robotlink::websocket
+std::optional<HostLookup::Outcome> HostLookup::wait(Duration limit) const {
+  std::unique_lock lock(mutex_);
+  finished_.wait_for(lock, limit, [this] { return outcome_.has_value(); });
+  return outcome_;
+}
+
+}  // namespace robotlink
