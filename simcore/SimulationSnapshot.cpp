@@ -135,6 +135,7 @@ std::uint64_t SimulationState::fingerprint() const {
   Fingerprint print;
   print.add(static_cast<std::uint64_t>(options.kinematic));
   print.add(world.gravity);
+  print.add(static_cast<std::uint64_t>(world.sleeps));
   for (const ModelInstance& model : world.models) {
     print.add(model.name);
     print.add(model.poseInWorld);

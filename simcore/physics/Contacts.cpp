@@ -9,6 +9,7 @@
 #include "simcore/physics/FreeBodies.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeWheels.h"
+#include "simcore/physics/Sleeping.h"
 
 namespace simcore {
 namespace {
@@ -47,10 +48,22 @@ bool rolls(OdeWorld& ode, const OdeGeom& geom) {
   return geom.wheel >= 0 && !modelOf(ode, geom).kinematic;
 }
 
-/// Whether no force can move the solids in a space. Its data is its OdeModel; the space of statics has none.
-bool isUnmoved(dGeomID space) {
+/// What moves the solids in a space. Its data is its OdeModel; the space of statics has none.
+enum class MovedBy : std::uint8_t { kNothing, kCommands, kForces, kSleeps };
+MovedBy movedBy(dGeomID space) {
   const auto* model = static_cast<const OdeModel*>(dGeomGetData(space));
-  return model == nullptr || model->kinematic;
+  if (model == nullptr) return MovedBy::kNothing;
+  if (model->kinematic) return MovedBy::kCommands;
+  return model->isAsleep() ? MovedBy::kSleeps : MovedBy::kForces;
+}
+
+/// Whether contacts between the solids of two spaces change nothing, or are known.
+bool needNoContacts(dGeomID a, dGeomID b) {
+  const MovedBy first = movedBy(a), second = movedBy(b);
+  if (first == MovedBy::kForces || second == MovedBy::kForces) return false;
+  // What sleeps is woken by what comes.
+  const bool sleeps = first == MovedBy::kSleeps || second == MovedBy::kSleeps;
+  return !sleeps || (first != MovedBy::kCommands && second != MovedBy::kCommands);
 }
 
 /// `upward` is that share of the contact's normal.
@@ -112,7 +125,7 @@ void addRolling(OdeWorld& ode, OdeGeom& wheel, OdeGeom& other) {
 
 void addContacts(void* data, dGeomID a, dGeomID b) {
   auto& ode = *static_cast<OdeWorld*>(data);
-  if (dGeomIsSpace(a) != 0 && dGeomIsSpace(b) != 0 && isUnmoved(a) && isUnmoved(b)) return;
+  if (dGeomIsSpace(a) != 0 && dGeomIsSpace(b) != 0 && needNoContacts(a, b)) return;
   if (descend(&ode, a, b, &addContacts)) return;
   // ODE passes them in an order that depends on how they moved before.
   if (infoOf(b).index < infoOf(a).index) std::swap(a, b);
@@ -169,7 +182,7 @@ void addJoints(OdeWorld& ode, const OdePair& pair) {
     const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contact);
     dJointAttach(joint, bodyA, bodyB);
     ++ode.contactCount;
-    if (!ode.readsContacts) continue;
+    if (!ode.readsContacts && !mayFallAsleep(bodyA) && !mayFallAsleep(bodyB)) continue;
     dJointFeedback& exerted = ode.contactForces.emplace_back();
     dJointSetFeedback(joint, &exerted);
     record(ode, pair, contact.geom, &exerted);
@@ -291,7 +304,7 @@ namespace {
 void findContactsInGrid(OdeWorld& ode) {
   StaticGrid::Bounds bounds;
   for (const OdeModel& model : ode.models) {
-    if (model.space == nullptr || model.kinematic) continue;
+    if (model.space == nullptr || model.kinematic || model.isAsleep()) continue;
     dGeomGetAABB(asGeom(model.space), bounds.data());
     ode.grid.near(bounds, ode.nearby);
     for (const dGeomID geom : ode.nearby) dSpaceCollide2(asGeom(model.space), geom, &ode, &addContacts);
@@ -300,12 +313,26 @@ void findContactsInGrid(OdeWorld& ode) {
 
 }  // namespace
 
+namespace {
+
+void findPairs(OdeWorld& ode) {
+  ode.pairs.clear();
+  ode.found.clear();
+  dSpaceCollide(ode.top, &ode, &addContacts);
+  if (ode.usesGrid) findContactsInGrid(ode);
+}
+
+}  // namespace
+
 void findContacts(OdeWorld& ode) {
   ode.pairs.clear();
   ode.found.clear();
   if (!ode.hasDynamic) return;
-  dSpaceCollide(ode.top, &ode, &addContacts);
-  if (ode.usesGrid) findContactsInGrid(ode);
+  do findPairs(ode);
+  while (wakeTouched(ode));
+  for (const OdeAsleepContact& one : ode.asleepContacts) {
+    if (one.isFirstOfPair) noteTouch(ode, ode.geoms[one.first], ode.geoms[one.second], one.normal.z());
+  }
   addJointsInOrder(ode);
 }
 

@@ -49,7 +49,7 @@ class FollowerStep {
   void pose() const {
     for (std::size_t i = 0; i < type_.links.size(); ++i) {
       const OdeBody& body = ode_.bodies[model_.firstBody + i];
-      if (body.wheel >= 0) continue;
+      if (!ode_.hasBody(model_.firstBody + i)) continue;
       const Pose3& link = follower_.links[i];
       const Vector3 center = link * body.centerInLink;
       withOdePose(link, [&](const dReal*, const dMatrix3 r) {
@@ -155,7 +155,7 @@ class FollowerStep {
     const std::vector<Pose3> after = bodies();
     for (std::size_t i = 0; i < type_.links.size(); ++i) {
       const OdeBody& body = ode_.bodies[model_.firstBody + i];
-      if (body.wheel >= 0) continue;
+      if (!ode_.hasBody(model_.firstBody + i)) continue;
       const Vector3 velocity = (after[i].translation() - before[i].translation()) / kStepSeconds;
       const Eigen::AngleAxisd turn(Eigen::Matrix3d(after[i].linear() * before[i].linear().transpose()));
       const Vector3 rate = turn.axis() * (turn.angle() / kStepSeconds);
@@ -180,7 +180,7 @@ void addFollower(OdeWorld& ode, const ModelInstance& model, int index) {
   follower.model = index;
   follower.pushes = model.chosenMotion() != MotionMode::kStopping;
   for (std::size_t i = added.firstBody; i < ode.bodies.size(); ++i) {
-    if (ode.bodies[i].wheel < 0) dBodySetKinematic(ode.bodies[i].id);
+    if (ode.hasBody(i)) dBodySetKinematic(ode.bodies[i].id);
   }
   // Joints between bodies of infinite mass have nothing to do; they still know their angles.
   for (std::size_t i = added.firstHinge; i < ode.hinges.size(); ++i) dJointDisable(ode.hinges[i]);

@@ -18,8 +18,6 @@ constexpr int kTurnIterations = 16;
 
 /// rad/s.
 constexpr double kNoTurn = 1e-3;
-/// From this number of contacts on, a body stands, and does not roll.
-constexpr int kStands = 3;
 // What is slower rests: m/s, and rad/s.
 constexpr double kRests = 0.001, kRestsTurning = 0.01;
 
@@ -77,6 +75,7 @@ void addFreeBody(OdeWorld& ode, dBodyID body) {
 void prepareFreeBodies(OdeWorld& ode) {
   for (OdeFreeBody& body : ode.freeBodies) {
     body.contacts = 0;
+    if (dBodyIsEnabled(body.id) == 0) continue;
     std::copy_n(dBodyGetPosition(body.id), 3, body.position);
     std::copy_n(dBodyGetQuaternion(body.id), 4, body.rotation);
     if (!body.wobbles) continue;
@@ -95,7 +94,8 @@ void countContact(dBodyID body) {
 
 void letFreeBodiesRest(OdeWorld& ode) {
   for (const OdeFreeBody& body : ode.freeBodies) {
-    if (body.contacts < kStands || !isSlower(dBodyGetLinearVel(body.id), kRests) ||
+    if (dBodyIsEnabled(body.id) == 0 || body.contacts < kStands ||
+        !isSlower(dBodyGetLinearVel(body.id), kRests) ||
         !isSlower(dBodyGetAngularVel(body.id), kRestsTurning))
       continue;
     dBodySetPosition(body.id, body.position[0], body.position[1], body.position[2]);

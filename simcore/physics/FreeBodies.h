@@ -5,6 +5,9 @@
 
 namespace simcore {
 
+/// From this number of contacts on, a body stands, and does not roll.
+constexpr int kStands = 3;
+
 /// Notes a body among OdeWorld::freeBodies if no joint holds it. All joints must exist.
 void addFreeBody(OdeWorld& ode, dBodyID body);
 

@@ -13,10 +13,10 @@ void addWheel(OdeWorld& ode, const ModelDescription& type, const JointDescriptio
   const LinkDescription& link = type.links[static_cast<std::size_t>(joint.child)];
   OdeBody& body = ode.bodies[added.firstBody + static_cast<std::size_t>(joint.child)];
   OdeWheel wheel;
-  wheel.body = added.firstBody + static_cast<std::size_t>(joint.parent);
+  wheel.body = ode.bodies[added.firstBody + static_cast<std::size_t>(joint.parent)].carrier;
   wheel.side = ode.wheelSides.size() - 1;
   const OdeBody& carrier = ode.bodies[wheel.body];
-  const Pose3& carrierInModel = type.links[static_cast<std::size_t>(joint.parent)].poseInModel;
+  const Pose3& carrierInModel = type.links[wheel.body - added.firstBody].poseInModel;
   const Pose3 bodyInModel = carrierInModel * Eigen::Translation3d(carrier.centerInLink);
   wheel.linkInBody = bodyInModel.inverse() * link.poseInModel;
   wheel.axisInBody = bodyInModel.linear().transpose() * joint.axisInModel;
@@ -27,6 +27,7 @@ void addWheel(OdeWorld& ode, const ModelDescription& type, const JointDescriptio
   tread.shape.kind = Shape::Kind::kSphere;
   tread.poseInLink = carrierInModel.inverse() * link.poseInModel * tread.poseInLink;
   body.id = carrier.id;
+  body.carrier = wheel.body;
   body.wheel = static_cast<int>(ode.wheels.size());
   body.firstGeom = ode.geoms.size();
   addBodyGeom(ode, carrier, tread, index, added.space);

@@ -36,7 +36,7 @@ void addGuide(OdeWorld& ode, const GuidedMotion& motion, OdeModel& model) {
   model.turn = addTurn(ode.world, body, isHeld);
   if (!isHeld) return;
   for (std::size_t i = model.firstBody; i < ode.bodies.size(); ++i) {
-    if (ode.bodies[i].wheel < 0) dBodySetGravityMode(ode.bodies[i].id, 0);
+    if (ode.hasBody(i)) dBodySetGravityMode(ode.bodies[i].id, 0);
   }
 }
 

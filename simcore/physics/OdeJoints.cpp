@@ -86,6 +86,8 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
     return link < 0 ? nullptr : ode.bodies[firstBody + static_cast<std::size_t>(link)].id;
   };
   const Ends ends{bodyOf(joint.child), bodyOf(joint.parent)};
+  // What is one body needs no joint.
+  if (joint.kind == JointKind::kFixed && ends.child == ends.parent) return;
   const Vector3 anchor = model.poseInWorld * joint.anchorInModel;
   const Vector3 axis = model.poseInWorld.linear() * joint.axisInModel;
   dJointID id = nullptr;

@@ -90,6 +90,7 @@ Pose3 OdeWorld::wheelLinkPose(const OdeWheel& wheel) const {
 Pose3 OdeWorld::linkPose(std::size_t body) const {
   const OdeBody& one = bodies[body];
   if (one.wheel >= 0) return wheelLinkPose(wheels[static_cast<std::size_t>(one.wheel)]);
+  if (one.carrier != body) return poseOf(dBodyGetPosition(one.id), dBodyGetRotation(one.id)) * one.linkInBody;
   return poseOf(dBodyGetPosition(one.id), dBodyGetRotation(one.id)) * Eigen::Translation3d(-one.centerInLink);
 }
 

@@ -41,12 +41,16 @@ struct OdeGeom {
 
 /// A link of a moving model.
 struct OdeBody {
-  /// For a wheel, the body that carries it.
+  /// For a wheel, the body that carries it; links that fixed joints connect share one.
   dBodyID id = nullptr;
   /// An index of OdeWorld::wheels; -1 if it is not a wheel.
   int wheel = -1;
-  /// The center of mass, which is ODE's origin of the body.
+  /// The link whose body it is a part of, an index of OdeWorld::bodies; its own if it has one.
+  std::size_t carrier = 0;
+  /// The center of mass of the body, which is ODE's origin of it.
   Vector3 centerInLink = Vector3::Zero();
+  /// Only if it is a part of another link's body.
+  Pose3 linkInBody = Pose3::Identity();
   /// Its geoms are consecutive in OdeWorld::geoms.
   std::size_t firstGeom = 0;
   /// Nothing moves it.
@@ -79,6 +83,19 @@ struct OdeContactRecord {
   const dJointFeedback* exerted = nullptr;
 };
 
+/// A contact of what sleeps, as it was when that fell asleep.
+struct OdeAsleepContact {
+  /// The solids, indices of OdeWorld::geoms.
+  std::uint32_t first = 0, second = 0;
+  /// See OdeModel::group.
+  int group = 0;
+  /// The contacts of a pair follow each other.
+  bool isFirstOfPair = false;
+  /// The force is that on the first solid, N.
+  Vector3 point = Vector3::Zero(), normal = Vector3::Zero(), force = Vector3::Zero();
+  double depth = 0;
+};
+
 /// The data attached to each body that no joint holds.
 struct OdeFreeBody {
   dBodyID id = nullptr;
@@ -89,6 +106,10 @@ struct OdeFreeBody {
   // How it stood before this step.
   dVector3 position = {};
   dQuaternion rotation = {};
+  /// For how many steps it has stayed where it was then; see Sleeping.h.
+  int quietSteps = 0;
+  dVector3 quietPosition = {};
+  dQuaternion quietRotation = {};
 };
 
 /// A passive joint that resists being moved.
@@ -113,6 +134,12 @@ struct OdeModel {
   int follower = -1;
   /// Whether it touched anything but a floor in the last step.
   bool touchesObstacle = false;
+  /// Its only body, if the model may sleep.
+  OdeFreeBody* sleeper = nullptr;
+  /// While it sleeps: the first of the models that fell asleep with it, because they touch.
+  int group = kAwake;
+  static constexpr int kAwake = -1;
+  bool isAsleep() const { return group != kAwake; }
 };
 
 /// Bounds of a moving model seen from above: a circle around its first body; for one with a drive also a
@@ -166,6 +193,9 @@ struct OdeWorld {
   std::vector<OdeModel> models;
   /// Bodies that no joint holds. A deque because ODE keeps pointers to its elements.
   std::deque<OdeFreeBody> freeBodies;
+  /// Whether models sleep that rest, and what these touch.
+  bool sleeps = false;
+  std::vector<OdeAsleepContact> asleepContacts;
   /// Joints that resist.
   std::vector<OdeResistance> resistances;
   /// The places of all moving models, updated only when they are needed.
@@ -214,6 +244,8 @@ struct OdeWorld {
   void forgetFollower(const OdeModel& model) {
     if (model.follower >= 0) followers[static_cast<std::size_t>(model.follower)].known = false;
   }
+  /// Whether a link has a body of its own: it is neither a wheel nor a part of another link's body.
+  bool hasBody(std::size_t body) const { return bodies[body].carrier == body; }
   /// A contact of this step, reused from an earlier one if possible.
   OdeWheelContact& nextWheelContact();
   /// The pose of a link in the world.

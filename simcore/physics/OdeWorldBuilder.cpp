@@ -30,6 +30,7 @@ class WorldBuilder {
   WorldBuilder(OdeWorld& ode, bool kinematicDrives) : ode_(ode), kinematicDrives_(kinematicDrives) {}
 
   void build() {
+    ode_.sleeps = ode_.description.sleeps;
     // The spaces point to its elements.
     ode_.models.reserve(ode_.description.models.size());
     for (const ModelInstance& model : ode_.description.models) {
@@ -82,23 +83,14 @@ class WorldBuilder {
     added.kinematic = model.type->drive.has_value() && isKinematic(model.chosenMotion());
     const ModelDescription& type = *model.type;
     const std::size_t firstHinge = ode_.hinges.size();
-    ode_.bodies.resize(added.firstBody + type.links.size());
-    for (std::size_t i = 0; i < type.links.size(); ++i) {
-      const int link = static_cast<int>(i);
-      if (isWheel(type, link)) continue;
-      ode_.bodies[added.firstBody + i] = addBody(model, withWheelsLumped(type, link), index, added.space);
-      const OdeBody& made = ode_.bodies[added.firstBody + i];
-      for (std::size_t k = made.firstGeom; k < ode_.geoms.size(); ++k)
-        ode_.geoms[k].body = added.firstBody + i;
-    }
+    addLinks(model, index, added);
     if (type.drive) addDrive(ode_, model, index);
     if (type.vehicle) addVehicle(ode_, model, index);
     for (const JointDescription& joint : type.joints) addJoint(ode_, model, joint, added.firstBody);
     pose(model, added.firstBody);
     if (type.guided && !type.vehicle && !model.follows()) addGuide(ode_, *type.guided, added);
     for (std::size_t i = added.firstBody; !added.kinematic && i < ode_.bodies.size(); ++i) {
-      const OdeBody& body = ode_.bodies[i];
-      if (body.wheel < 0) addFreeBody(ode_, body.id);
+      if (ode_.hasBody(i)) addFreeBody(ode_, ode_.bodies[i].id);
     }
     const OdeBody& first = ode_.bodies[added.firstBody];
     OdePlace place{index};
@@ -107,9 +99,52 @@ class WorldBuilder {
     ode_.places.push_back(place);
     (added.kinematic ? ode_.hasKinematic : ode_.hasDynamic) = true;
     if (model.follows()) return addFollower(ode_, model, index);
+    if (ode_.sleeps) added.sleeper = onlyFreeBody(added);
     for (std::size_t i = 0; added.kinematic && i < type.links.size(); ++i) {
       dBodyDisable(ode_.bodies[added.firstBody + i].id);
     }
+  }
+
+  void addLinks(const ModelInstance& model, int index, const OdeModel& added) {
+    const ModelDescription& type = *model.type;
+    const std::vector<int> parts = rigidParts(type);
+    ode_.bodies.resize(added.firstBody + type.links.size());
+    for (std::size_t i = 0; i < type.links.size(); ++i) {
+      const int link = static_cast<int>(i);
+      if (isWheel(type, link)) continue;
+      OdeBody& made = ode_.bodies[added.firstBody + i];
+      const auto carrier = static_cast<std::size_t>(parts[i]);
+      made = carrier == i ? addBody(model, lumpedLink(type, parts, link), index, added.space)
+                          : addPart(type, i, carrier, index, added);
+      made.carrier = added.firstBody + carrier;
+      for (std::size_t k = made.firstGeom; k < ode_.geoms.size(); ++k)
+        ode_.geoms[k].body = added.firstBody + i;
+    }
+  }
+
+  /// Adds a link to the body of another one, which exists.
+  OdeBody addPart(const ModelDescription& type, std::size_t link, std::size_t carrier, int index,
+                  const OdeModel& added) {
+    const OdeBody& body = ode_.bodies[added.firstBody + carrier];
+    const Pose3 linkInCarrier = type.links[carrier].poseInModel.inverse() * type.links[link].poseInModel;
+    OdeBody part;
+    part.id = body.id;
+    part.linkInBody = Eigen::Translation3d(-body.centerInLink) * linkInCarrier;
+    part.centerInLink = linkInCarrier.inverse() * body.centerInLink;
+    part.firstGeom = ode_.geoms.size();
+    for (CollisionDescription collision : type.links[link].collisions) {
+      collision.poseInLink = linkInCarrier * collision.poseInLink;
+      addBodyGeom(ode_, body, collision, index, added.space);
+    }
+    return part;
+  }
+
+  /// The body of a model that has no other one, and no joint; null otherwise.
+  OdeFreeBody* onlyFreeBody(const OdeModel& model) const {
+    for (std::size_t i = model.firstBody + 1; i < ode_.bodies.size(); ++i) {
+      if (ode_.hasBody(i) || ode_.bodies[i].wheel >= 0) return nullptr;
+    }
+    return static_cast<OdeFreeBody*>(dBodyGetData(ode_.bodies[model.firstBody].id));
   }
 
   bool isKinematic(MotionMode mode) const {
@@ -155,7 +190,7 @@ class WorldBuilder {
       moved[static_cast<std::size_t>(joint.child)] = above * displacementAtStart(joint);
     }
     for (std::size_t i = 0; i < type.links.size(); ++i) {
-      if (ode_.bodies[firstBody + i].wheel >= 0) continue;
+      if (!ode_.hasBody(firstBody + i)) continue;
       place(ode_.bodies[firstBody + i], model.poseInWorld * moved[i] * type.links[i].poseInModel);
     }
   }

@@ -15,6 +15,7 @@
 #include "simcore/physics/OdeWheels.h"
 #include "simcore/physics/OdeWorld.h"
 #include "simcore/physics/OdeWorldBuilder.h"
+#include "simcore/physics/Sleeping.h"
 #include "simcore/physics/threads/OdeRandom.h"
 
 namespace simcore {
@@ -69,6 +70,7 @@ void Physics::step(std::uint64_t seed) {
     dWorldQuickStep(ode_->world, kStepSeconds);
   }
   letFreeBodiesRest(*ode_);
+  letModelsSleep(*ode_);
   settleFollowers(*ode_);
   settleWheels(*ode_);
   dJointGroupEmpty(ode_->contacts);
@@ -165,7 +167,7 @@ double Physics::massOf(int model) const {
   const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
   double sum = 0;
   for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
-    if (ode_->bodies[i].wheel >= 0) continue;
+    if (!ode_->hasBody(i)) continue;
     dMass mass;
     dBodyGetMass(ode_->bodies[i].id, &mass);
     sum += mass.mass;
@@ -178,7 +180,7 @@ double Physics::inertiaOf(int model) const {
   const Vector3 center = firstCenter(model);
   double sum = 0;
   for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
-    if (ode_->bodies[i].wheel >= 0) continue;
+    if (!ode_->hasBody(i)) continue;
     dMass mass;
     dBodyGetMass(ode_->bodies[i].id, &mass);
     const dReal* at = dBodyGetPosition(ode_->bodies[i].id);
@@ -291,10 +293,11 @@ Pose3 Physics::modelInWorld(int model) const {
 }
 
 void Physics::moveModel(int model, const Pose3& transform) {
-  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  wake(*ode_, entry);
   ode_->forgetFollower(entry);
   for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
-    if (ode_->bodies[i].wheel >= 0) continue;
+    if (!ode_->hasBody(i)) continue;
     const dBodyID body = ode_->bodies[i].id;
     const Pose3 pose = transform * poseOf(dBodyGetPosition(body), dBodyGetRotation(body));
     const Eigen::Quaterniond q(pose.linear());
@@ -310,24 +313,31 @@ std::vector<Physics::BodyMotion> Physics::motionOf(int model) const {
   const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
   std::vector<BodyMotion> motion;
   for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
-    if (ode_->bodies[i].wheel >= 0) continue;
+    if (!ode_->hasBody(i)) continue;
     const dBodyID body = ode_->bodies[i].id;
     const dReal* q = dBodyGetQuaternion(body);
     const auto vector = [](const dReal* values) { return Vector3(values[0], values[1], values[2]); };
     motion.push_back({vector(dBodyGetPosition(body)), vector(dBodyGetLinearVel(body)),
-                      vector(dBodyGetAngularVel(body)), Eigen::Quaterniond(q[0], q[1], q[2], q[3])});
+                      vector(dBodyGetAngularVel(body)), Eigen::Quaterniond(q[0], q[1], q[2], q[3]),
+                      ode_->bodies[i].centerInLink, i - entry.firstBody});
   }
   return motion;
 }
 
 void Physics::setMotion(int model, const std::vector<BodyMotion>& motion) {
-  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  wake(*ode_, entry);
   ode_->forgetFollower(entry);
-  auto next = motion.begin();
-  for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
-    if (ode_->bodies[i].wheel >= 0) continue;
+  for (BodyMotion was : motion) {
+    const std::size_t i = entry.firstBody + was.link;
+    if (was.link >= entry.bodyCount || !ode_->hasBody(i)) continue;
     const dBodyID body = ode_->bodies[i].id;
-    const BodyMotion& was = *next++;
+    // Its center of mass may have been another one before its parts were changed.
+    if (ode_->bodies[i].centerInLink != was.centerInLink) {
+      const Vector3 shift = was.rotation * (ode_->bodies[i].centerInLink - was.centerInLink);
+      was.position += shift;
+      was.velocity += was.angularVelocity.cross(shift);
+    }
     const dQuaternion rotation = {was.rotation.w(), was.rotation.x(), was.rotation.y(), was.rotation.z()};
     dBodySetPosition(body, was.position.x(), was.position.y(), was.position.z());
     dBodySetQuaternion(body, rotation);
@@ -352,8 +362,9 @@ std::uint64_t Physics::digest() const {
   const auto add = [&](const dReal* values, int count) {
     for (int i = 0; i < count; ++i) hash = robotlink::mixBits(hash ^ std::bit_cast<std::uint64_t>(values[i]));
   };
-  for (const OdeBody& body : ode_->bodies) {
-    if (body.wheel >= 0) continue;
+  for (std::size_t i = 0; i < ode_->bodies.size(); ++i) {
+    if (!ode_->hasBody(i)) continue;
+    const OdeBody& body = ode_->bodies[i];
     add(dBodyGetPosition(body.id), 3);
     add(dBodyGetQuaternion(body.id), 4);
     add(dBodyGetLinearVel(body.id), 3);

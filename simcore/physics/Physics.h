@@ -124,14 +124,20 @@ class Physics {
   Pose3 modelInWorld(int model) const;
   /// Moves all bodies of a model by a rigid transform and brings them to rest.
   void moveModel(int model, const Pose3& transform);
-  /// How a body stands and moves, in the world.
+  /// How the center of mass of a rigid body stands and moves, in the world.
   struct BodyMotion {
     Vector3 position, velocity, angularVelocity;
     Eigen::Quaterniond rotation;
+    /// Where that center is in the frame of its first link, and the number of this link in its model.
+    Vector3 centerInLink = Vector3::Zero();
+    std::size_t link = 0;
   };
-  /// How all bodies of a model stand and move, so that setMotion() can undo a moveModel().
+  /// How all rigid bodies of a model stand and move, so that setMotion() can undo a moveModel(). Links that
+  /// fixed joints connect are one body.
   std::vector<BodyMotion> motionOf(int model) const;
   void setMotion(int model, const std::vector<BodyMotion>& motion);
+  /// Whether a model rests, so that it is not computed until something touches or moves it; see Sleeping.h.
+  bool isAsleep(int model) const;
   /// Turns off that forces move a body, which stands still then, or turns it on again.
   void setPinned(std::size_t body, bool pinned);
   bool isPinned(std::size_t body) const;
@@ -147,7 +153,8 @@ class Physics {
   double massAt(std::size_t body, const Vector3& point) const;
   /// The bodies of a model: the first one and how many there are; wheels are among them.
   std::pair<std::size_t, std::size_t> bodiesOf(int model) const;
-  /// A driven wheel has no body of its own: that of the link that carries it. Otherwise `body`.
+  /// A driven wheel, or a link that is fixed to an earlier one, has no body of its own: that of the link that
+  /// carries it. Otherwise `body`.
   std::size_t carrierOf(std::size_t body) const;
 
   /// Whether the forces of contacts are measured, from the next step on; they cost some time.
@@ -184,6 +191,7 @@ class Physics {
 
  private:
   void transferTouches(StateStream& stream);
+  void wakeBody(std::size_t body);
 
   std::unique_ptr<OdeWorld> ode_;
 };

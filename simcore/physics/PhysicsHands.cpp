@@ -6,12 +6,14 @@
 #include "simcore/physics/OdeJoints.h"
 #include "simcore/physics/OdeWorld.h"
 #include "simcore/physics/Physics.h"
+#include "simcore/physics/Sleeping.h"
 
 namespace simcore {
 
 void Physics::setPinned(std::size_t body, bool pinned) {
   OdeBody& one = ode_->bodies[carrierOf(body)];
   if (one.pinned == pinned) return;
+  wakeBody(body);
   one.pinned = pinned;
   if (!pinned) {
     // Computes with the mass again that the body has kept.
@@ -21,6 +23,16 @@ void Physics::setPinned(std::size_t body, bool pinned) {
   dBodySetKinematic(one.id);
   dBodySetLinearVel(one.id, 0, 0, 0);
   dBodySetAngularVel(one.id, 0, 0, 0);
+}
+
+void Physics::wakeBody(std::size_t body) {
+  for (OdeModel& model : ode_->models) {
+    if (body >= model.firstBody && body < model.firstBody + model.bodyCount) return wake(*ode_, model);
+  }
+}
+
+bool Physics::isAsleep(int model) const {
+  return ode_->models[static_cast<std::size_t>(model)].isAsleep();
 }
 
 bool Physics::isPinned(std::size_t body) const {
@@ -33,10 +45,11 @@ bool Physics::isMovedByForces(int model) const {
 }
 
 void Physics::throwModel(int model, const Vector3& velocity, const Vector3& rate) {
-  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  wake(*ode_, entry);
   const auto forEach = [&](auto visit) {
     for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
-      if (ode_->bodies[i].wheel >= 0) continue;
+      if (!ode_->hasBody(i)) continue;
       const dReal* at = dBodyGetPosition(ode_->bodies[i].id);
       visit(ode_->bodies[i], Vector3(at[0], at[1], at[2]));
     }
@@ -59,6 +72,7 @@ void Physics::throwModel(int model, const Vector3& velocity, const Vector3& rate
 }
 
 void Physics::addForce(std::size_t body, const Vector3& force, const Vector3& point) {
+  wakeBody(body);
   dBodyAddForceAtPos(ode_->bodies[body].id, force.x(), force.y(), force.z(), point.x(), point.y(), point.z());
 }
 
@@ -80,8 +94,7 @@ std::pair<std::size_t, std::size_t> Physics::bodiesOf(int model) const {
 }
 
 std::size_t Physics::carrierOf(std::size_t body) const {
-  const int wheel = ode_->bodies[body].wheel;
-  return wheel < 0 ? body : ode_->wheels[static_cast<std::size_t>(wheel)].body;
+  return ode_->bodies[body].carrier;
 }
 
 void Physics::readContacts(bool on) {
@@ -90,22 +103,23 @@ void Physics::readContacts(bool on) {
 }
 
 std::vector<Physics::Contact> Physics::contacts() const {
-  // Geoms know ODE's body only, so that its number is searched among those of the model.
   const auto bodyOf = [this](const OdeGeom& geom) -> std::optional<std::size_t> {
-    const dBodyID id = dGeomGetBody(geom.id);
-    const OdeModel& model = ode_->models[static_cast<std::size_t>(geom.model)];
-    for (std::size_t i = model.firstBody; id != nullptr && i < model.firstBody + model.bodyCount; ++i) {
-      if (ode_->bodies[i].id == id && ode_->bodies[i].wheel < 0) return i;
-    }
-    return std::nullopt;
+    if (geom.body == OdeGeom::kNoBody || dGeomGetBody(geom.id) == nullptr) return std::nullopt;
+    return geom.wheel < 0 ? geom.body : carrierOf(geom.body);
   };
   std::vector<Contact> result;
-  result.reserve(ode_->contactRecords.size());
+  result.reserve(ode_->contactRecords.size() + ode_->asleepContacts.size());
   for (const OdeContactRecord& record : ode_->contactRecords) {
     const dReal* force = record.exerted->f1;
     result.push_back({record.first->model, record.second->model, bodyOf(*record.first),
                       bodyOf(*record.second), record.point, record.normal, record.depth,
                       record.sign * Vector3(force[0], force[1], force[2])});
+  }
+  for (const OdeAsleepContact& one : ode_->asleepContacts) {
+    if (!ode_->readsContacts) break;
+    const OdeGeom &first = ode_->geoms[one.first], &second = ode_->geoms[one.second];
+    result.push_back({first.model, second.model, bodyOf(first), bodyOf(second), one.point, one.normal,
+                      one.depth, one.force});
   }
   return result;
 }

@@ -10,6 +10,7 @@
 
 #include "simcore/physics/OdeWorld.h"
 #include "simcore/physics/Physics.h"
+#include "simcore/physics/Sleeping.h"
 #include "simcore/world/StateStream.h"
 
 namespace simcore {
@@ -131,12 +132,13 @@ void Physics::transfer(StateStream& stream) {
   prepareOdeForThread();
   OdeWorld& ode = *ode_;
   for (std::size_t i = 0; i < ode.bodies.size(); ++i) {
-    if (ode.bodies[i].wheel >= 0) continue;
+    if (!ode.hasBody(i)) continue;
     bool isPinned = ode.bodies[i].pinned;
     stream.flag(isPinned);
     if (stream.isReading()) setPinned(i, isPinned);
     transferBody(stream, ode.bodies[i].id);
   }
+  transferSleep(stream, ode);
   for (dJointFeedback& force : ode.hingeForces) {
     for (dReal* part : {force.f1, force.t1, force.f2, force.t2})
       for (int i = 0; i < 3; ++i) stream.within(part[i], -1e15, 1e15);

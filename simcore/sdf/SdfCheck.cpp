@@ -92,6 +92,7 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:elevation", {"robotcontrol:facette"}, 3},
     {"robotcontrol:far", {"robotcontrol:facette"}, 1},
     {"robotcontrol:radiation", {"world"}, 0},
+    {"robotcontrol:sleeping", {"world"}, 0},
     {"robotcontrol:ambient", {"robotcontrol:radiation"}, 1},
     {"robotcontrol:surface", {"visual"}, 0},
     {"robotcontrol:reflects", {"robotcontrol:surface"}, 1},

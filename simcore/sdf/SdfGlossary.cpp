@@ -146,6 +146,8 @@ constexpr OwnElementHelp kOwnElementHelp[] = {
      "The distance of the axles of the kind ackermann, m."},
     {"robotcontrol:guided", "robotcontrol:maximum_steering", "double", "", false,
      "The largest steering angle of the kind ackermann, rad."},
+    {"world", "robotcontrol:sleeping", "bool", "", false,
+     "Whether what rests is computed only when something touches or moves it; default: true."},
     {"world", "robotcontrol:radiation", "", "name", true, "A radiation class with its ambient intensity."},
     {"robotcontrol:radiation", "robotcontrol:ambient", "double", "", false,
      "The intensity of the class that is everywhere."},

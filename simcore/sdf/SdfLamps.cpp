@@ -48,6 +48,7 @@ void readLamps(const sdf::World& world, WorldDescription& result, const SdfConte
     if (light.Element()->HasElement("light_on") && !light.Element()->Get<bool>("light_on")) continue;
     result.lamps.push_back(readLamp(light, context));
     result.lampNames.push_back(light.Name());
+    result.lampDirections.push_back(toEigen(light.Direction()));
     result.lampRadiation.push_back(readIntensities(light.Element(), context));
   }
 }

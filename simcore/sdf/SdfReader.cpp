@@ -118,6 +118,8 @@ void readSurroundings(const sdf::World& world, WorldDescription& result, const S
   result.gravity = toEigen(world.Gravity());
   if (!(result.gravity.norm() <= 1000))
     context.fail(world.Element(), "scene.gravity", "gravity must be below 1000 m/s^2");
+  if (world.Element()->HasElement("robotcontrol:sleeping"))
+    result.sleeps = world.Element()->Get<bool>("robotcontrol:sleeping");
   result.magneticField = toEigen(world.MagneticField());
   if (!(result.magneticField.norm() <= 100))
     context.fail(world.Element(), "scene.magnetic-field", "magnetic_field must be below 100 T");

@@ -210,6 +210,8 @@ struct WorldDescription {
   std::string game;
   /// Meters per second squared.
   Vector3 gravity = {0, 0, -9.81};
+  /// Whether bodies that rest are computed only when something touches or moves them.
+  bool sleeps = true;
   float ambient = 0.4F;
   Rgb background;
   std::vector<Lamp> lamps;
@@ -218,6 +220,9 @@ struct WorldDescription {
   std::vector<RadiationClass> radiationClasses;
   /// Their names in the world's file, by lamp.
   std::vector<std::string> lampNames;
+  /// Where they shine as the world's file says it, in their own frames, by lamp; without meaning for point
+  /// lights.
+  std::vector<Vector3> lampDirections;
   /// What the lamps emit of radiation classes, by lamp.
   std::vector<std::vector<ClassIntensity>> lampRadiation;
   /// Those that belong to no model.

@@ -170,7 +170,7 @@ TEST(SdfDrive, aDriveObeysAPioneersControllerUnlessItSaysThatItHasNone) {
 
 TEST(SdfDrive, wheelsAndTheirCarrierAreLumpedIntoOneBody) {
   const auto model = read(kSdfCart).model;
-  const LinkDescription body = withWheelsLumped(*model, 0);
+  const LinkDescription body = lumpedLink(*model, rigidParts(*model), 0);
   EXPECT_NEAR(body.mass, 6, 1e-12);
   // 4 kg at the link's origin, 2 kg 10 cm below.
   EXPECT_LT((body.centerOfMass - Vector3(0, 0, -1 / 30.0)).norm(), 1e-9);

@@ -289,7 +289,7 @@ TEST(Snapshots, thoseOfOtherScenesAndVersionsAreRefusedWithBothNames) {
   const auto version = Snapshot::decode(bytes, "old.snapshot");
   ASSERT_FALSE(version);
   EXPECT_THAT(version.error().text, HasSubstr("version 9"));
-  EXPECT_THAT(version.error().text, HasSubstr("version 1"));
+  EXPECT_THAT(version.error().text, HasSubstr("version 2"));
 }
 
 TEST(Snapshots, damagedFilesAreRefusedAndChangeNothing) {

@@ -39,6 +39,7 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"color", QT_TR_NOOP("color")},
       {"delay", QT_TR_NOOP("delay")},
       {"diffuse", QT_TR_NOOP("color: red, green, blue, 0 to 1")},
+      {"direction", QT_TR_NOOP("direction")},
       {"dropout", QT_TR_NOOP("share of lost readings")},
       {"file", QT_TR_NOOP("file")},
       {"friction", QT_TR_NOOP("friction")},
@@ -46,6 +47,7 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"initial_pose", QT_TR_NOOP("place at the start")},
       {"intensity", QT_TR_NOOP("intensity")},
       {"length", QT_TR_NOOP("length")},
+      {"lower_limit", QT_TR_NOOP("lower limit")},
       {"mass", QT_TR_NOOP("mass")},
       {"maximum_speed", QT_TR_NOOP("maximum speed")},
       {"maximum_torque", QT_TR_NOOP("maximum torque")},
@@ -59,6 +61,7 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"size", QT_TR_NOOP("size")},
       {"track", QT_TR_NOOP("track")},
       {"type", QT_TR_NOOP("type")},
+      {"upper_limit", QT_TR_NOOP("upper limit")},
       {"wheel_radius", QT_TR_NOOP("wheel radius")},
   };
   const auto found = kTitles.find(name);

@@ -9,6 +9,7 @@
 #include "robotlink/base/Random.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
+#include "simcore/devices/Ports.h"
 
 namespace app {
 namespace {
@@ -255,7 +256,7 @@ CameraWork::Order SimulatedWorld::orderOf(std::size_t camera) const {
   if (cameraErrorsChosen_[camera]) order.noise.sigma = sensor.noise;
   order.noise.sigma *= cameraSettings_[camera].gain;
   order.noise.seed = options_.seed;
-  order.noise.stream = camera;
+  order.noise.stream = simcore::hashOfPath(sensor.info.path);
   order.noise.frame = simulation_->cameraStep(camera);
   return order;
 }

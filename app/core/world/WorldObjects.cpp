@@ -274,8 +274,13 @@ class ModelWriter {
     addNumbers(object, "axis_in_link",
                valuesOf(modelInLink * (isUniversal ? joint.secondAxisInModel : joint.axisInModel)));
     if (isUniversal) return;
-    if (joint.upper > joint.lower && std::isfinite(joint.upper - joint.lower))
-      addNumbers(object, "range", {joint.lower, joint.upper}, unit);
+    if (joint.upper > joint.lower && std::isfinite(joint.upper - joint.lower)) {
+      const auto limit = [&](const char* name) -> Steps {
+        return {"joint[" + joint.name + "]", "axis", "limit", name};
+      };
+      locate(addNumbers(object, "lower_limit", {joint.lower}, unit), limit("lower"));
+      locate(addNumbers(object, "upper_limit", {joint.upper}, unit), limit("upper"));
+    }
     if (!joint.servo) return;
     addNumbers(object, "maximum_speed", {joint.maximumSpeed}, slides ? "m/s" : "rad/s");
     addNumbers(object, slides ? "maximum_force" : "maximum_torque", {joint.maximumTorque},
@@ -437,6 +442,8 @@ void addLamps(const simcore::WorldDescription& world, const std::string& file,
     locate(addNumbers(object, "intensity", {static_cast<double>(lamp.intensity)}), {"intensity"});
     locate(addNumbers(object, "attenuation", {static_cast<double>(lamp.attenuation)}, "1/m^2"),
            {"attenuation", "quadratic"});
+    if (lamp.kind != simcore::Lamp::Kind::kPoint && i < world.lampDirections.size())
+      locate(addNumbers(object, "direction", valuesOf(world.lampDirections[i])), {"direction"});
   }
 }
 

@@ -220,6 +220,8 @@ IslandThreads::IslandThreads(std::shared_ptr<robotlink::ThreadPool> pool, dWorld
                                        reinterpret_cast<dThreadingImplementationID>(this));
 }
 
+IslandThreads::~IslandThreads() = default;
+
 void IslandThreads::step(double seconds, int joints) {
   threads_ = joints >= kWorthThreads ? pool_->threads() : 1;
   asked_ = 0;

@@ -29,6 +29,7 @@ class IslandThreads {
  public:
   /// The pool must outlive it, and it must outlive the world.
   IslandThreads(std::shared_ptr<robotlink::ThreadPool> pool, dWorldID world);
+  ~IslandThreads();
   IslandThreads(const IslandThreads&) = delete;
   IslandThreads& operator=(const IslandThreads&) = delete;
 

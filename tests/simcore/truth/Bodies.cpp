@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "simcore/physics/shapes/LumpedLink.h"
 #include "tests/TestFolder.h"
 
 namespace simcore::truth {
@@ -149,7 +150,8 @@ Bodies::Sums Bodies::sums() const {
     const auto motions = physics_->motionOf(static_cast<int>(m));
     for (std::size_t i = 0; i < motions.size(); ++i) {
       const Physics::BodyMotion& motion = motions[i];
-      const LinkDescription& link = world.models[m].type->links[i];
+      const ModelDescription& type = *world.models[m].type;
+      const LinkDescription link = lumpedLink(type, rigidParts(type), static_cast<int>(motion.link));
       const Eigen::Matrix3d rotation = motion.rotation.toRotationMatrix();
       const Vector3 spin = rotation * link.inertia * rotation.transpose() * motion.angularVelocity;
       sums.momentum += link.mass * motion.velocity;

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/physics/Sleeping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "simcore/physics/FreeBodies.h"
+#include "simcore/world/StateStream.h"
+
+namespace simcore {
+namespace {
+
+/// For so many steps something has to stay.
+constexpr int kQuietSteps = 125;
+// How far it may move and turn in the meantime, m and rad.
+constexpr double kQuietWay = 0.00025, kQuietTurn = 0.0005;
+
+OdeModel& modelAt(OdeWorld& ode, int model) {
+  return ode.models[static_cast<std::size_t>(model)];
+}
+
+/// Begins to wait for a body to stay where it is now.
+void watchAnew(OdeFreeBody& body) {
+  body.quietSteps = 0;
+  std::copy_n(dBodyGetPosition(body.id), 3, body.quietPosition);
+  std::copy_n(dBodyGetQuaternion(body.id), 4, body.quietRotation);
+}
+
+bool hasMoved(const OdeFreeBody& body) {
+  const dReal *p = dBodyGetPosition(body.id), *q = dBodyGetQuaternion(body.id);
+  double squared = 0, cosine = 0;
+  for (int i = 0; i < 3; ++i) squared += (p[i] - body.quietPosition[i]) * (p[i] - body.quietPosition[i]);
+  for (int i = 0; i < 4; ++i) cosine += q[i] * body.quietRotation[i];
+  // The quaternions' product has the cosine of half of the angle.
+  return squared > kQuietWay * kQuietWay || std::abs(cosine) < 1 - kQuietTurn * kQuietTurn / 8;
+}
+
+/// Returns whether it has been quiet for long enough.
+bool watch(OdeFreeBody& body) {
+  if (body.contacts < kStands || dBodyIsKinematic(body.id) != 0 || hasMoved(body)) {
+    watchAnew(body);
+    return false;
+  }
+  body.quietSteps = std::min(body.quietSteps + 1, kQuietSteps);
+  return body.quietSteps == kQuietSteps;
+}
+
+bool isQuiet(const OdeModel& model) {
+  return model.sleeper != nullptr && model.sleeper->quietSteps == kQuietSteps;
+}
+
+/// What touches each other, of the models that could sleep.
+class TouchingModels {
+ public:
+  explicit TouchingModels(OdeWorld& ode)
+      : ode_(ode), first_(ode.models.size()), sleeps_(first_.size(), true) {
+    std::iota(first_.begin(), first_.end(), 0);
+    for (const OdePair& pair : ode.pairs) add(pair.first->model, pair.second->model);
+    for (int i = 0; i < static_cast<int>(first_.size()); ++i) {
+      if (modelAt(ode_, i).sleeper != nullptr && !isQuiet(modelAt(ode_, i))) keepAwake(i);
+    }
+  }
+
+  /// The first model of those that a model touches; -1 if they have to stay awake.
+  int groupOf(int model) const {
+    const int group = of(model);
+    return sleeps_[static_cast<std::size_t>(group)] ? group : -1;
+  }
+
+ private:
+  int of(int model) const {
+    while (first_[static_cast<std::size_t>(model)] != model) model = first_[static_cast<std::size_t>(model)];
+    return model;
+  }
+  void keepAwake(int model) { sleeps_[static_cast<std::size_t>(of(model))] = false; }
+  void add(int a, int b) {
+    const OdeModel &first = modelAt(ode_, a), &second = modelAt(ode_, b);
+    if (first.space == nullptr || second.space == nullptr) return;
+    if (first.sleeper == nullptr || second.sleeper == nullptr) {
+      if (first.sleeper != nullptr) keepAwake(a);
+      if (second.sleeper != nullptr) keepAwake(b);
+      return;
+    }
+    const auto [low, high] = std::minmax(of(a), of(b));
+    if (!sleeps_[static_cast<std::size_t>(high)]) keepAwake(low);
+    first_[static_cast<std::size_t>(high)] = low;
+  }
+
+  OdeWorld& ode_;
+  std::vector<int> first_;
+  std::vector<bool> sleeps_;
+};
+
+/// Keeps what a model that falls asleep touches.
+void keepContacts(OdeWorld& ode) {
+  const OdeGeom *first = nullptr, *second = nullptr;
+  for (const OdeContactRecord& record : ode.contactRecords) {
+    const int group =
+        std::max(modelAt(ode, record.first->model).group, modelAt(ode, record.second->model).group);
+    if (group < 0) continue;
+    const dReal* force = record.exerted->f1;
+    ode.asleepContacts.push_back(
+        {record.first->index, record.second->index, group, first != record.first || second != record.second,
+         record.point, record.normal, record.sign * Vector3(force[0], force[1], force[2]), record.depth});
+    first = record.first;
+    second = record.second;
+  }
+}
+
+void sleep(OdeModel& model, int group) {
+  const dBodyID body = model.sleeper->id;
+  model.group = group;
+  dBodySetLinearVel(body, 0, 0, 0);
+  dBodySetAngularVel(body, 0, 0, 0);
+  dBodyDisable(body);
+}
+
+void wakeGroup(OdeWorld& ode, int group) {
+  for (OdeModel& model : ode.models) {
+    if (model.group != group) continue;
+    model.group = OdeModel::kAwake;
+    dBodyEnable(model.sleeper->id);
+    watchAnew(*model.sleeper);
+  }
+  std::erase_if(ode.asleepContacts, [&](const OdeAsleepContact& one) { return one.group == group; });
+}
+
+}  // namespace
+
+void wake(OdeWorld& ode, OdeModel& model) {
+  if (model.isAsleep()) wakeGroup(ode, model.group);
+}
+
+bool wakeTouched(OdeWorld& ode) {
+  if (!ode.sleeps) return false;
+  bool slept = false;
+  for (const OdePair& pair : ode.pairs) {
+    for (const OdeGeom* geom : {pair.first, pair.second}) {
+      OdeModel& model = modelAt(ode, geom->model);
+      slept |= model.isAsleep();
+      wake(ode, model);
+    }
+  }
+  return slept;
+}
+
+bool mayFallAsleep(dBodyID body) {
+  const auto* free = body == nullptr ? nullptr : static_cast<const OdeFreeBody*>(dBodyGetData(body));
+  return free != nullptr && free->quietSteps >= kQuietSteps - 1;
+}
+
+void letModelsSleep(OdeWorld& ode) {
+  if (!ode.sleeps) return;
+  bool anyIsQuiet = false;
+  for (OdeModel& model : ode.models) {
+    if (model.sleeper != nullptr && !model.isAsleep()) anyIsQuiet |= watch(*model.sleeper);
+  }
+  if (anyIsQuiet) {
+    const TouchingModels touching(ode);
+    bool anySleeps = false;
+    for (int i = 0; i < static_cast<int>(ode.models.size()); ++i) {
+      OdeModel& model = modelAt(ode, i);
+      if (model.isAsleep() || !isQuiet(model)) continue;
+      const int group = touching.groupOf(i);
+      if (group < 0) continue;
+      sleep(model, group);
+      anySleeps = true;
+    }
+    if (anySleeps) keepContacts(ode);
+  }
+  if (!ode.readsContacts) ode.contactRecords.clear();
+}
+
+void transferSleep(StateStream& stream, OdeWorld& ode) {
+  const auto models = static_cast<int>(ode.models.size());
+  for (OdeModel& model : ode.models) {
+    if (model.sleeper == nullptr) continue;
+    OdeFreeBody& body = *model.sleeper;
+    stream.raw(model.group);
+    stream.require(model.group >= OdeModel::kAwake && model.group < models);
+    stream.raw(body.quietSteps);
+    stream.require(body.quietSteps >= 0 && body.quietSteps <= kQuietSteps);
+    for (int i = 0; i < 3; ++i) stream.number(body.quietPosition[i]);
+    for (int i = 0; i < 4; ++i) stream.within(body.quietRotation[i], -1.001, 1.001);
+    if (!stream.isReading()) continue;
+    if (!stream.good()) model.group = OdeModel::kAwake;
+    model.isAsleep() ? dBodyDisable(body.id) : dBodyEnable(body.id);
+  }
+  stream.size(ode.asleepContacts, std::size_t{1} << 24U);
+  const auto isPossible = [&](const OdeAsleepContact& one) {
+    return one.first < ode.geoms.size() && one.second < ode.geoms.size() && one.group >= 0 &&
+           one.group < models;
+  };
+  for (OdeAsleepContact& one : ode.asleepContacts) {
+    stream.raw(one.first);
+    stream.raw(one.second);
+    stream.raw(one.group);
+    stream.flag(one.isFirstOfPair);
+    for (Vector3* vector : {&one.point, &one.normal}) stream.vector(*vector);
+    for (int i = 0; i < 3; ++i) stream.within(one.force[i], -1e15, 1e15);
+    stream.number(one.depth);
+    stream.require(isPossible(one));
+  }
+  if (stream.isReading() && !stream.good()) ode.asleepContacts.clear();
+}
+
+}  // namespace simcore
