@@ -84,6 +84,7 @@ StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stre
     if (!seen(message)) news.messages.push_back(&message);
   }
   std::reverse(news.messages.begin(), news.messages.end());
+  news.missed = count_ > 0 && news.messages.size() < added;
   news.restarted =
       news.restarted || (count_ > 0 && !stream.messages.empty() && stream.messages.back().time < newest_);
   count_ = stream.count;

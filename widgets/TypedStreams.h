@@ -50,6 +50,8 @@ class StreamCursor {
     std::vector<const robotlink::StreamMessage*> messages;
     /// The clock went back: messages that were returned before are no longer valid.
     bool restarted = false;
+    /// There were others since the last call, before these, which the history has dropped meanwhile.
+    bool missed = false;
   };
   /// Returns the new messages of `stream`, which must be the same one in each call.
   News take(const robotlink::StreamStore::Stream& stream);

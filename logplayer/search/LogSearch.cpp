@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "foxglove/Robot.pb.h"
 #include "logplayer/base/Plural.h"
 #include "logplayer/export/ExportPass.h"
 #include "robotlink/expressions/BoundExpression.h"
@@ -19,42 +18,35 @@ using robotlink::Instant;
 using robotlink::Result;
 using robotlink::StreamMessage;
 
-/// Ends a pass over the log because nothing more is wanted.
-constexpr char kEnough[] = "search.enough";
 /// Ends a computation because the range ends there.
 constexpr char kRangeEnd[] = "search.range-end";
 /// How much later than its time what programs compute may be published, in time of the log.
 constexpr robotlink::Duration kMaxDelay = std::chrono::seconds(1);
 
-/// The expression for one robot, and since when it is true.
-struct Search {
-  BoundExpression expression;
-  std::optional<Instant> trueSince = {};
-  /// Whether it has values that were not looked at.
-  bool isChanged = false;
-};
-
 class LogSearch {
  public:
   LogSearch(std::shared_ptr<LogFile> log, const std::function<bool(const SearchHit&)>& found)
-      : log_(std::move(log)), found_(found) {}
+      : log_(std::move(log)), matcher_(found) {}
 
   Result<SearchReport> run(std::string_view expression, const ExportOptions& options,
                            const ComputedStreams& computed) {
     if (const auto done = bind(expression, computed.make); !done) return tl::unexpected(done.error());
     const auto unread = computation_ ? searchComputed(options, computed) : searchLogged(options);
-    if (!unread && unread.error().id != kEnough) return tl::unexpected(unread.error());
-    if (unread) finish();
+    if (!unread && unread.error().id != ConditionMatcher::kEnough) return tl::unexpected(unread.error());
+    if (unread) matcher_.finish();
     ExportReport losses;
     losses.losses = std::move(troubles_);
     if (unread) noteUnread(*unread, losses);
     noteDamage(*log_, losses);
-    if (unread) noteNeverFound(losses);
+    if (unread) {
+      for (std::string& missing : matcher_.neverFound()) losses.losses.push_back(std::move(missing));
+    }
     for (const auto& [stream, count] : undecoded_) {
       losses.losses.push_back(plural(count, "message") + " of " + stream +
                               " are in an encoding that is not read; left out");
     }
     report_.losses = std::move(losses.losses);
+    report_.hits = matcher_.hits();
     return report_;
   }
 
@@ -80,31 +72,28 @@ class LogSearch {
       bound = BoundExpression::bind(expression, paths, log_->robots());
     }
     if (!bound) return tl::unexpected(bound.error());
-    for (BoundExpression& one : *bound) {
-      streams_.insert(one.streams().begin(), one.streams().end());
-      searches_.push_back({std::move(one)});
-    }
+    matcher_.add(*std::move(bound));
     for (const std::string& path : computable) {
-      if (streams_.contains(path)) report_.computed.insert(path);
+      if (streams().contains(path)) report_.computed.insert(path);
     }
-    if (streams_.empty())
+    if (streams().empty())
       return robotlink::failure("expression.constant", "the expression names no stream of the log");
     return {};
   }
 
   Result<Unread> searchLogged(const ExportOptions& options) {
     if (const auto done = beginWithEarlierValues(options); !done) return tl::unexpected(done.error());
-    return forEachMessage(log_, {streams_.begin(), streams_.end()}, options, {},
+    return forEachMessage(log_, {streams().begin(), streams().end()}, options, {},
                           [this](const StreamMessage& message) { return take(message); });
   }
 
   /// Has the other streams computed, and takes those of the log beside them.
   Result<Unread> searchComputed(const ExportOptions& options, const ComputedStreams& computed) {
     std::vector<std::string> logged;
-    std::ranges::set_difference(streams_, report_.computed, std::back_inserter(logged));
+    std::ranges::set_difference(streams(), report_.computed, std::back_inserter(logged));
     // A cursor without streams would go through all.
     if (!logged.empty()) cursor_.emplace(log_, logged);
-    if (options.from) time_ = *options.from;
+    if (options.from) matcher_.beginAt(*options.from);
     if (computed.begins) computed.begins(report_.computed);
     const double length = robotlink::seconds(options.to.value_or(log_->end()) - log_->begin());
     auto troubles = computation_->run(
@@ -148,101 +137,29 @@ class LogSearch {
   /// Values from before the range are in effect at its start.
   Result<void> beginWithEarlierValues(const ExportOptions& options) {
     if (!options.from) return {};
-    for (const std::string& stream : streams_) {
+    for (const std::string& stream : streams()) {
       const auto earlier = log_->latest(stream, *options.from - robotlink::Duration(1));
       if (!earlier) continue;
       if (const auto done = takeEarlier(*earlier); !done) return done;
     }
-    time_ = *options.from;
+    matcher_.beginAt(*options.from);
     return {};
   }
 
-  /// Takes a value from before the range, but no text.
   Result<void> takeEarlier(const StreamMessage& message) {
-    if (isText(message) || isUndecoded(*log_, message)) return {};
-    for (Search& search : searches_) {
-      const auto taken = search.expression.take(message.path, *message.value);
-      if (!taken) return tl::unexpected(taken.error());
-      search.isChanged |= *taken;
-    }
-    return {};
-  }
-
-  static bool isText(const StreamMessage& message) {
-    return message.value->GetDescriptor()->full_name() == foxglove::Log::descriptor()->full_name();
+    return isUndecoded(*log_, message) ? Result<void>() : matcher_.takeEarlier(message);
   }
 
   Result<void> take(const StreamMessage& message) {
-    if (message.time != time_) {
-      if (const auto done = lookAtChanged(); !done) return done;
-      time_ = message.time;
-    }
-    if (isUndecoded(*log_, message)) {
-      ++undecoded_[message.path];
-      return {};
-    }
-    for (Search& search : searches_) {
-      const auto taken = search.expression.take(message.path, *message.value);
-      if (!taken) return tl::unexpected(taken.error());
-      if (!*taken) continue;
-      if (!isText(message)) {
-        search.isChanged = true;
-        continue;
-      }
-      const bool isHit = isTrue(search);
-      search.expression.forget(message.path);
-      if (!isHit) continue;
-      if (const auto done = report({search.expression.robot(), message.time, message.time, message}); !done)
-        return done;
-    }
+    if (!isUndecoded(*log_, message)) return matcher_.take(message);
+    ++undecoded_[message.path];
     return {};
   }
 
-  static bool isTrue(Search& search) { return search.expression.value().value_or(0) != 0; }
-
-  Result<void> lookAtChanged() {
-    for (Search& search : searches_) {
-      if (!std::exchange(search.isChanged, false) || isTrue(search) == search.trueSince.has_value()) continue;
-      if (!search.trueSince) {
-        search.trueSince = time_;
-        continue;
-      }
-      const SearchHit hit{search.expression.robot(), *search.trueSince, time_, std::nullopt};
-      search.trueSince.reset();
-      if (const auto done = report(hit); !done) return done;
-    }
-    return {};
-  }
-
-  void finish() {
-    if (!lookAtChanged()) return;
-    for (const Search& search : searches_) {
-      if (!search.trueSince) continue;
-      if (!report({search.expression.robot(), *search.trueSince, std::nullopt, std::nullopt})) return;
-    }
-  }
-
-  /// An expression without a value is never true, which may surprise who misspelled an element's name.
-  void noteNeverFound(ExportReport& losses) const {
-    std::set<std::string> missing;
-    for (const Search& search : searches_) {
-      const auto names = search.expression.neverFound();
-      missing.insert(names.begin(), names.end());
-    }
-    for (const std::string& name : missing)
-      losses.losses.push_back("no message has " + name + ", so that the expression has no value");
-  }
-
-  Result<void> report(const SearchHit& hit) {
-    ++report_.hits;
-    if (found_(hit)) return {};
-    return robotlink::failure(kEnough, "");
-  }
+  const std::set<std::string>& streams() const { return matcher_.streams(); }
 
   std::shared_ptr<LogFile> log_;
-  const std::function<bool(const SearchHit&)>& found_;
-  std::vector<Search> searches_;
-  std::set<std::string> streams_;
+  ConditionMatcher matcher_;
   /// Null if the log has all streams.
   std::unique_ptr<Computation> computation_;
   /// What went wrong with it, one sentence each.
@@ -251,8 +168,6 @@ class LogSearch {
   std::optional<LogFile::Cursor> cursor_;
   /// What was read and computed, by time, and may still be followed by something earlier.
   std::multimap<Instant, StreamMessage> waiting_;
-  /// The time of the messages that were taken last.
-  Instant time_;
   std::map<std::string, std::uint64_t> undecoded_;
   SearchReport report_;
 };
@@ -264,6 +179,34 @@ Result<SearchReport> searchLog(const std::shared_ptr<LogFile>& log, std::string_
                                const std::function<bool(const SearchHit&)>& found,
                                const ComputedStreams& computed) {
   return LogSearch(log, found).run(expression, options, computed);
+}
+
+Result<SearchReport> searchMessages(MessageSource& source, std::string_view expression,
+                                    const std::vector<std::string>& robots, const Progress& progress,
+                                    const std::function<bool(const SearchHit&)>& found) {
+  constexpr std::uint64_t kBetweenReports = 1000;  // messages
+  if (const auto opened = source.open(progress); !opened) return tl::unexpected(opened.error());
+  auto bound = BoundExpression::bind(expression, source.streams(), robots);
+  if (!bound) return tl::unexpected(bound.error());
+  ConditionMatcher matcher(found);
+  matcher.add(*std::move(bound));
+  if (matcher.streams().empty())
+    return robotlink::failure("expression.constant", "the expression names no stream");
+  const auto [from, to] = source.stretch();
+  const double length = robotlink::seconds(to - from + robotlink::Duration(1));
+  const auto cursor = source.read({matcher.streams().begin(), matcher.streams().end()}, Instant::min());
+  std::uint64_t count = 0;
+  while (const auto message = cursor->next()) {
+    const double share = std::clamp(robotlink::seconds(message->time - from) / length, 0.0, 1.0);
+    if (++count % kBetweenReports == 0 && progress && !progress(share))
+      return robotlink::failure("log.given-up", "canceled");
+    if (const auto done = matcher.take(*message); !done) {
+      if (done.error().id == ConditionMatcher::kEnough) return SearchReport{matcher.hits(), {}, {}};
+      return tl::unexpected(done.error());
+    }
+  }
+  matcher.finish();
+  return SearchReport{matcher.hits(), {}, matcher.neverFound()};
 }
 
 }  // namespace logplayer

@@ -13,20 +13,10 @@
 #include "logplayer/export/ExportOptions.h"
 #include "logplayer/file/LogFile.h"
 #include "logplayer/search/Computation.h"
+#include "logplayer/search/ConditionMatcher.h"
+#include "logplayer/search/MessageSource.h"
 
 namespace logplayer {
-
-/// A span of time in which an expression was true, or a text for which it was.
-struct SearchHit {
-  /// Empty if the expression names all its streams in full.
-  std::string robot;
-  /// When it became true, in log time.
-  robotlink::Instant from;
-  /// When it was no longer true; empty: it was still true at the end of the range. Equals `from` for texts.
-  std::optional<robotlink::Instant> until;
-  /// The text, if the hit is one.
-  std::optional<robotlink::StreamMessage> text;
-};
 
 /// What a search found.
 struct SearchReport {
@@ -49,5 +39,12 @@ robotlink::Result<SearchReport> searchLog(const std::shared_ptr<LogFile>& log, s
                                           const ExportOptions& options,
                                           const std::function<bool(const SearchHit&)>& found,
                                           const ComputedStreams& computed = {});
+
+/// The same for all messages of a source that is not open yet, such as the history of live robots; `robots`
+/// are those whose streams are in it. Nothing is computed.
+robotlink::Result<SearchReport> searchMessages(MessageSource& source, std::string_view expression,
+                                               const std::vector<std::string>& robots,
+                                               const Progress& progress,
+                                               const std::function<bool(const SearchHit&)>& found);
 
 }  // namespace logplayer

@@ -4,6 +4,8 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
+#include <set>
+
 #include "robotlink/packages/FieldValues.h"
 
 namespace robotlink {
@@ -57,11 +59,14 @@ void listMessage(const Message& message, FieldChoice choice, const std::string& 
     const FieldDescriptor& field = *message.GetDescriptor()->field(i);
     const bool absent = !field.is_repeated() && field.has_presence() && !reflection.HasField(message, &field);
     const int elements = field.is_repeated() ? reflection.FieldSize(message, &field) : absent ? 0 : 1;
+    // A name leads to the first element that has it.
+    std::set<std::string> known;
     for (int e = 0; e < elements && paths.size() < kMaxFields; ++e) {
       const Message* part = !isPart(field)        ? nullptr
                             : field.is_repeated() ? &reflection.GetRepeatedMessage(message, &field, e)
                                                   : &reflection.GetMessage(message, &field);
-      const std::string key = part ? elementKey(*part, e) : std::to_string(e);
+      std::string key = part ? elementKey(*part, e) : std::to_string(e);
+      if (!known.insert(key).second) key = std::to_string(e);
       const std::string path = prefix + field.name() + (field.is_repeated() ? "[" + key + "]" : "");
       if (isListed(field, choice)) paths.push_back(path);
       if (part && depth < kMaxDepth) listMessage(*part, choice, path + ".", depth + 1, paths);

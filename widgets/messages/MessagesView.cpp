@@ -187,6 +187,10 @@ void MessagesView::tick() {
   showInstant();
 }
 
+void MessagesView::tickHidden() {
+  if (!pause_->isChecked()) takeNew();
+}
+
 void MessagesView::showInstant() {
   const bool log = logs_.replay().open();
   const auto& timeline = session().timeline();

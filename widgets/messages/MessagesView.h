@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "widgets/HiddenTick.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/View.h"
 #include "widgets/log/LogModel.h"
@@ -28,12 +29,13 @@ class LogFilter;
 /// double click jumps to a message's time.
 ///
 /// Registered as "messages". GUI thread.
-class MessagesView final : public View {
+class MessagesView final : public View, public HiddenTick {
   Q_OBJECT
  public:
   explicit MessagesView(ViewContext& context, QWidget* parent = nullptr);
   /// Appends new messages (unless paused) and moves the current row to the shown instant.
   void tick() override;
+  void tickHidden() override;
   /// Sets the filter, as the user does; empty: none. Fails if it is no regular expression, but is to be one.
   robotlink::Result<void> setFilter(const std::string& text, bool isRegex);
 

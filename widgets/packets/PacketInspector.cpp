@@ -184,11 +184,15 @@ PacketModel& PacketInspector::shownModel() {
   return file_.isEmpty() ? live_ : recorded_;
 }
 
+void PacketInspector::tickHidden() {
+  if (!pause_->isChecked()) takeNew();
+  replay_->tick(session().timeline().newest());
+}
+
 void PacketInspector::tick() {
   followRobot();
   subscription_.want(session(), robot_, {robotlink::kLinkPackets.name});
-  if (!pause_->isChecked()) takeNew();
-  replay_->tick(session().timeline().newest());
+  tickHidden();
   const auto& timeline = session().timeline();
   live_.setOrigin(timeline.origin());
   if (timeline.live() || timeline.shown() == shown_ || !file_.isEmpty()) return;

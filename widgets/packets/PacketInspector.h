@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/HiddenTick.h"
 #include "widgets/PackageSubscription.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/View.h"
@@ -26,13 +27,14 @@ class PacketReplayBar;
 /// robotlink/arcos/ARCOS.md); one can be opened, and its client's part sent again to the connected robot.
 ///
 /// Registered as "packets". GUI thread.
-class PacketInspector final : public View {
+class PacketInspector final : public View, public HiddenTick {
   Q_OBJECT
  public:
   explicit PacketInspector(ViewContext& context, QWidget* parent = nullptr);
 
   /// Appends new packets (unless paused) and sends what a replay has due.
   void tick() override;
+  void tickHidden() override;
 
   /// Saves all packets of the list, whatever the filters. False, with a message shown, if that fails.
   bool saveConversation(const QString& file);

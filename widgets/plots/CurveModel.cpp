@@ -4,6 +4,8 @@
 #include <QGuiApplication>
 #include <QPalette>
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "widgets/Theme.h"
 
@@ -12,6 +14,9 @@ namespace widgets {
 using robotlink::Series;
 
 namespace {
+
+/// How many points of a curve are held at most; then the older half goes.
+constexpr std::ptrdiff_t kMaxHeld = 4'000'000;
 
 QString csvCell(const CurveModel::Curve& curve, double value) {
   constexpr int kDigits = 12;
@@ -86,8 +91,17 @@ std::shared_ptr<const Series> CurveModel::Curve::ofLog() const {
   return {logged, &logged->series};
 }
 
-bool CurveModel::Curve::takeLive(const robotlink::StreamStore& store) {
-  const PlotReader::News news = reader.take(store);
+void CurveModel::Curve::hold(const robotlink::StreamStore& store) {
+  held.append(reader.take(store));
+  if (std::ssize(held.points) <= kMaxHeld) return;
+  held.points.erase(held.points.begin(), held.points.end() - kMaxHeld / 2);
+  held.missed = true;
+}
+
+bool CurveModel::Curve::takeLive(const robotlink::StreamStore& store, bool afresh) {
+  PlotReader::News news = std::exchange(held, {});
+  news.append(reader.take(store));
+  if (afresh && news.missed) news.restarted = true;
   problem = reader.problem(store);
   if (names.size() < reader.names().size()) names.merge(reader.names());
   if (news.restarted) {
@@ -128,7 +142,7 @@ bool CurveModel::Curve::takeLogged(std::size_t bytes) {
 }
 
 std::optional<double> CurveModel::Curve::last() const {
-  if (liveFilter.isEmpty()) return reader.last();
+  if (liveFilter.isEmpty() && held.points.empty()) return reader.last();
   return live.empty() ? std::nullopt : std::optional(live.back().value);
 }
 
@@ -136,14 +150,20 @@ QString CurveModel::Curve::unit() const {
   return QString::fromStdString(liveFilter.unit(reader.unit().toStdString()));
 }
 
-bool CurveModel::update(const robotlink::StreamStore& store) {
+void CurveModel::hold(const robotlink::StreamStore& store) {
+  for (const auto& curve : curves_) {
+    for (Curve* part : curve->parts()) part->hold(store);
+  }
+}
+
+bool CurveModel::update(const robotlink::StreamStore& store, bool afresh) {
   std::size_t count = 0;
   for (const auto& curve : curves_) count += curve->parts().size();
   const std::size_t share = kMaxBytes / std::max<std::size_t>(count, 1);
   bool news = false;
   for (const auto& curve : curves_) {
     for (Curve* part : curve->parts()) {
-      news = part->takeLive(store) || news;
+      news = part->takeLive(store, afresh) || news;
       news = part->takeLogged(share / 2) || news;
       part->live.limit(share - std::min(part->filtered->bytes(), share / 2));
     }

@@ -58,13 +58,18 @@ class CurveModel final : public QAbstractTableModel {
     /// Takes what is new of the log; what the filter makes of it ends at so many bytes. True if there is
     /// something.
     bool takeLogged(std::size_t bytes);
-    /// The same of what the session published.
-    bool takeLive(const robotlink::StreamStore& store);
+    /// The same of what the session published. `afresh`: if some of it was missed, the curve begins anew with
+    /// what the history has.
+    bool takeLive(const robotlink::StreamStore& store, bool afresh);
+    /// Takes it for the next takeLive(), and changes nothing else.
+    void hold(const robotlink::StreamStore& store);
 
     /// Reads the values from the session's store.
     PlotReader reader;
     /// Index for curveColor(); the lowest that was free.
     int color = 0;
+    /// What hold() took.
+    PlotReader::News held = {};
     /// What the session published, behind what was read of its history.
     robotlink::Series live;
     PastValues past;
@@ -102,8 +107,11 @@ class CurveModel final : public QAbstractTableModel {
   bool add(const PlotSource& source);
   void remove(int row);
   void clear();
-  /// Adds the points that arrived since the last call. True if there is something new to draw.
-  bool update(const robotlink::StreamStore& store);
+  /// Adds the points that arrived since the last call. True if there is something new to draw. `afresh`: a
+  /// curve of which some were missed begins anew, so that they are read again.
+  bool update(const robotlink::StreamStore& store, bool afresh = false);
+  /// Takes the points that arrived for the next update(), before the history drops them.
+  void hold(const robotlink::StreamStore& store);
   /// Sets the time that headers and csv() show as 0 s.
   void setOrigin(double seconds);
   /// Time under the cursor in s; empty: the cursor is not over the plot.

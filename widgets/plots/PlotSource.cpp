@@ -197,6 +197,13 @@ std::string keyFor(const robotlink::StreamStore& store, const std::string& strea
   return found;
 }
 
+void PlotReader::News::append(News later) {
+  if (later.restarted) points.clear();
+  points.insert(points.end(), later.points.begin(), later.points.end());
+  restarted = restarted || later.restarted;
+  missed = later.missed || (missed && !later.restarted);
+}
+
 PlotReader::PlotReader(PlotSource source) : source_(std::move(source)) {
   if (source_.expression.empty()) {
     streams_ = {source_.stream};
@@ -275,6 +282,7 @@ PlotReader::News PlotReader::takeOfStream(const robotlink::StreamStore& store) {
   if (stream == nullptr) return news;
   const StreamCursor::News added = cursors_[source_.stream].take(*stream);
   news.restarted = added.restarted;
+  news.missed = added.missed;
   for (const auto* message : added.messages) {
     const auto value = valueOf(*message);
     if (!value) continue;
@@ -311,6 +319,7 @@ PlotReader::News PlotReader::takeOfExpression(const robotlink::StreamStore& stor
     const StreamCursor::News added = cursors_[path].take(*stream);
     messages.insert(messages.end(), added.messages.begin(), added.messages.end());
     news.restarted = news.restarted || added.restarted;
+    news.missed = news.missed || added.missed;
   }
   if (news.restarted) newest_ = -std::numeric_limits<double>::infinity();
   std::ranges::stable_sort(messages, {}, &robotlink::StreamMessage::time);

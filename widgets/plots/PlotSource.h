@@ -95,6 +95,11 @@ class PlotReader {
     std::vector<robotlink::Series::Point> points;
     /// The clock went back: earlier points are no longer valid.
     bool restarted = false;
+    /// Values before these are missing: the history dropped them before they were taken. These are all that
+    /// it has in memory.
+    bool missed = false;
+    /// Appends what arrived later.
+    void append(News later);
   };
   explicit PlotReader(PlotSource source);
   const PlotSource& source() const { return source_; }

@@ -171,8 +171,17 @@ void PlotsView::listSources() {
   shownChoices_ = std::move(shown);
   const std::set<QString> unfolded = unfolded_;
   sources_.setChoices(all, [this](const PlotSource& source) { return jointOf(source); });
-  tree_->expandToDepth(search_->text().isEmpty() ? 0 : 9);
+  unfoldRobots();
   unfoldAgain({}, unfolded);
+}
+
+void PlotsView::unfoldRobots() {
+  if (!search_->text().isEmpty()) return tree_->expandAll();
+  // The streams of the world have hundreds of values each, and would hide those of robots below them.
+  for (int row = 0; row < filter_->rowCount(); ++row) {
+    const QModelIndex index = filter_->index(row, 0);
+    if (filter_->hasChildren(filter_->index(0, 0, index))) tree_->expand(index);
+  }
 }
 
 void PlotsView::unfoldAgain(const QModelIndex& parent, const std::set<QString>& unfolded) {
@@ -308,6 +317,19 @@ void PlotsView::followSession(double origin) {
   sessionBegin_ = begin;
 }
 
+void PlotsView::showEvent(QShowEvent* event) {
+  isShownAnew_ = true;
+  View::showEvent(event);
+}
+
+void PlotsView::tickHidden() {
+  TimeMarks::of(openLogs(context())).tick(session());
+  if (pause_->isChecked())
+    curves_.hold(session().store());
+  else
+    dirty_ = curves_.update(session().store()) || dirty_;
+}
+
 void PlotsView::tick() {
   listSources();
   requestMissing();
@@ -325,8 +347,8 @@ void PlotsView::tick() {
   undo_->setEnabled(canvas_->history().canUndo());
   redo_->setEnabled(canvas_->history().canRedo());
   ticks_ = (ticks_ + 1) % kTicksPerSpectrum;
-  if (pause_->isChecked()) return;
-  dirty_ = curves_.update(session().store()) || dirty_;
+  if (pause_->isChecked()) return curves_.hold(session().store());
+  dirty_ = curves_.update(session().store(), std::exchange(isShownAnew_, false)) || dirty_;
   // A transform of many points takes a while.
   if (ticks_ == 0 && std::exchange(isSpectrumOld_, false)) showSpectrum();
   dirty_ = dirty_ || (!session().timeline().live() && shownTime() != drawnTime_);

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "widgets/HiddenTick.h"
 #include "widgets/View.h"
 #include "widgets/plots/CursorModel.h"
 #include "widgets/plots/CurveModel.h"
@@ -37,7 +38,7 @@ class SpectrumCanvas;
 /// PlotsViewTools.cpp has its controls, PlotsViewCurves.cpp what is done with curves, PlotsViewState.cpp
 /// files and what it keeps of itself. It draws in each tick in which something is new. Registered as "plots".
 /// GUI thread.
-class PlotsView final : public View {
+class PlotsView final : public View, public HiddenTick {
   Q_OBJECT
  public:
   /// Returns the name of the file to write; empty: canceled. Tests replace the dialog by it.
@@ -50,6 +51,7 @@ class PlotsView final : public View {
   robotlink::Result<void> addCurve(const QString& source);
   /// Appends new points and redraws if something changed.
   void tick() override;
+  void tickHidden() override;
   QJsonObject saveState() const override;
   /// Takes kMaxRestored curves at most, and says so below the plot if there were more.
   void restoreState(const QJsonObject& state) override;
@@ -75,6 +77,9 @@ class PlotsView final : public View {
   static constexpr int kMaxRestored = 100;
   /// The time window as long as the user chooses none, in s.
   static constexpr int kUsualWindow = 10;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   void createActions();
@@ -137,6 +142,8 @@ class PlotsView final : public View {
   std::vector<PlotChoice> choices() const;
   /// Rebuilds the tree when there is something else to choose; what was unfolded stays so.
   void listSources();
+  /// Unfolds the streams of robots; while something is searched for, all that was found.
+  void unfoldRobots();
   void unfoldAgain(const QModelIndex& parent, const std::set<QString>& unfolded);
   /// Requests the debug keys of curves whose source is not published, each once.
   void requestMissing();
@@ -225,6 +232,8 @@ class PlotsView final : public View {
   QString readingText_;
   /// Counts ticks from one spectrum to the next.
   int ticks_ = 0;
+  /// Whether it was not ticked before: what the history dropped meanwhile is read again.
+  bool isShownAnew_ = false;
   /// Whether something changed since the last drawing.
   bool dirty_ = true;
   /// Whether something was drawn since spectra were.

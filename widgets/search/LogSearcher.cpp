@@ -2,18 +2,23 @@
 #include "widgets/search/LogSearcher.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
 #include "foxglove/Robot.pb.h"
 #include "logplayer/base/RobotNames.h"
 #include "robotlink/expressions/Expression.h"
+#include "robotlink/session/Session.h"
+#include "widgets/TypedStreams.h"
 
 namespace widgets {
 namespace {
 
 using logplayer::LogFile;
 using logplayer::renamedStream;
+using robotlink::Instant;
 using robotlink::Result;
 
 constexpr char kTextType[] = "foxglove.Log";
@@ -42,13 +47,35 @@ std::set<std::string> textStreams(const LogFile& log) {
   return streams;
 }
 
+std::string textCondition(const std::string& stream, const std::string& wanted) {
+  return stream + ".message =~ " + quoted("(?i)" + wanted);
+}
+
+/// Adds the messages of a stream that are in memory and not on disk.
+void addFromMemory(const robotlink::StreamStore::Stream& stream, LogSearcher::History& history) {
+  Instant onDisk = Instant::min();
+  for (const auto& piece : history.pieces) {
+    const auto times = piece.times->find(stream.path);
+    if (times != piece.times->end()) onDisk = std::max(onDisk, times->second.to);
+  }
+  const auto from = std::ranges::upper_bound(stream.messages, onDisk, {}, &robotlink::StreamMessage::time);
+  if (from == stream.messages.end()) return;
+  const robotlink::Stretch held{from->time, stream.messages.back().time};
+  history.pieces.push_back(
+      {held,
+       std::make_shared<const std::map<std::string, robotlink::Stretch>>(
+           std::map<std::string, robotlink::Stretch>{{stream.path, held}}),
+       {},
+       std::make_shared<const std::vector<robotlink::StreamMessage>>(from, stream.messages.end())});
+}
+
 /// The expressions to be searched for in a log.
 Result<std::vector<std::string>> expressionsIn(const LogFile& log, const LogSearcher::Plan& plan,
                                                const std::vector<std::string>& robots) {
   std::vector<std::string> expressions;
   if (plan.isTexts) {
     for (const std::string& stream : textStreams(log))
-      expressions.push_back(stream + ".message =~ " + quoted("(?i)" + plan.wanted));
+      expressions.push_back(textCondition(stream, plan.wanted));
     if (!expressions.empty()) return expressions;
     return robotlink::failure("search.texts", "the log holds no texts");
   }
@@ -65,6 +92,41 @@ Result<std::vector<std::string>> expressionsIn(const LogFile& log, const LogSear
 
 LogSearcher::LogSearcher()
     : worker_([this](const Plan& plan, const std::stop_token& stop) { work(plan, stop); }) {}
+
+Result<LogSearcher::History> LogSearcher::historyOf(robotlink::Session& session, const std::string& wanted,
+                                                    bool isTexts) {
+  const auto& store = session.store();
+  History history;
+  history.robots = session.robots();
+  if (const auto* archive = session.history().archive()) history.pieces = archive->pieces();
+  const auto shortName = [&](const std::string& path) {
+    const std::size_t slash = path.find('/');
+    const bool isOfRobot = slash != std::string::npos &&
+                           std::ranges::find(history.robots, path.substr(0, slash)) != history.robots.end();
+    return isOfRobot ? path.substr(slash + 1) : path;
+  };
+  std::set<std::string> needed;
+  if (isTexts) {
+    for (const auto* stream : streamsOfType(store, {}, kTextType))
+      history.textStreams.insert(shortName(stream->path));
+    needed = history.textStreams;
+    if (needed.empty()) return robotlink::failure("search.texts", "nobody has said anything yet");
+  } else {
+    std::vector<std::string> known;
+    for (const auto* stream : store.streams()) {
+      known.push_back(stream->path);
+      known.push_back(shortName(stream->path));
+    }
+    const auto parsed = robotlink::Expression::parse(wanted, known);
+    if (!parsed) return tl::unexpected(parsed.error());
+    for (const auto& input : parsed->inputs()) needed.insert(input.stream);
+  }
+  for (const auto* stream : store.streams()) {
+    if (needed.contains(stream->path) || needed.contains(shortName(stream->path)))
+      addFromMemory(*stream, history);
+  }
+  return history;
+}
 
 void LogSearcher::begin(Plan plan) {
   worker_.cancel();
@@ -116,10 +178,32 @@ class LogSearcher::Run {
           *log, (*expressions)[i],
           {.progress = [&](double share) { return progress(before + share / passes); }},
           [&](const logplayer::SearchHit& hit) {
-            add(number, logplayer::renamedRobot(hit.robot, own, entry.robots), hit);
+            addHit(number, logplayer::renamedRobot(hit.robot, own, entry.robots), entry.offset, hit);
             return !stop_.stop_requested() && !isFull();
           },
           computedFor(entry, own));
+      if (!report) return tl::unexpected(report.error());
+      searcher_.report(stop_, [&](News& news) {
+        news.losses.insert(news.losses.end(), report->losses.begin(), report->losses.end());
+      });
+    }
+    return {};
+  }
+  Result<void> searchHistory() {
+    const History& history = *plan_.history;
+    std::vector<std::string> conditions;
+    for (const std::string& stream : history.textStreams)
+      conditions.push_back(textCondition(stream, plan_.wanted));
+    if (!plan_.isTexts) conditions.push_back(plan_.wanted);
+    for (std::size_t i = 0; i < conditions.size() && !isFull(); ++i) {
+      const double passes = static_cast<double>(conditions.size());
+      const auto report = logplayer::searchMessages(
+          *logplayer::historySource(history.pieces), conditions[i], history.robots,
+          [&](double share) { return progress((static_cast<double>(i) + share) / passes); },
+          [&](const logplayer::SearchHit& hit) {
+            addHit(0, hit.robot, {}, hit);
+            return !stop_.stop_requested() && !isFull();
+          });
       if (!report) return tl::unexpected(report.error());
       searcher_.report(stop_, [&](News& news) {
         news.losses.insert(news.losses.end(), report->losses.begin(), report->losses.end());
@@ -140,13 +224,13 @@ class LogSearcher::Run {
             }};
   }
   bool progress(double logs) {
-    searcher_.report(stop_,
-                     [&](News& news) { news.progress = logs / static_cast<double>(plan_.logs.size()); });
+    const double all = plan_.history ? 1 : static_cast<double>(plan_.logs.size());
+    searcher_.report(stop_, [&](News& news) { news.progress = logs / all; });
     return !stop_.stop_requested();
   }
-  void add(std::size_t number, const std::string& robot, const logplayer::SearchHit& found) {
+  void addHit(std::size_t number, const std::string& robot, robotlink::Duration offset,
+              const logplayer::SearchHit& found) {
     ++count_;
-    const robotlink::Duration offset = plan_.logs[number].offset;
     Hit hit{number, robot, found.from + offset, std::nullopt, {}, 0};
     if (found.until) hit.until = *found.until + offset;
     const auto* text = found.text ? dynamic_cast<const foxglove::Log*>(found.text->value.get()) : nullptr;
@@ -167,6 +251,11 @@ void LogSearcher::work(const Plan& plan, const std::stop_token& stop) {
   Run run(*this, plan, stop);
   std::optional<robotlink::Error> failure;
   bool some = false;
+  if (plan.history) {
+    const auto done = run.searchHistory();
+    some = done.has_value();
+    if (!done) failure = done.error();
+  }
   for (std::size_t i = 0; i < plan.logs.size() && !stop.stop_requested() && !run.isFull(); ++i) {
     const auto done = run.search(i);
     // A log that does not have what is searched for is none of several to fail for.

@@ -10,12 +10,17 @@
 
 #include "logplayer/search/LogSearch.h"
 #include "robotlink/base/Worker.h"
+#include "robotlink/session/HistoryArchive.h"
+
+namespace robotlink {
+class Session;
+}
 
 namespace widgets {
 
-/// Searches whole logs in a thread of its own, without playing them. One search at a time; a newer one
-/// replaces it. The public functions are called by one thread and do not block; the destructor waits for at
-/// most one read, or one instant of a program that computes what a log lacks.
+/// Searches whole logs, or the history of live robots, in a thread of its own, without playing them. One
+/// search at a time; a newer one replaces it. The public functions are called by one thread and do not block;
+/// the destructor waits for at most one read, or one instant of a program that computes what a log lacks.
 class LogSearcher {
  public:
   struct Log {
@@ -25,17 +30,27 @@ class LogSearcher {
     /// The names of its robots in the session, in the log's order.
     std::vector<std::string> robots;
   };
+  /// What the history of live robots has of the streams that are searched. A plain value.
+  struct History {
+    /// Those of each stream are in order of time.
+    std::vector<robotlink::HistoryArchive::Piece> pieces;
+    std::vector<std::string> robots;
+    /// Those of texts that are wanted, without their robots.
+    std::set<std::string> textStreams;
+  };
   struct Plan {
     std::vector<Log> logs;
     /// An expression (robotlink/expressions/EXPRESSIONS.md) with streams as in the session, or what text
     /// messages contain: a regular expression (RE2), in any case of letters.
     std::string wanted;
     bool isTexts = false;
+    /// Is searched in place of logs if it is set.
+    std::optional<History> history = {};
     /// Computes the streams of conditions that a log lacks, in the thread of the search; may be empty.
     logplayer::MakeComputation computation = {};
   };
   struct Hit {
-    /// Which of the logs.
+    /// Which of the logs; 0 of a history.
     std::size_t log = 0;
     std::string robot;
     /// On the timeline. Equal for texts; unset `until`: to the end of the log.
@@ -62,6 +77,10 @@ class LogSearcher {
   static constexpr std::size_t kMaxHits = 10'000;
 
   LogSearcher();
+  /// What a session has for a search: all of its archive, and what is in memory of the streams that are
+  /// wanted. Fails as the search would. In the session's thread.
+  static robotlink::Result<History> historyOf(robotlink::Session& session, const std::string& wanted,
+                                              bool isTexts);
   void begin(Plan plan);
   void cancel();
   News take();

@@ -109,12 +109,23 @@ void SearchView::searchTyped() {
 }
 
 Result<void> SearchView::search(const QString& wanted, bool isTexts) {
-  if (logs_.logs().empty())
-    return robotlink::failure("search.log", "no log is open; open one first: log.open FILE");
+  const bool isHistory = logs_.logs().empty();
+  if (isHistory && !hasHistory())
+    return robotlink::failure("search.log",
+                              "no log is open, and no robot runs; open a log first: log.open FILE");
   if (wanted.trimmed().isEmpty()) return robotlink::failure("search.empty", "say what is to be searched for");
+  std::optional<LogSearcher::History> history;
+  if (isHistory) {
+    auto found = LogSearcher::historyOf(session(), wanted.trimmed().toStdString(), isTexts);
+    if (!found) return tl::unexpected(found.error());
+    history = *std::move(found);
+    searchedGeneration_ = session().store().generation();
+  } else {
+    searchedGeneration_.reset();
+  }
   wanted_->setText(wanted);
   kind_->setCurrentIndex(isTexts ? 1 : 0);
-  plan_ = {{}, wanted.trimmed().toStdString(), isTexts, logs_.computation()};
+  plan_ = {{}, wanted.trimmed().toStdString(), isTexts, std::move(history), logs_.computation()};
   offsets_.clear();
   for (const auto& log : logs_.logs()) {
     plan_.logs.push_back({log->path, log->offset, log->robots});
@@ -125,6 +136,7 @@ Result<void> SearchView::search(const QString& wanted, bool isTexts) {
   isSearching_ = true;
   cancel_->setEnabled(true);
   searcher_.begin(plan_);
+  plan_.history.reset();
   follow_.start();
   showOutcome(*state_, tr("Searching…"), false);
   return {};
@@ -139,12 +151,21 @@ void SearchView::cancel() {
 
 void SearchView::jumpTo(int row) {
   if (row < 0 || row >= model_.rowCount()) return;
-  logs_.replay().jumpTo(model_.row(row).from);
+  const robotlink::Instant time = model_.row(row).from;
+  searchedGeneration_ ? session().history().show(time) : logs_.replay().jumpTo(time);
+}
+
+robotlink::Instant SearchView::shownInstant() const {
+  return searchedGeneration_ ? session().history().chosen() : logs_.replay().shown();
+}
+
+bool SearchView::hasHistory() const {
+  return !session().robots().empty() && !session().store().streams().empty();
 }
 
 Result<void> SearchView::go(int direction) {
   followOffsets();
-  const robotlink::Instant shown = logs_.replay().shown();
+  const robotlink::Instant shown = shownInstant();
   const int at = model_.rowAt(shown);
   int row = at + 1;
   if (direction < 0) {
@@ -165,12 +186,13 @@ void SearchView::takeNews() {
   const LogSearcher::News news = searcher_.take();
   std::vector<SearchRow> rows;
   for (const LogSearcher::Hit& hit : news.hits) {
-    const robotlink::Duration moved = offsets_[hit.log] - plan_.logs[hit.log].offset;
+    const bool isLive = searchedGeneration_.has_value();
+    const auto moved = isLive ? robotlink::Duration(0) : offsets_[hit.log] - plan_.logs[hit.log].offset;
+    const QString of =
+        isLive ? tr("live") : QFileInfo(QString::fromStdString(plan_.logs[hit.log].path.string())).fileName();
     const QString text = QString::fromStdString(plan_.isTexts || !hit.text.empty() ? hit.text : plan_.wanted);
     const auto until = hit.until ? std::optional(*hit.until + moved) : std::nullopt;
-    rows.push_back({hit.from + moved, until, QString::fromStdString(hit.robot), text,
-                    QFileInfo(QString::fromStdString(plan_.logs[hit.log].path.string())).fileName(),
-                    hit.log});
+    rows.push_back({hit.from + moved, until, QString::fromStdString(hit.robot), text, of, hit.log});
   }
   model_.add(rows);
   if (!rows.empty()) showMarks();
@@ -216,19 +238,27 @@ void SearchView::showState(const LogSearcher::News& news) {
 void SearchView::showMarks() {
   std::vector<TimeMark> marks;
   marks.reserve(model_.rows().size());
+  const auto end = searchedGeneration_ ? session().timeline().newest() : logs_.replay().end();
   for (const SearchRow& row : model_.rows())
-    marks.push_back({row.from, row.until.value_or(logs_.replay().end()), row.text, LogEntry::Level::kInfo});
+    marks.push_back({row.from, row.until.value_or(end), row.text, LogEntry::Level::kInfo});
   TimeMarks::of(logs_).setHits(std::move(marks));
+}
+
+void SearchView::forgetOthers() {
+  const bool isThere = searchedGeneration_
+                           ? *searchedGeneration_ == session().store().generation() && logs_.logs().empty()
+                           : !logs_.logs().empty();
+  if (isThere || (model_.rowCount() == 0 && !isSearching_)) return;
+  if (searchedGeneration_) searcher_.cancel();
+  model_.clear();
+  showMarks();
+  showOutcome(*state_, {}, false);
 }
 
 void SearchView::tick() {
   model_.setOrigin(session().timeline().origin());
-  const bool isOpen = !logs_.logs().empty();
-  if (!isOpen && model_.rowCount() > 0) {
-    model_.clear();
-    showMarks();
-    showOutcome(*state_, {}, false);
-  }
+  const bool isOpen = !logs_.logs().empty() || hasHistory();
+  forgetOthers();
   followOffsets();
   if (isSearching_) takeNews();
   if (!isSearching_ && model_.rowCount() == 0) follow_.stop();
@@ -236,8 +266,8 @@ void SearchView::tick() {
   cancel_->setEnabled(isSearching_);
   for (QAction* action : {previous_, next_}) action->setEnabled(model_.rowCount() > 0);
   hint_->setHint(
-      !isOpen ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window. "
-                   "For live robots, the timeline steps by changes of a value.")
+      !isOpen ? tr("There is nothing to search.\nOpen a log with File > Open log…, or drop log files onto "
+                   "the window; or start a simulation, or connect to a robot.")
       : model_.rowCount() > 0 || isSearching_
           ? QString()
           : tr("Type a condition, such as models/ball.position.x > 1, or choose Texts, and press Enter."));

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QTimer>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "widgets/View.h"
@@ -19,9 +21,10 @@ namespace widgets {
 
 class EmptyHint;
 
-/// Searches the whole of the open logs in the background, without playing them: for where an expression is
-/// true, or for texts that match a regular expression. What the logs lack is computed as OpenLogs knows how
-/// to. A click on a hit jumps there; hits are marked in the timeline and in plots.
+/// Searches the whole of the open logs in the background, without playing them, or what is kept of live
+/// robots: for where an expression is true, or for texts that match a regular expression. What logs lack is
+/// computed as OpenLogs knows how to. A click on a hit jumps there; hits are marked in the timeline and in
+/// plots.
 ///
 /// A search goes on and ends while the view is hidden, too. Registered as "search". GUI thread.
 class SearchView final : public View {
@@ -32,7 +35,7 @@ class SearchView final : public View {
   void tick() override;
   /// All hits as a table (.csv), or a picture.
   robotlink::Result<void> saveTo(const QString& file) override;
-  /// Starts a search. Fails if no log is open, or nothing is wanted.
+  /// Starts a search. Fails if there is nothing to search, or nothing is wanted.
   robotlink::Result<void> search(const QString& wanted, bool isTexts);
   void cancel();
   /// Jumps to the next (1) or previous (-1) hit from the shown instant; to the only one in any case. Fails
@@ -48,6 +51,12 @@ class SearchView final : public View {
   /// Searches for what the field holds.
   void searchTyped();
   void jumpTo(int row);
+  /// The shown instant of the logs, or of the session.
+  robotlink::Instant shownInstant() const;
+  /// Whether the session has something that can be searched while no log is open.
+  bool hasHistory() const;
+  /// Forgets hits in what is no longer there.
+  void forgetOthers();
   void takeNews();
   /// Moves hits whose logs got other offsets.
   void followOffsets();
@@ -65,6 +74,8 @@ class SearchView final : public View {
   /// no ticks.
   QTimer follow_;
   bool isSearching_ = false;
+  /// The session's restarts when its history was searched; unset: logs were.
+  std::optional<std::uint64_t> searchedGeneration_;
   QComboBox* kind_ = nullptr;
   QLineEdit* wanted_ = nullptr;
   QAction* search_ = nullptr;

@@ -83,7 +83,7 @@ void TimeLineTracks::requestMissing(Track& track) {
   }
 }
 
-void TimeLineTracks::tick() {
+void TimeLineTracks::tick(bool afresh) {
   if (tracks_.empty()) return;
   const bool readsLogs = logs_.replay().open();
   if (readsLogs) LoggedCurves::of(logs_).tick();
@@ -95,7 +95,7 @@ void TimeLineTracks::tick() {
     track->logged.reset();
     requestMissing(*track);
     auto news = track->reader.take(session_.store());
-    if (news.restarted) {
+    if (news.restarted || (afresh && news.missed)) {
       track->live->clear();
       track->past.restart();
     }

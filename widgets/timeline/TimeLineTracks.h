@@ -37,8 +37,9 @@ class TimeLineTracks {
   /// Replaces all; texts that are wrong are left out.
   void setSources(const QStringList& sources);
 
-  /// Takes what was read, or has arrived.
-  void tick();
+  /// Takes what was read, or has arrived. `afresh`: where the history dropped some of it since the last call,
+  /// the values are read again.
+  void tick(bool afresh = false);
   std::vector<TimeLineTrack> shown() const;
 
  private:

@@ -12,6 +12,7 @@
 #include <QMenu>
 #include <QToolButton>
 #include <filesystem>
+#include <utility>
 
 #include "robotlink/commands/CommandTable.h"
 #include "robotlink/session/Session.h"
@@ -19,6 +20,7 @@
 #include "widgets/EmptyHint.h"
 #include "widgets/log/LogBars.h"
 #include "widgets/log/ReplayKeys.h"
+#include "widgets/log/TimeMarks.h"
 #include "widgets/timeline/TimeLineCanvas.h"
 
 namespace widgets {
@@ -259,6 +261,11 @@ void TimeLineView::addBookmark(int band, Instant time) {
   canvas_->editBookmark(band, id);
 }
 
+void TimeLineView::tickHidden() {
+  TimeMarks::of(logs_).tick(session());
+  tracks_.tick(false);
+}
+
 void TimeLineView::tick() {
   job_->tick();
   const bool open = logs_.replay().open();
@@ -274,7 +281,7 @@ void TimeLineView::tick() {
   } else {
     showHistory();
   }
-  tracks_.tick();
+  tracks_.tick(std::exchange(isShownAnew_, false));
   showBands();
   showMarks();
   showHistoryActions();
@@ -384,6 +391,7 @@ void TimeLineView::wantThumbnails() {
 
 void TimeLineView::showEvent(QShowEvent* event) {
   ticks_ = 0;
+  isShownAnew_ = true;
   View::showEvent(event);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "robotlink/commands/CommandTable.h"
+#include "widgets/HiddenTick.h"
 #include "widgets/View.h"
 #include "widgets/log/LogJobs.h"
 #include "widgets/log/OpenLogs.h"
@@ -32,12 +33,13 @@ struct TimeLineBand;
 /// progress and cancel. TimeLineJobs.cpp defines what starts them.
 ///
 /// Registered as "time-line". GUI thread.
-class TimeLineView final : public View {
+class TimeLineView final : public View, public HiddenTick {
   Q_OBJECT
  public:
   explicit TimeLineView(ViewContext& context, QWidget* parent = nullptr);
   /// Shows the logs, the play head and the progress of a job.
   void tick() override;
+  void tickHidden() override;
   /// Shows a value as a curve: "red1/models/ball: position.x".
   robotlink::Result<void> addTrack(const QString& source) { return tracks_.add(source); }
   /// False: there is no such curve.
@@ -163,6 +165,8 @@ class TimeLineView final : public View {
   /// The earliest instant of the session, by its restarts; what was dropped since is shown as such.
   std::pair<std::uint64_t, robotlink::Instant> earliest_{~std::uint64_t{0}, {}};
   int ticks_ = 0;
+  /// Whether it was not ticked before: what the history dropped meanwhile is read again.
+  bool isShownAnew_ = false;
   QAction* bookmark_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;

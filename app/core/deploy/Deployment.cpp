@@ -8,8 +8,10 @@
 #include <string_view>
 
 #include "app/core/deploy/ResourceFolder.h"
+#include "app/core/deploy/RunningPrograms.h"
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/program/ColorTables.h"
+#include "app/core/program/PresetOverrides.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
 #include "robotlink/foxglove/protocol/Base64.h"
@@ -65,6 +67,10 @@ class DeployReader {
     }
     if (!robot.colorTable.empty() && fs::exists(at(robot.colorTable), error)) {
       if (const auto table = readColorTable(at(robot.colorTable)); !table) errors.push_back(table.error());
+    }
+    if (!robot.preset.empty() && fs::exists(at(robot.preset), error)) {
+      if (const auto preset = presetToStartWith(fs::absolute(at(robot.preset)).string()); !preset)
+        errors.insert(errors.end(), preset.error().begin(), preset.error().end());
     }
   }
   fs::path at(const std::string& source) const { return (folder_ / source).lexically_normal(); }
@@ -151,6 +157,7 @@ tl::expected<std::vector<DeployFile>, Errors> filesFor(const RobotSet::Robot& ro
              std::string(kColorTables) + "/" + robot.name + robotlink::fileSuffix(robot.colorTable));
   reader.addFolder(robot.parameters, ".textproto", "parameters/" + folderName(reader.at(robot.parameters)));
   reader.addFolder(robot.motions, ".mof", "motions");
+  reader.add(robot.preset, presetPathOf(robot.name));
   if (!reader.errors.empty()) return tl::unexpected(std::move(reader.errors));
   return std::move(reader.files);
 }

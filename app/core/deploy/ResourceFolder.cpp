@@ -26,6 +26,7 @@ constexpr std::array kAreas{
     Area{"layouts", 2, {".yaml"}},
     Area{"parameters", 3, {".textproto"}},
     Area{"motions", 2, {".mof"}},
+    Area{"presets", 2, {".json"}},
     Area{kColorTables, 2, {".c64", ".tm", ".raw", ".cal", ".lut", ".bz2"}},
 };
 constexpr std::size_t kMaxPath = 200;
@@ -47,11 +48,13 @@ bool isIn(const Area& area, const fs::path& path) {
 
 Result<void> ResourceFolder::check(const std::string& path) {
   const auto refused = [&] {
-    return failure("deploy.path",
-                   "'" + path.substr(0, kMaxPath) +
-                       "' is not allowed: robots take layouts/NAME.yaml, parameters/ROBOT/NAME.textproto, "
-                       "motions/NAME.mof and colortables/ROBOT.c64 (or another format of color tables)",
-                   {}, {path.substr(0, kMaxPath)});
+    return failure(
+        "deploy.path",
+        "'" + path.substr(0, kMaxPath) +
+            "' is not allowed: robots take layouts/NAME.yaml, parameters/ROBOT/NAME.textproto, "
+            "motions/NAME.mof, presets/ROBOT.preset.json and colortables/ROBOT.c64 (or another format of "
+            "color tables)",
+        {}, {path.substr(0, kMaxPath)});
   };
   if (path.empty() || path.size() > kMaxPath || path.find('\0') != std::string::npos) return refused();
   const fs::path split(path);

@@ -30,6 +30,7 @@ RobotSet::Robot readSetRobot(const YamlNode& node) {
   robot.colorTable = node.optional<std::string>("color-table", {});
   robot.parameters = node.optional<std::string>("parameters", {});
   robot.motions = node.optional<std::string>("motions", {});
+  robot.preset = node.optional<std::string>("preset", {});
   return robot;
 }
 
@@ -82,6 +83,7 @@ std::string toText(const RobotSet& set) {
     add("color-table", robot.colorTable);
     add("parameters", robot.parameters);
     add("motions", robot.motions);
+    add("preset", robot.preset);
     text.pop_back();
   }
   return text + "\n";

@@ -19,9 +19,9 @@ struct RobotSet {
     std::string team = {}, role = {};
     /// ws://HOST:PORT, or wss://
     std::string address = {};
-    /// A file: a layout, a color table; folders: parameters of one kind of robot, motions. Relative to the
-    /// folder of the set's file; empty: the robot keeps what it has.
-    std::string layout = {}, colorTable = {}, parameters = {}, motions = {};
+    /// A file: a layout, a color table; folders: parameters of one kind of robot, motions; a file: a preset.
+    /// Relative to the folder of the set's file; empty: the robot keeps what it has.
+    std::string layout = {}, colorTable = {}, parameters = {}, motions = {}, preset = {};
     bool operator==(const Robot&) const = default;
   };
 

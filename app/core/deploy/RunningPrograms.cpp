@@ -5,12 +5,16 @@ namespace app {
 namespace {
 
 /// Whether the program of such a robot reads a file when it starts. Color tables are used at once.
-bool readsAtStart(const std::string& path, const std::string& kind, const std::string& layout) {
-  return path == "layouts/" + layout || path.starts_with("parameters/" + kind + "/") ||
-         path.starts_with("motions/");
+bool readsAtStart(const std::string& path, const RunningPrograms::Program& program) {
+  return path == "layouts/" + program.layout || path.starts_with("parameters/" + program.kind + "/") ||
+         path.starts_with("motions/") || path == presetPathOf(program.robot);
 }
 
 }  // namespace
+
+std::string presetPathOf(const std::string& robot) {
+  return "presets/" + robot + ".preset.json";
+}
 
 void RunningPrograms::set(const std::vector<Program>& programs) {
   const std::lock_guard lock(mutex_);
@@ -38,8 +42,7 @@ std::vector<RunningPrograms::Program> RunningPrograms::programs() const {
   for (const auto& [name, robot] : robots_) {
     Program& program = all.emplace_back(Program{name, robot.kind, robot.layout});
     for (const auto& [path, number] : written_)
-      if (number > robot.read && readsAtStart(path, robot.kind, robot.layout))
-        program.waiting.push_back(path);
+      if (number > robot.read && readsAtStart(path, program)) program.waiting.push_back(path);
   }
   return all;
 }

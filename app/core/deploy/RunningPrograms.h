@@ -9,6 +9,9 @@
 
 namespace app {
 
+/// Where the preset of a robot of this name is in its resource folder.
+std::string presetPathOf(const std::string& robot);
+
 /// What the programs of a server's robots run in, and which of the files that were deployed they have not
 /// read yet: a program reads its layout, parameters and motions when it starts. Any thread.
 class RunningPrograms {

@@ -32,6 +32,9 @@ struct HostedRobot {
   std::filesystem::path mapFile = {};
   /// What its first program starts with, instead of what its layout and files say; null: nothing.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
+  /// A preset that each of its programs starts with if it is another than before, and none was given; it need
+  /// not exist. Empty: none.
+  std::filesystem::path presetFile = {};
 };
 
 }  // namespace app

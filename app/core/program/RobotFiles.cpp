@@ -23,6 +23,10 @@ std::filesystem::path parameterFolder(const RobotDescription& robot) {
   return robotlink::resource("parameters/" + robot.name);
 }
 
+std::filesystem::path presetFile(const std::string& robot) {
+  return robotlink::resource("presets/" + std::filesystem::path(robot).filename().string() + ".preset.json");
+}
+
 std::filesystem::path fieldFile(const std::string& name) {
   // Only the file name counts, so that a field cannot lead to another folder.
   if (name.empty()) return {};

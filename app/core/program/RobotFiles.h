@@ -25,6 +25,9 @@ std::filesystem::path descriptionFile(const std::string& kind);
 std::filesystem::path layoutFile(const robotlink::RobotDescription& robot);
 /// Returns the folder of the parameter files of its solutions.
 std::filesystem::path parameterFolder(const robotlink::RobotDescription& robot);
+/// Returns the preset that belongs to a robot of this name, resources/presets/<name>.preset.json. Folders in
+/// the name are ignored.
+std::filesystem::path presetFile(const std::string& robot);
 /// Returns resources/fields/<name>.yaml; an empty path for an empty name. Folders in the name are ignored.
 std::filesystem::path fieldFile(const std::string& name);
 /// Returns the shipped file of a field; empty if there is none. Reads all of them.

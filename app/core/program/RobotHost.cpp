@@ -10,6 +10,7 @@
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotFiles.h"
+#include "robotlink/base/AtomicFile.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/program/RobotProgram.h"
@@ -20,6 +21,8 @@ using robotlink::Errors;
 
 namespace {
 
+constexpr std::size_t kMaxPresetBytes = 1U << 20U;
+
 /// Calls a function and returns how long that took, as a text: "1.2 ms".
 template <typename Call>
 std::string timeTaken(Call call) {
@@ -29,6 +32,15 @@ std::string timeTaken(Call call) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f ms", took.count());
   return text;
+}
+
+/// What is in the file; unset: there is none.
+std::optional<std::string> presetTextIn(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return std::nullopt;
+  auto text = robotlink::readFile(file, kMaxPresetBytes);
+  // What cannot be read is wrong with it once.
+  return text ? *std::move(text) : text.error().text;
 }
 
 }  // namespace
@@ -109,8 +121,7 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   if (tap_ != nullptr) record(executor.kind());
   setUp();
   std::vector<std::string> lost;
-  if (const auto preset = std::exchange(robot_.preset, nullptr))
-    requests_.choose(requestsOf(*preset, program_->parameters()));
+  if (const auto preset = presetToBegin()) requests_.choose(requestsOf(*preset, program_->parameters()));
   if (overridden_) {
     requests_.beginOverridden();
   } else {
@@ -120,6 +131,18 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   continueIn(executor);
   reportHosting();
   return lost;
+}
+
+std::shared_ptr<const robotlink::Preset> RobotHost::presetToBegin() {
+  const auto text = robot_.presetFile.empty() ? std::nullopt : presetTextIn(robot_.presetFile);
+  const bool isOther = text && text != presetText_;
+  if (text) presetText_ = text;
+  if (auto given = std::exchange(robot_.preset, nullptr)) return given;
+  if (!isOther) return nullptr;
+  auto preset = presetToStartWith(robot_.presetFile.string());
+  if (preset) return std::make_shared<const robotlink::Preset>(*std::move(preset));
+  reportPlatform("The robot's preset is not used: " + robotlink::describe(preset.error()));
+  return nullptr;
 }
 
 void RobotHost::continueIn(ProgramExecutor& executor) {

@@ -171,6 +171,9 @@ class RobotHost {
  private:
   /// Attaches the recorder's tap to the program.
   void record(ExecutorKind executor);
+  /// The preset that a program starts with: the one that was given, once, else the robot's file if it is
+  /// another than before; null: none. Reports a file that is wrong.
+  std::shared_ptr<const robotlink::Preset> presetToBegin();
   /// Initializes the platform once, and reports how long that took.
   void setUp();
   /// Passes where the program runs to the listener; a robot without one, or with a part of one, stands.
@@ -206,6 +209,8 @@ class RobotHost {
   std::filesystem::path layout_;
   /// As in the candidate that was adopted last.
   bool overridden_ = false;
+  /// What was in the file of the robot's preset when a program began last; unset: there was none.
+  std::optional<std::string> presetText_;
   std::vector<robotlink::Process*> processes_;
   /// Since the last begin().
   ExecutorKind executor_ = ExecutorKind::kLockstep;

@@ -41,6 +41,7 @@ Errors refusalOfHosting(const std::string& robot, const std::string& asked, cons
 
 HostedRobot startingWith(std::shared_ptr<const robotlink::Preset> preset, HostedRobot robot) {
   robot.preset = std::move(preset);
+  robot.presetFile = presetFile(robot.name);
   return robot;
 }
 

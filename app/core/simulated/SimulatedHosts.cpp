@@ -88,7 +88,8 @@ tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::
     const std::string team = robot.team.empty() ? its.use.teamOf(robot.name) : robot.team;
     hosts.push_back(std::make_unique<RobotHost>(
         HostedRobot{robot.name, team, its.description, its.field, map(), its.fieldFile,
-                    map() ? scene.file() : std::filesystem::path(), presetOf(robot.name, team)},
+                    map() ? scene.file() : std::filesystem::path(), presetOf(robot.name, team),
+                    presetFile(robot.name)},
         RobotHost::Listeners{
             listeners_.queue, listeners_.trouble, listeners_.platform, {}, listeners_.hosting},
         tap_.get()));

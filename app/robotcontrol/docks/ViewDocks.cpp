@@ -14,6 +14,7 @@
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/FailedView.h"
 #include "robotlink/session/Session.h"
+#include "widgets/HiddenTick.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -195,12 +196,16 @@ void ViewDocks::tick() {
   // A view may open a dialog, during which the list of docks may change.
   const auto docks = docks_;
   for (const Dock& dock : docks) {
-    if (!dock.view || !dock.view->isVisible()) continue;
+    if (!dock.view) continue;
+    auto* hidden = dock.view->isVisible() || dock.dock->isClosed()
+                       ? nullptr
+                       : dynamic_cast<widgets::HiddenTick*>(dock.view.data());
+    if (!dock.view->isVisible() && hidden == nullptr) continue;
     const robotlink::StreamReaders::Scope reading(context_.session.readers(),
                                                   dock.dock->objectName().toStdString(),
                                                   dock.dock->windowTitle().toStdString());
     try {
-      dock.view->tick();
+      hidden != nullptr ? hidden->tickHidden() : dock.view->tick();
     } catch (const std::exception& thrown) {
       // The others go on.
       if (dock.view) replaceFailed(*dock.view, QString::fromUtf8(thrown.what()));

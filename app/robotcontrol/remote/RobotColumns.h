@@ -13,6 +13,7 @@ enum RobotColumn {
   kSetColorTable,
   kSetParameters,
   kSetMotions,
+  kSetPreset,
   kSetState,
 };
 

@@ -46,8 +46,10 @@ std::string RobotSet::Robot::*memberOf(int column) {
       return &RobotSet::Robot::colorTable;
     case kSetParameters:
       return &RobotSet::Robot::parameters;
-    default:
+    case kSetMotions:
       return &RobotSet::Robot::motions;
+    default:
+      return &RobotSet::Robot::preset;
   }
 }
 
@@ -99,6 +101,7 @@ void RobotsDialog::createTable() {
                      {tr("Color table"), Kind::kText},
                      {tr("Parameters"), Kind::kText},
                      {tr("Motions"), Kind::kText},
+                     {tr("Preset"), Kind::kText},
                      {tr("State"), Kind::kText}},
                     kRobotLines);
   table_->setTextElideMode(Qt::ElideMiddle);
@@ -136,9 +139,10 @@ void RobotsDialog::createButtons() {
   add_ = add("robotsAdd", "add", tr("A&dd"),
              tr("Adds the selected robots on the network; else those that are connected; else an empty row"));
   remove_ = add("robotsRemove", "remove", tr("&Remove"), tr("Removes the selected robot from the set"));
-  choose_ = add("robotsChoose", "open", tr("Choose &file…"),
-                tr("Chooses the layout, the color table, or the folder of parameters or motions for the "
-                   "selected cell"));
+  choose_ = add(
+      "robotsChoose", "open", tr("Choose &file…"),
+      tr("Chooses the layout, the color table, the preset, or the folder of parameters or motions for the "
+         "selected cell"));
   row->addStretch(1);
   connect_ = add("robotsConnect", "connect", tr("&Connect"), tr("Connects all robots that are ticked"));
   disconnect_ = add("robotsDisconnect", "close", tr("D&isconnect"), tr("Disconnects all that are ticked"));
@@ -350,9 +354,10 @@ void RobotsDialog::chooseFile() {
   const QString chosen = isFolder ? QFileDialog::getExistingDirectory(this, tr("Choose a folder"), from)
                                   : QFileDialog::getOpenFileName(
                                         this, tr("Choose a file"), from,
-                                        column == kSetLayout ? tr("Process layouts (*.yaml)")
-                                                             : tr("Color tables (*.c64 *.tm *.raw *.cal "
-                                                                  "*.lut *.bz2)"));
+                                        column == kSetLayout   ? tr("Process layouts (*.yaml)")
+                                        : column == kSetPreset ? tr("Presets (*.json)")
+                                                               : tr("Color tables (*.c64 *.tm *.raw *.cal "
+                                                                    "*.lut *.bz2)"));
   if (chosen.isEmpty()) return;
   row->setText(column, file_.isEmpty() ? chosen : folder.relativeFilePath(chosen));
   row->setToolTip(column, row->text(column));

@@ -133,7 +133,7 @@ int runDeploy(const DeployArguments& arguments) {
 void addDeployCommand(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<DeployArguments>();
   CLI::App* command = app.add_subcommand(
-      "deploy", "Sends layout, color table, parameters and motions to the robots of a set");
+      "deploy", "Sends layout, color table, parameters, motions and preset to the robots of a set");
   command->add_option("set", arguments->file, "The set: a YAML file, as Robot > Robots... writes it")
       ->required()
       ->type_name("SET.yaml");

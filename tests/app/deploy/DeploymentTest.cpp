@@ -101,6 +101,9 @@ class RestartTest : public testing::Test {
     programs_.set({{"red1", "ers210", "compact.yaml"}});
     files_.write("set/own.yaml", robotlink::readFile(robotlink::resource("layouts/compact.yaml")).value());
     files_.write("set/motions/sit.mof", "sit");
+    files_.write(
+        "set/game.preset.json",
+        R"({"format": "robotcontrol-preset", "version": 1, "preset": {"keys": {"package/models/ball": "always"}}})");
     Listener::Options options;
     options.address.port = 0;
     options.greetingDelay = {};
@@ -118,7 +121,8 @@ class RestartTest : public testing::Test {
     done({});
   }
   std::vector<DeployFile> files() const {
-    return filesFor({"red1", "", "", "ws://127.0.0.1", "own.yaml", "", "", "motions"}, files_ / "set")
+    return filesFor({"red1", "", "", "ws://127.0.0.1", "own.yaml", "", "", "motions", "game.preset.json"},
+                    files_ / "set")
         .value();
   }
 
@@ -142,10 +146,10 @@ TEST_F(RestartTest, whatTakesEffectAtTheNextStartIsSaidAndStarted) {
   const auto sent = deployment_.send(files());
   ASSERT_TRUE(sent) << sent.error().text;
   EXPECT_TRUE(needsRestart(*sent));
-  EXPECT_EQ(describe(*sent), "all of 2 files are the same; 2 take effect when its program starts again");
+  EXPECT_EQ(describe(*sent), "all of 3 files are the same; 3 take effect when its program starts again");
   const auto restarted = deployment_.restart(files());
   ASSERT_TRUE(restarted) << restarted.error().text;
-  EXPECT_EQ(describe(*restarted), "all of 2 files are the same");
+  EXPECT_EQ(describe(*restarted), "all of 3 files are the same");
   EXPECT_EQ(asked_, "red1 own.yaml;");
   // There is nothing to be read any more.
   ASSERT_TRUE(deployment_.restart(files()));
@@ -195,6 +199,17 @@ TEST_F(DeploymentTest, whatIsNoLayoutOrColorTableIsNotSent) {
   const std::string errors = robotlink::describe(found.error());
   EXPECT_THAT(errors, HasSubstr("own.yaml:2"));
   EXPECT_THAT(errors, HasSubstr("hall.C64"));
+}
+
+TEST_F(DeploymentTest, aPresetThatNoProgramCouldStartWithIsNotSent) {
+  files_.write(
+      "set/game.preset.json",
+      R"({"format": "robotcontrol-preset", "version": 1, "preset": {"keys": {"no/such": "always"}}})");
+  RobotSet::Robot wrong = robot();
+  wrong.preset = "game.preset.json";
+  const auto found = filesFor(wrong, files_ / "set");
+  ASSERT_FALSE(found);
+  EXPECT_THAT(robotlink::describe(found.error()), HasSubstr("there is no debug key 'no/such'"));
 }
 
 TEST_F(DeploymentTest, whoMayOnlyWatchComparesButDoesNotSend) {

@@ -13,7 +13,7 @@ TEST(RobotSet, isReadAsItWasWritten) {
   RobotSet set{"Home \"game\": #1", {}};
   EXPECT_EQ(parseRobotSet(toText(set), "set.yaml").value(), set);
   set.robots.push_back({"red1", "red", "goalie", "wss://192.168.1.7:8765", "layouts/own.yaml", "hall.c64",
-                        "parameters/ers210", "motions"});
+                        "parameters/ers210", "motions", "penalty.preset.json"});
   set.robots.push_back({"blåe: 2", "", "", "ws://[::1]:1", "", "", "", ""});
   const std::string text = toText(set);
   const auto again = parseRobotSet(text, "set.yaml");

@@ -12,15 +12,17 @@ using testing::IsEmpty;
 TEST(RunningPrograms, eachRobotWaitsForWhatItsProgramReadsAtItsStart) {
   RunningPrograms programs;
   programs.set({{"red1", "ers210", "compact.yaml"}, {"p3at1", "p3at", "drive.yaml"}});
-  for (const char* path : {"layouts/compact.yaml", "layouts/other.yaml",
-                           "parameters/ers210/motion.a.textproto", "motions/sit.mof", "colortables/red1.c64"})
+  for (const char* path :
+       {"layouts/compact.yaml", "layouts/other.yaml", "parameters/ers210/motion.a.textproto",
+        "motions/sit.mof", "colortables/red1.c64", "presets/red1.preset.json", "presets/red2.preset.json"})
     programs.noteWritten(path);
   auto all = programs.programs();
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].robot, "p3at1");
   EXPECT_THAT(all[0].waiting, ElementsAre("motions/sit.mof"));
   EXPECT_THAT(all[1].waiting,
-              ElementsAre("layouts/compact.yaml", "motions/sit.mof", "parameters/ers210/motion.a.textproto"));
+              ElementsAre("layouts/compact.yaml", "motions/sit.mof", "parameters/ers210/motion.a.textproto",
+                          "presets/red1.preset.json"));
   programs.noteStarted("red1");
   EXPECT_THAT(programs.programs()[1].waiting, IsEmpty());
   EXPECT_THAT(programs.programs()[0].waiting, ElementsAre("motions/sit.mof"));

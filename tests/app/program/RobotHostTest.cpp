@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "tests/TestFolder.h"
 #include "tests/app/program/FakeProgram.h"
 
 namespace app {
@@ -233,6 +234,40 @@ TEST_F(RobotHostTest, whatWasAcceptedIsAppliedToTheNextProgram) {
   host_->enqueueRequests();
   EXPECT_THAT(keysAsked(), ElementsAre("kept"));
   EXPECT_TRUE(host_->overrides().keys().contains("kept"));
+}
+
+TEST_F(RobotHostTest, aPresetInTheRobotsFileCountsAtTheNextStartAfterItWasChanged) {
+  const TestFolder folder;
+  const auto write = [&folder](const std::string& mode) {
+    folder.write("red1.preset.json", R"({"format": "robotcontrol-preset", "version": 1,
+                                         "preset": {"keys": {"package/models/ball": ")" +
+                                         mode + R"("}}})");
+  };
+  HostedRobot robot = test::fakeRobot();
+  robot.presetFile = folder / "red1.preset.json";
+  host_ = std::make_unique<RobotHost>(robot, RobotHost::Listeners{}, nullptr);
+  const auto startAgain = [this] {
+    host_->stop();
+    host_->adopt(make(false));
+    begin();
+    host_->enqueueRequests();
+    const auto keys = host_->overrides().keys();
+    const auto found = keys.find("package/models/ball");
+    return found == keys.end() ? -1 : static_cast<int>(found->second.kind());
+  };
+  start();
+  EXPECT_EQ(startAgain(), -1) << "there is no file";
+  write("always");
+  EXPECT_EQ(startAgain(), robotcontrol::KeyMode::ALWAYS);
+  // What somebody chose after that stays.
+  Request other = key("package/models/ball", 7);
+  other.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::N_TIMES);
+  ASSERT_TRUE(host_->request(other));
+  host_->enqueueRequests();
+  answer(7, true);
+  EXPECT_EQ(startAgain(), robotcontrol::KeyMode::N_TIMES);
+  write("every 3");
+  EXPECT_EQ(startAgain(), robotcontrol::KeyMode::EVERY_N);
 }
 
 TEST_F(RobotHostTest, whatTheNextProgramCannotDoIsReportedAndKept) {

@@ -48,6 +48,17 @@ TEST(NumericFields, aMessagesFieldsAreThoseThatItHasByTheNamesOfItsElements) {
               ElementsAre("timestamp", "joints[head/pan.1].position", "joints[1].velocity"));
 }
 
+TEST(NumericFields, anElementWithTheNameOfAnotherOneIsListedByItsIndex) {
+  foxglove::JointStates states;
+  for (int i = 0; i < 3; ++i) {
+    auto& joint = *states.add_joints();
+    joint.set_name(i == 1 ? "other" : "same");
+    joint.set_position(i);
+  }
+  EXPECT_THAT(numericFields(states),
+              ElementsAre("joints[same].position", "joints[other].position", "joints[2].position"));
+}
+
 TEST(NumericFields, whatIsListedIsFound) {
   const foxglove::JointStates states = joints();
   for (const std::string& path : numericFields(states))

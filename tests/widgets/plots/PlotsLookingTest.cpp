@@ -9,6 +9,7 @@
 #include <QTreeView>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
@@ -17,6 +18,16 @@
 #include "widgets/plots/PlotCanvas.h"
 
 namespace widgets::test {
+
+namespace {
+
+/// How many instants the table of all points has.
+int exportedPoints(Bench& bench, widgets::PlotsView& view) {
+  bench.tick(view);
+  return view.numbers().value_or(QString()).count(QLatin1Char('\n')) - 1;
+}
+
+}  // namespace
 
 class PlotsLookingTest : public QObject {
   Q_OBJECT
@@ -70,6 +81,49 @@ class PlotsLookingTest : public QObject {
     });
     QVERIFY(isRead);
     keepPicture(picture(bench, *view), "plots-from-disk");
+  }
+
+  void whatComesWhileItIsHiddenOrPausedIsNotMissing() {
+    Bench bench;
+    bench.session.store().setBytes(20'000);
+    auto view = bench.open<widgets::PlotsView>();
+    QVERIFY(view->addCurve(QString::fromLatin1(kPlot)));
+    const auto publish = [&bench](int from, const std::function<void()>& tick) {
+      for (int i = from; i < from + 300; ++i) {
+        pushPlot(bench, 1 + i * 0.1, i % 7);
+        if (i % 10 != 0) continue;
+        bench.session.tick();
+        tick();
+      }
+    };
+    publish(0, [&view] { view->tickHidden(); });
+    QCOMPARE(exportedPoints(bench, *view), 300);
+    click(child<QToolButton>(*view, "plotsPause"));
+    publish(300, [&view] { view->tick(); });
+    publish(600, [&view] { view->tickHidden(); });
+    QCOMPARE(exportedPoints(bench, *view), 300);
+    click(child<QToolButton>(*view, "plotsPause"));
+    QCOMPARE(exportedPoints(bench, *view), 900);
+    QVERIFY(bench.session.store().find(kPlot)->messages.size() < 300);
+  }
+
+  void whatCameWhileItWasClosedIsReadFromDisk() {
+    Bench bench;
+    bench.session.history().setArchive(std::make_unique<MadeUpArchive>(true));
+    bench.session.store().setBytes(20'000);
+    auto view = bench.open<widgets::PlotsView>();
+    for (const char* filter : {"", " | integral"})
+      QVERIFY(view->addCurve(QString::fromLatin1(kPlot) + QLatin1String(filter)));
+    for (int i = 0; i < 600; ++i) {
+      if (i == 100) view->hide();
+      pushPlot(bench, 1 + i * 0.1, i % 7);
+      if (i % 10 != 0) continue;
+      bench.session.tick();
+      if (i < 100) view->tick();
+    }
+    view->show();
+    const bool isRead = QTest::qWaitFor([&] { return exportedPoints(bench, *view) == 600; });
+    QVERIFY2(isRead, std::to_string(exportedPoints(bench, *view)).c_str());
   }
 
   void draggingThePlotEndsFollowing() {

@@ -6,12 +6,14 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <QToolButton>
+#include <cmath>
 
 #include "foxglove/Robot.pb.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "tests/widgets/LogBench.h"
+#include "tests/widgets/timeline/MadeUpArchive.h"
 #include "widgets/Theme.h"
 #include "widgets/log/TimeMarks.h"
 #include "widgets/timeline/TimeLineCanvas.h"
@@ -244,6 +246,52 @@ class SearchViewTest : public QObject {
     log.finish(*view);
     QCOMPARE(view->hits().rowCount(), 3);
     QVERIFY(view->hits().row(0).from > at(19));
+  }
+
+  void liveRobotsAreSearchedInMemoryAndOnDisk() {
+    Bench bench;
+    bench.session.history().setArchive(std::make_unique<MadeUpArchive>(true));
+    bench.session.store().setBytes(20'000);
+    for (int i = 0; i < 600; ++i) {
+      robotcontrol::BallModel ball;
+      ball.mutable_position_in_robot()->set_x(0.03 * (i % 100));
+      bench.push("red1/models/ball", ball, 1 + 0.1 * i);
+      foxglove::Log log;
+      log.set_message("frame " + std::to_string(i));
+      bench.push("red1/log", log, 1 + 0.1 * i);
+      if (i % 10 == 0) bench.session.tick();
+    }
+    auto view = bench.open<SearchView>();
+    QVERIFY(bench.session.store().find("red1/models/ball")->messages.size() < 300);
+    const auto find = [&](const char* wanted, bool isTexts) {
+      if (const auto begun = view->search(QLatin1String(wanted), isTexts); !begun)
+        qFatal("%s", begun.error().text.c_str());
+      if (!QTest::qWaitFor([&] {
+            bench.tick(*view);
+            return !view->isSearching();
+          }))
+        qFatal("the search does not end");
+      return view->hits().rowCount();
+    };
+    QCOMPARE(find("models/ball.position_in_robot.x > 1.5", false), 6);
+    for (int i = 0; i < 6; ++i) {
+      const double begin = 1 + 0.1 * (51 + 100 * i);
+      QVERIFY(std::abs(robotlink::seconds(view->hits().row(i).from.time_since_epoch()) - begin) < 0.01);
+    }
+    QCOMPARE(TimeMarks::of(openLogs(bench.context)).hits().size(), std::size_t{6});
+    QCOMPARE(find("frame 5[0-9]$", true), 10);
+    QCOMPARE(view->hits().row(3).text, QStringLiteral("frame 53"));
+    // A click shows the instant, although the robot goes on.
+    auto& table = child<QTableView>(*view, "searchTable");
+    const auto cell = table.visualRect(table.model()->index(3, 0)).center();
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, cell);
+    QCOMPARE(bench.session.history().chosen(), view->hits().row(3).from);
+    QCOMPARE(find("models/bal.position_in_robot.x > 1", false), 0);
+    QVERIFY(child<QLabel>(*view, "searchState").text().contains(QStringLiteral("models/ball")));
+    QVERIFY(view->search(QStringLiteral("frame"), true));
+    bench.session.store().clear();
+    bench.tick(*view);
+    QCOMPARE(view->hits().rowCount(), 0);
   }
 
   void withoutALogItSaysWhatToOpen() {
