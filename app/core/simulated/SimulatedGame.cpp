@@ -4,7 +4,7 @@
 
 #include "app/core/game/GameMessages.h"
 #include "app/core/game/KickOff.h"
-#include "app/core/platform/TextMessages.h"
+#include "app/core/platform/PublishGate.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "foxglove/Geometry.pb.h"
@@ -88,7 +88,8 @@ void SimulatedRun::watchGame() {
   if (referee_->changes() == toldChanges_ && now - toldAt_ < kToldEvery && now >= toldAt_) return;
   toldChanges_ = referee_->changes();
   toldAt_ = now;
-  for (const auto& robot : robots_) mailOf(robot->name())->state = gameStateFor(*referee_, robot->name(), now);
+  for (const auto& robot : robots_)
+    mailOf(robot->name())->state = gameStateFor(*referee_, robot->name(), now);
   if (tap_) recordGame();
 }
 
@@ -105,7 +106,8 @@ void SimulatedRun::passMail() {
     std::vector<TeamRadio::Station> stations;
     for (const auto& robot : robots_) {
       const auto pose = world_->simulation().modelPose(robot->name());
-      const robotlink::Vector2 place = pose ? robotlink::Vector2(pose->translation().head<2>()) : robotlink::Vector2(0, 0);
+      const robotlink::Vector2 place =
+          pose ? robotlink::Vector2(pose->translation().head<2>()) : robotlink::Vector2(0, 0);
       stations.push_back({robot->name(), robot->robot().team, place});
     }
     radio_.setStations(std::move(stations));

@@ -24,9 +24,9 @@ struct RunExecution {
   double seconds = 60;
   std::uint64_t firstSeed = 1;
   /// The folder of results and report.
-  std::string out;
+  std::string out = {};
   /// "slurm", or empty: here.
-  std::string batch;
+  std::string batch = {};
   /// 0: as many as there are cores.
   unsigned parallel = 0;
   int retries = 1;

@@ -33,7 +33,7 @@ struct TeamChoice {
 /// Games between two teams in a scene whose teams have two colors. In each second game the sides are swapped,
 /// with the seed of the game before, so that neither side nor luck favors a team. A plain value.
 struct Tournament {
-  std::array<TeamChoice, 2> teams;
+  std::array<TeamChoice, 2> teams = {};
   /// Those of the scene.
   std::array<std::string, 2> colors{"red", "blue"};
   std::string scene;
