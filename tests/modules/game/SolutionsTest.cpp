@@ -72,7 +72,10 @@ TEST(Solutions, tellSomethingUnderEachOfTheirKeys) {
                           {"camera-pose", "kinematic"},
                           {"ball-percept", "circle-fit"},
                           {"landmark-percepts", "color-bands"},
-                          {"ball-model", "filtered"},
+                          {"line-percepts", "ransac-segments"},
+                          {"robot-state", "joint-errors"},
+                          {"players-model", "kalman"},
+                          {"ball-model", "particle"},
                           {"self-localisation", "landmarks"},
                           {"behavior", "go-to-ball-and-kick"}}),
               testing::IsEmpty());
@@ -83,7 +86,10 @@ TEST(Solutions, ofTheOtherKindTellSomethingToo) {
                           {"camera-pose", "fixed-stance"},
                           {"ball-percept", "region"},
                           {"landmark-percepts", "horizon-scan"},
-                          {"ball-model", "last-percept"},
+                          {"line-percepts", "edge-points"},
+                          {"robot-state", "contacts"},
+                          {"players-model", "grid"},
+                          {"ball-model", "kalman"},
                           {"self-localisation", "odometry"}}),
               testing::IsEmpty());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/perception/body/BodyTiltFilter.h"
+#include "modules/perception/BodyTiltFilter.h"
 
 #include <algorithm>
 #include <cmath>
