@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "modules/behavior/Intention.h"
 #include "robotlink/base/Geometry.h"
 
 namespace modules {
@@ -28,19 +29,6 @@ struct Situation {
   bool kicking = false;
   /// The current motion can be left now.
   bool stable = true;
-};
-
-/// What a behavior requests from motion and head.
-struct Intention {
-  // Motion of the body.
-  enum class Motion { kStand, kWalk, kKick, kGetUp };
-  // What the head looks at.
-  enum class Head { kAhead, kSearch, kTrack, kLookAround };
-  Motion motion = Motion::kStand;
-  double forward = 0, left = 0;  ///< m/s; only for kWalk
-  double turn = 0;               ///< rad/s, counter-clockwise
-  Head head = Head::kAhead;
-  bool operator==(const Intention&) const = default;
 };
 
 /// Walks to the ball and kicks it: a state machine on plain values.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions of the task "behavior": what the robot does, as requests to motion and head.
 #include <algorithm>
-#include <array>
 
 #include "BehaviorParameters.pb.h"
 #include "modules/BehaviorReport.h"
 #include "modules/behavior/BallChaser.h"
+#include "modules/behavior/BehaviorRequests.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Perception.pb.h"
@@ -19,7 +19,6 @@ namespace {
 
 using robotcontrol::HeadMode;
 using robotcontrol::MotionRequest;
-using robotlink::PlotKey;
 using robotlink::RobotDrawingKey;
 using robotlink::Vector2;
 
@@ -28,38 +27,18 @@ const RobotDrawingKey kStateKey{"behavior/state",
 const RobotDrawingKey kTargetKey{
     "behavior/target",
     "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};
-const PlotKey kSpeedKey{"behavior/speed", "The requested walking speeds"};
 
 /// Sends the requests for body and head, and the state that they follow from.
 class Behavior : public robotlink::Solution {
  public:
   Behavior(robotlink::SolutionContext& context, const char* solution)
-      : report_(context, solution),
-        debug_(context.debug()),
-        clock_(context.clock()),
-        motion_(context.output(robotlink::kMotionRequest)),
-        head_(context.output(robotlink::kHeadMode)) {}
+      : report_(context, solution), debug_(context.debug()), clock_(context.clock()), requests_(context) {}
 
  protected:
-  void want(std::shared_ptr<MotionRequest> motion, std::shared_ptr<HeadMode> head) {
-    robotlink::assign(*motion->mutable_timestamp(), clock_.now());
-    robotlink::assign(*head->mutable_timestamp(), clock_.now());
-    if (debug_.on(kSpeedKey)) {
-      debug_.plot(kSpeedKey, "x", motion->walk().x(), "m/s");
-      debug_.plot(kSpeedKey, "y", motion->walk().y(), "m/s");
-      debug_.plot(kSpeedKey, "rotation", motion->walk().rotation(), "rad/s");
-    }
-    motion_.send(std::move(motion));
-    head_.send(std::move(head));
-  }
-
   BehaviorReport report_;
   robotlink::DebugContext& debug_;
   const robotlink::Clock& clock_;
-
- private:
-  robotlink::Output<MotionRequest> motion_;
-  robotlink::Output<HeadMode> head_;
+  BehaviorRequests requests_;
 };
 
 class GoToBallAndKick final : public Behavior {
@@ -77,19 +56,14 @@ class GoToBallAndKick final : public Behavior {
   void execute() override {
     chaser_.setOptions(options());
     const Situation now = situation();
-    const Intention intention = chaser_.decide(now);
+    Intention intention = chaser_.decide(now);
     if (chaser_.changed())
       debug_.text(robotlink::Level::kInfo, "behavior",
                   std::string(name(chaser_.state())) + ": " + chaser_.reason());
     report_.send(name(chaser_.state()), chaser_.reason());
     draw(now);
-    auto motion = std::make_shared<MotionRequest>();
-    fill(*motion, intention);
-    auto head = std::make_shared<HeadMode>();
-    static constexpr std::array kHeads{HeadMode::LOOK_AHEAD, HeadMode::SEARCH_BALL, HeadMode::TRACK_BALL,
-                                       HeadMode::LOOK_AROUND};
-    head->set_kind(kHeads[static_cast<std::size_t>(intention.head)]);
-    want(std::move(motion), std::move(head));
+    if (intention.motion == Intention::Motion::kKick) intention.kick = parameters_.kick();
+    requests_.send(intention);
   }
 
  private:
@@ -158,27 +132,6 @@ class GoToBallAndKick final : public Behavior {
     return colored > parameters_.minimum_colored() * regions_->width() * regions_->height();
   }
 
-  void fill(MotionRequest& motion, const Intention& intention) const {
-    switch (intention.motion) {
-      case Intention::Motion::kStand:
-        motion.set_kind(MotionRequest::STAND);
-        break;
-      case Intention::Motion::kWalk:
-        motion.set_kind(MotionRequest::WALK);
-        motion.mutable_walk()->set_x(intention.forward);
-        motion.mutable_walk()->set_y(intention.left);
-        motion.mutable_walk()->set_rotation(intention.turn);
-        break;
-      case Intention::Motion::kKick:
-        motion.set_kind(MotionRequest::KEY_FRAMES);
-        motion.set_motion(parameters_.kick());
-        break;
-      case Intention::Motion::kGetUp:
-        motion.set_kind(MotionRequest::GET_UP);
-        break;
-    }
-  }
-
   void draw(const Situation& now) {
     if (debug_.on(kStateKey))
       debug_.robotDrawing(kStateKey).text(Vector2(-0.2, 0.2), name(chaser_.state()),
@@ -210,7 +163,7 @@ const robotlink::SolutionRegistration kGoToBallAndKick =
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)
-        .keys({&kStateKey, &kTargetKey, &kSpeedKey})
+        .keys({&kStateKey, &kTargetKey, &kBehaviorSpeedKey})
         .parameters<robotcontrol::GoToBallParameters>();
 
 class Stand final : public Behavior {
@@ -221,7 +174,7 @@ class Stand final : public Behavior {
     report_.send("stand");
     auto head = std::make_shared<HeadMode>();
     head->set_kind(HeadMode::LOOK_AHEAD);
-    want(std::make_shared<MotionRequest>(), std::move(head));
+    requests_.send(std::make_shared<MotionRequest>(), std::move(head));
   }
 };
 
@@ -230,7 +183,7 @@ const robotlink::SolutionRegistration kStand =
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)
-        .keys({&kSpeedKey});
+        .keys({&kBehaviorSpeedKey});
 
 class Obey final : public Behavior {
  public:
@@ -246,7 +199,7 @@ class Obey final : public Behavior {
       if (holds(remote_->motion())) *motion = remote_->motion();
     }
     report_.send(motion->kind() == MotionRequest::STAND ? "stand" : "obey");
-    want(std::move(motion), std::move(head));
+    requests_.send(std::move(motion), std::move(head));
   }
 
  private:
@@ -270,7 +223,7 @@ const robotlink::SolutionRegistration kObey =
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)
-        .keys({&kSpeedKey});
+        .keys({&kBehaviorSpeedKey});
 
 }  // namespace
 }  // namespace modules

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/behavior/BallSkills.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace modules {
+
+using robotlink::normalizedAngle;
+using robotlink::Vector2;
+
+namespace {
+
+double angleOf(const Vector2& way) {
+  return std::atan2(way.y(), way.x());
+}
+
+Vector2 unit(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+}  // namespace
+
+Intention BallSkills::walk(const Vector2& velocity, double turn) const {
+  Intention intention;
+  intention.motion = Intention::Motion::kWalk;
+  intention.turn = std::clamp(turn, -options_.turnSpeed, options_.turnSpeed);
+  const double ahead = velocity.x() < 0 ? options_.backwardSpeed : options_.forwardSpeed;
+  // The speeds share the legs' reach, as the gait has it; translation yields to rotation.
+  const double share =
+      std::sqrt(std::max(0.04, 1 - std::pow(intention.turn / (1.35 * options_.turnSpeed), 2)));
+  const double excess =
+      std::max(1.0, std::hypot(velocity.x() / ahead, velocity.y() / options_.sidewardSpeed) / share);
+  intention.forward = velocity.x() / excess;
+  intention.left = velocity.y() / excess;
+  intention.head = Intention::Head::kTrack;
+  return intention;
+}
+
+Intention BallSkills::turnTo(double direction) const {
+  return walk(Vector2::Zero(), options_.turnGain * normalizedAngle(direction));
+}
+
+Vector2 BallSkills::around(const Vector2& way, const std::vector<Vector2>& robots) const {
+  const double distance = way.norm();
+  if (distance < 0.05) return way;
+  double best = 0;
+  const double direction = angleOf(way);
+  for (const Vector2& robot : robots) {
+    const double apart = robot.norm();
+    // Beyond the aim, or behind: not in the way.
+    if (apart > options_.robotRange || apart > distance + 0.1 || apart < 0.05) continue;
+    const double beside = normalizedAngle(angleOf(robot) - direction);
+    const double half = std::asin(std::min(1.0, options_.robotRadius / apart));
+    if (std::abs(beside) >= half) continue;
+    // Turns away from its middle; a robot that is met head-on is passed on the right, by both.
+    const double away = beside > 0 ? beside - half : beside + half;
+    const double turn = std::abs(beside) < 0.05 ? -half : away;
+    if (std::abs(turn) > std::abs(best)) best = turn;
+  }
+  return Eigen::Rotation2Dd(best) * way;
+}
+
+Intention BallSkills::walkTo(const Vector2& place, double direction,
+                             const std::vector<Vector2>& robots) const {
+  const double distance = place.norm();
+  const Vector2 way = around(place, robots);
+  if (distance < options_.nearby) {
+    const Vector2 velocity = options_.walkGain * way;
+    return walk(velocity, options_.turnGain * normalizedAngle(direction));
+  }
+  const double heading = angleOf(way);
+  // A trot does not turn and walk well at the same time: the wider the turn, the slower the walk.
+  const double share = std::clamp(1.5 - std::abs(heading) / 0.6, 0.0, 1.0);
+  // Begins to turn to the last direction before it arrives.
+  const double blend = std::clamp((distance - options_.nearby) / 0.3, 0.0, 1.0);
+  const double facing = normalizedAngle(heading + (1 - blend) * 0.5 * normalizedAngle(direction - heading));
+  return walk(way.normalized() * options_.forwardSpeed * share, options_.turnGain * facing);
+}
+
+double BallSkills::offset(const Vector2& ball, double aim) {
+  return normalizedAngle(aim - angleOf(ball));
+}
+
+Vector2 BallSkills::placeBehind(const Vector2& ball, double aim) const {
+  const Vector2 behind = ball - unit(aim) * options_.standOff;
+  const Vector2 line = behind;  // from the robot, which is the origin
+  const double length = line.norm();
+  if (length < 1e-6) return behind;
+  // How near the straight way there comes to the ball.
+  const double along = std::clamp(ball.dot(line) / (length * length), 0.0, 1.0);
+  if ((along * line - ball).norm() >= options_.passing - 0.01) return behind;
+  // A tangent to the circle around the ball, on the side on which the place behind the ball is nearer.
+  const double apart = ball.norm();
+  const double side = offset(ball, aim) > 0 ? -1 : 1;
+  if (apart <= options_.passing) {
+    // Within the circle: along it, and out of it.
+    const Vector2 out = -ball / std::max(0.01, apart);
+    const Vector2 along90(-out.y() * -side, out.x() * -side);
+    return 0.25 * along90 + out * (options_.passing - apart);
+  }
+  const double turn = std::asin(options_.passing / apart);
+  const double reach = std::sqrt(apart * apart - options_.passing * options_.passing);
+  return unit(angleOf(ball) + side * turn) * std::max(0.1, reach);
+}
+
+Intention BallSkills::approach(const Vector2& ball, double aim, const std::vector<Vector2>& robots) const {
+  const Vector2 place = placeBehind(ball, aim);
+  // Near the ball it looks at it: it circles it with its head toward it.
+  if (ball.norm() < 2 * options_.standOff + 0.1) {
+    const Vector2 way = around(place, robots);
+    const double facing = place.norm() < 0.12 ? 0.5 * (aim + angleOf(ball)) : angleOf(ball);
+    return walk(options_.walkGain * std::max(1.0, 0.12 / std::max(0.02, way.norm())) * way,
+                options_.turnGain * facing);
+  }
+  return walkTo(place, aim, robots);
+}
+
+Intention BallSkills::dribble(const Vector2& ball, double aim) const {
+  // The ball is kept before the chest; turns are small, so that it is not lost.
+  const double beside = ball.y();
+  const double slow = std::clamp(1.6 - std::abs(beside) / options_.dribbleWidth, 0.25, 1.0);
+  const double left = options_.dribbleGain * beside;
+  return walk({options_.forwardSpeed * slow, left}, std::clamp(1.2 * aim, -0.6, 0.6) + 1.0 * beside);
+}
+
+Intention BallSkills::position(const Vector2& ball, double aim) const {
+  const Vector2 way(ball.x() - options_.kickX, ball.y());
+  // Sideways first, so that no paw pushes the ball away.
+  const double free = std::abs(way.y()) > 0.06 ? 0.3 : 1.0;
+  Intention intention = walk({1.8 * way.x() * free, 1.8 * way.y()}, 0.8 * aim);
+  intention.forward = std::clamp(intention.forward, -0.08, 0.08);
+  return intention;
+}
+
+bool BallSkills::canKick(const Vector2& ball) const {
+  return std::abs(ball.x() - options_.kickX) < options_.kickToleranceX &&
+         std::abs(ball.y()) < options_.kickToleranceY;
+}
+
+double BallSkills::secondsTo(const Vector2& ball, double aim) const {
+  const double detour = std::abs(offset(ball, aim)) / robotlink::kPi * 0.6;
+  return (ball.norm() + detour) / options_.forwardSpeed + std::abs(angleOf(ball)) / options_.turnSpeed;
+}
+
+}  // namespace modules

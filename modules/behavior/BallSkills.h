@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "modules/behavior/Intention.h"
+#include "robotlink/base/Geometry.h"
+
+namespace modules {
+
+/// How a robot on legs walks to places and to the ball: controllers without memory, on plain values in the
+/// robot's frame (x to the front, meters, radians).
+///
+/// Far away it turns to where it goes and walks ahead; near its aim it walks in any direction. Robots in the
+/// way are passed on the nearer side: the direction of the walk is turned until it misses them, as in the
+/// tangent bug (I. Kamon, E. Rivlin, E. Rimon, 1996), with circles for obstacles.
+class BallSkills {
+ public:
+  struct Options {
+    /// Meters per second.
+    double forwardSpeed = 0.18, backwardSpeed = 0.12, sidewardSpeed = 0.12;
+    /// Radians per second.
+    double turnSpeed = 1.1;
+    /// How fast it turns to an angle, 1/s.
+    double turnGain = 2.0;
+    /// How fast it walks to a near place, 1/s.
+    double walkGain = 2.5;
+    /// Distance up to which it walks in any direction, m.
+    double nearby = 0.35;
+    /// Radius of the circle around the middle of another robot that the own middle avoids, m.
+    double robotRadius = 0.3;
+    /// Distance up to which robots are avoided, m.
+    double robotRange = 0.7;
+    /// Distance of the place behind the ball, m.
+    double standOff = 0.27;
+    /// Distance at which it passes the ball on the way behind it, m.
+    double passing = 0.26;
+    /// Where the ball must be for a kick, and how exactly, m.
+    double kickX = 0.155, kickToleranceX = 0.03, kickToleranceY = 0.035;
+    /// Sideward gain and limit of the error beside which it slows down while it pushes the ball, 1/s and m.
+    double dribbleGain = 2.5, dribbleWidth = 0.05;
+  };
+  explicit BallSkills(const Options& options) : options_(options) {}
+  void setOptions(const Options& options) { options_ = options; }
+  const Options& options() const { return options_; }
+
+  /// Walks to a place and looks in the end into a direction of the robot's frame.
+  Intention walkTo(const robotlink::Vector2& place, double direction,
+                   const std::vector<robotlink::Vector2>& robots) const;
+  /// Only turns.
+  Intention turnTo(double direction) const;
+  /// The place from which the ball is walked to next: behind it as seen in the direction `aim` (an angle), or
+  /// beside it on the way there.
+  robotlink::Vector2 placeBehind(const robotlink::Vector2& ball, double aim) const;
+  /// Walks to the place behind the ball.
+  Intention approach(const robotlink::Vector2& ball, double aim,
+                     const std::vector<robotlink::Vector2>& robots) const;
+  /// Pushes the ball into the direction `aim`, with the ball between the fore paws.
+  Intention dribble(const robotlink::Vector2& ball, double aim) const;
+  /// Walks the last centimeters to where a kick reaches the ball, and turns to `aim`.
+  Intention position(const robotlink::Vector2& ball, double aim) const;
+  /// Whether a kick straight ahead reaches the ball.
+  bool canKick(const robotlink::Vector2& ball) const;
+  /// How well the robot is placed: the angle between the way to the ball and the aim; 0 is straight behind.
+  static double offset(const robotlink::Vector2& ball, double aim);
+  /// How long it takes to be behind the ball, s.
+  double secondsTo(const robotlink::Vector2& ball, double aim) const;
+
+ private:
+  /// A walk within the limits of speed, whose direction is kept.
+  Intention walk(const robotlink::Vector2& velocity, double turn) const;
+  /// The way to a place, turned so that it passes other robots.
+  robotlink::Vector2 around(const robotlink::Vector2& way,
+                            const std::vector<robotlink::Vector2>& robots) const;
+
+  Options options_;
+};
+
+}  // namespace modules

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "modules/behavior/GameSituation.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/GamePackages.h"
+
+namespace modules {
+
+/// Reads the packages of which a player's situation is made; its solution must declare that it needs the ball
+/// model and uses the others. Used by its process's thread; the context must outlive it.
+class SituationReader {
+ public:
+  struct Options {
+    /// Deviations of the pose above which the robot does not know where it is, m and rad.
+    double positionDeviation = 0.5, headingDeviation = 0.4;
+    /// Share of the image that must be in the field's colors, or the robot is blind.
+    double minimumColored = 0.03;
+    /// Age of the own ball from which on that of the team is used, s.
+    double teamBallAfter = 2;
+    /// Age of a message after which its sender counts no more, s.
+    double mateTimeout = 5;
+    /// Confidence from which on another robot counts.
+    double robotConfidence = 0.3;
+  };
+
+  explicit SituationReader(robotlink::SolutionContext& context);
+
+  GameSituation read(const Options& options) const;
+  /// The pose of the team's frame in the field's.
+  robotlink::Pose2 teamInField() const;
+  const std::string& team() const { return team_; }
+
+ private:
+  void readGame(GameSituation& now) const;
+  void readBody(GameSituation& now) const;
+  void readBall(GameSituation& now, const Options& options) const;
+  void readRobots(GameSituation& now, const Options& options) const;
+  void readMates(GameSituation& now, const Options& options) const;
+  bool seesField(double minimumColored) const;
+
+  const robotlink::Clock& clock_;
+  std::string name_, team_;
+  int number_ = 1;
+  std::shared_ptr<const robotlink::FieldDescription> field_;
+  robotlink::Input<robotcontrol::BallModel> ball_;
+  robotlink::Input<robotcontrol::RobotPose> pose_;
+  robotlink::Input<robotcontrol::PlayersModel> players_;
+  robotlink::Input<robotcontrol::TeamBall> teamBall_;
+  robotlink::Input<robotcontrol::TeamMessages> messages_;
+  robotlink::Input<robotcontrol::GameState> game_;
+  robotlink::Input<robotcontrol::RobotState> robotState_;
+  robotlink::Input<robotcontrol::ColorRegions> regions_;
+  robotlink::Input<robotcontrol::MotionStatus> status_;
+};
+
+}  // namespace modules

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "modules/behavior/GameSituation.h"
+#include "robotlink/base/Geometry.h"
+
+namespace robotlink {
+struct FieldDescription;
+}
+
+namespace modules {
+
+/// Where players of a team stand and what they play to, in the team's frame (the own goal at -x, see
+/// GameSituation), computed from the field's measures. Meters. Immutable.
+class TeamPlaces {
+ public:
+  struct Options {
+    /// Distance of the goalie from its goal line.
+    double goalieDistance = 0.2;
+    /// How far the defender stands from the ball toward its own goal.
+    double defenderDistance = 0.9;
+    /// The supporter stands this far behind the ball, and this far beside it.
+    double supporterBack = 0.5, supporterAside = 0.7;
+    /// The least distance of these places from walls.
+    double wallDistance = 0.25;
+  };
+
+  TeamPlaces(const robotlink::FieldDescription& field, const Options& options);
+
+  /// The middle of the goal line.
+  robotlink::Vector2 ownGoal() const { return {-goalX_, 0}; }
+  robotlink::Vector2 opponentGoal() const { return {goalX_, 0}; }
+  double goalWidth() const { return goalWidth_; }
+
+  /// Where a player stands at the kick-off, looking at the opponent's goal. The goalie of several players has
+  /// the place nearest to its goal.
+  robotlink::Pose2 kickOff(int number, bool isGoalie) const;
+  /// Between ball and goal, near the goal line.
+  robotlink::Pose2 goalie(const robotlink::Vector2& ball) const;
+  /// Between ball and goal, outside of the penalty area.
+  robotlink::Pose2 defender(const robotlink::Vector2& ball) const;
+  /// Beside and behind the ball, on the side of the field that is wider.
+  robotlink::Pose2 supporter(const robotlink::Vector2& ball) const;
+
+  /// The point of the opponent's goal to which a ball is played: the middle of the widest gap between robots
+  /// (in the team's frame) that stand between it and the goal. From beside the goal, the far half of it is
+  /// meant.
+  robotlink::Vector2 aim(const robotlink::Vector2& ball, const std::vector<robotlink::Vector2>& robots) const;
+
+  /// Whether a goalie may go for a ball here: the penalty area and a margin around it.
+  bool isGoaliesBall(const robotlink::Vector2& ball, double margin) const;
+  /// Whether a robot is beyond its field, such as in a goal.
+  bool isOutside(const robotlink::Vector2& place) const;
+  /// The nearest place that is no closer to the walls than allowed.
+  robotlink::Vector2 inside(const robotlink::Vector2& place) const;
+  /// The nearest place at which a robot fits beside the walls.
+  robotlink::Vector2 reachable(const robotlink::Vector2& place) const;
+
+ private:
+  robotlink::Pose2 facing(const robotlink::Vector2& place, const robotlink::Vector2& ball) const;
+
+  Options options_;
+  double goalX_, touchY_, goalWidth_, penaltyLength_, penaltyWidth_;
+  /// The places at the kick-off, the ones next to the opponents first.
+  std::vector<robotlink::Pose2> kickOff_;
+};
+
+}  // namespace modules
