@@ -24,7 +24,7 @@ using robotlink::Result;
 namespace {
 
 /// How often robots are told how much time is left.
-constexpr robotlink::Duration kToldEvery = std::chrono::milliseconds(96);
+constexpr robotlink::Duration kPublishEvery = std::chrono::milliseconds(96);
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void SimulatedRun::restartGame() {
   radio_.restart(options_.world.seed);
   radio_.setSettings(rules_ ? rules_->radio : RadioSettings());
   for (auto& [robot, mail] : mails_) *mail = {};
-  toldAt_ = {};
+  publishedAt_ = {};
 }
 
 void SimulatedRun::followModels() {
@@ -85,9 +85,10 @@ void SimulatedRun::watchGame() {
   }
   if (referee_ == nullptr) return;
   const robotlink::Instant now = world_->clock().now();
-  if (referee_->changes() == toldChanges_ && now - toldAt_ < kToldEvery && now >= toldAt_) return;
-  toldChanges_ = referee_->changes();
-  toldAt_ = now;
+  if (referee_->changes() == publishedChanges_ && now - publishedAt_ < kPublishEvery && now >= publishedAt_)
+    return;
+  publishedChanges_ = referee_->changes();
+  publishedAt_ = now;
   for (const auto& robot : robots_)
     mailOf(robot->name())->state = gameStateFor(*referee_, robot->name(), now);
   if (tap_) recordGame();

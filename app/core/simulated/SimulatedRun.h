@@ -424,8 +424,8 @@ class SimulatedRun {
   /// By robot.
   std::map<std::string, std::shared_ptr<GameMail>> mails_;
   /// What robots were told of the game last, and when.
-  std::uint64_t toldChanges_ = 0;
-  robotlink::Instant toldAt_;
+  std::uint64_t publishedChanges_ = 0;
+  robotlink::Instant publishedAt_;
   /// Null if they are closed. Declared after the world, which it uses.
   std::unique_ptr<ArcosPorts> ports_;
   /// Null if nothing is recorded.
