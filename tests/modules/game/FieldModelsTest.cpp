@@ -2,12 +2,17 @@
 // The models of the field against what is true, while the whole program plays.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/base/Random.h"
+#include "robotlink/debugging/DebugKey.h"
+#include "robotlink/debugging/SolutionRegistry.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/GamePackages.h"
 #include "tests/modules/game/PlayedGame.h"

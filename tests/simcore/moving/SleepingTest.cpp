@@ -17,7 +17,7 @@ using namespace truth;
 
 constexpr double kEdge = 0.1, kMass = 1;
 
-std::string boxAt(const std::string& name, double x, double z) {
+std::string smallBoxAt(const std::string& name, double x, double z) {
   const Vector3 size = Vector3::Constant(kEdge);
   return model(name, std::to_string(x) + " 0 " + std::to_string(z) + " 0 0 0",
                inertial(kMass, momentsOfBox(kMass, size)) + solid(box(size)));
@@ -26,7 +26,7 @@ std::string boxAt(const std::string& name, double x, double z) {
 /// Boxes on each other; their names begin with `name`.
 std::string stackAt(const std::string& name, double x, int boxes) {
   std::string stack;
-  for (int i = 0; i < boxes; ++i) stack += boxAt(name + std::to_string(i), x, kEdge * (0.5 + i));
+  for (int i = 0; i < boxes; ++i) stack += smallBoxAt(name + std::to_string(i), x, kEdge * (0.5 + i));
   return stack;
 }
 
@@ -59,7 +59,7 @@ TEST(Sleeping, aStackFallsAsleepAndKeepsWhatItTouches) {
 }
 
 TEST(Sleeping, aForceWakesTheWholeStack) {
-  Bodies bodies(ground() + stackAt("box", 0, 3) + boxAt("other", 2, kEdge / 2));
+  Bodies bodies(ground() + stackAt("box", 0, 3) + smallBoxAt("other", 2, kEdge / 2));
   bodies.run(4);
   Physics& physics = bodies.physics();
   ASSERT_EQ(sleepersOf(physics, 5), 4);
