@@ -43,7 +43,7 @@ Result<void> setScoreOf(OpenPlatform& open, const std::string& team, double goal
   return askReferee(open, control);
 }
 
-Names playersOf(OpenPlatform& open) {
+Names shownPlayers(OpenPlatform& open) {
   Names names;
   if (const auto* game = shownGame(open)) {
     for (const auto& player : game->players()) names.push_back(player.robot());
@@ -74,7 +74,7 @@ void addPlayerCommands(CommandTable& commands, OpenPlatform& open) {
         control.set_reason(text(values, 1));
         return askReferee(open, control);
       },
-      [&open](const auto& before) { return before.empty() ? playersOf(open) : reasonsOf(open); });
+      [&open](const auto& before) { return before.empty() ? shownPlayers(open) : reasonsOf(open); });
   commands.attach(
       "game.return",
       [&open](const Values& values) {
@@ -83,7 +83,7 @@ void addPlayerCommands(CommandTable& commands, OpenPlatform& open) {
         control.set_robot(text(values, 0));
         return askReferee(open, control);
       },
-      [&open](const auto& before) { return before.empty() ? playersOf(open) : Names(); });
+      [&open](const auto& before) { return before.empty() ? shownPlayers(open) : Names(); });
 }
 
 void addTeamCommands(CommandTable& commands, OpenPlatform& open) {

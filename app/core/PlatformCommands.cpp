@@ -2,6 +2,7 @@
 #include "app/core/PlatformCommands.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "app/core/CommandValues.h"
@@ -49,6 +50,17 @@ CommandTable::Offer offerOf(const PlatformAdapter& adapter) {
   };
 }
 
+/// Those of the shipped layouts in which at least one of the robots can run.
+std::vector<std::string> layoutNames(OpenPlatform& open) {
+  std::set<std::string> names;
+  if (const LoadedPlatform* loaded = open.loaded()) {
+    for (const auto& [robot, description] : loaded->robots) {
+      for (const auto& file : layoutsFor(*description)) names.insert(file.stem().string());
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
 }  // namespace
 
 std::vector<CommandTable::Command> platformCommands() {
@@ -87,10 +99,16 @@ void addPlatformCommands(CommandTable& commands, OpenPlatform& open) {
       return openChosen(open, adapter, {.sources = {text(values, 0)}});
     });
   }
-  commands.attach("layout.open", [&open](const Values& values) -> Result<void> {
-    open.setLayout(layoutNamed(text(values, 0)), text(values, 1));
-    return {};
-  });
+  commands.attach(
+      "layout.open",
+      [&open](const Values& values) -> Result<void> {
+        open.setLayout(layoutNamed(text(values, 0)), text(values, 1));
+        return {};
+      },
+      [&open](const auto& before) {
+        if (before.empty()) return layoutNames(open);
+        return before.size() == 1 ? open.session().robots() : std::vector<std::string>();
+      });
 }
 
 }  // namespace app

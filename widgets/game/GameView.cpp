@@ -19,6 +19,7 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
+#include "widgets/game/LayoutRow.h"
 #include "widgets/game/RadioPanel.h"
 
 namespace widgets {
@@ -121,6 +122,7 @@ void GameView::createViews() {
   penalties->addWidget(makeLabeledButton(contents_, return_));
   penalties->addStretch(1);
 
+  layout_ = new LayoutRow(context().commands, contents_);
   radio_ = new RadioPanel(contents_);
   message_ = makeNote(contents_, "gameMessage", tr("What happened last"));
   outcome_ = makeNote(contents_, "gameOutcome", tr("What came of it"));
@@ -130,6 +132,7 @@ void GameView::createViews() {
   layout->addWidget(phases->parentWidget());
   layout->addWidget(table_, 1);
   layout->addWidget(penalties->parentWidget());
+  layout->addWidget(layout_);
   layout->addWidget(radio_);
   layout->addWidget(outcome_);
   makeColumn(this)->addWidget(contents_, 1);
@@ -160,6 +163,8 @@ void GameView::connectSignals() {
     control.set_team(kickOff_->currentText().toStdString());
     ask(control);
   });
+  connect(layout_, &LayoutRow::asked, this,
+          [this](const QString& reason) { showOutcome(*outcome_, reason, !reason.isEmpty()); });
   connect(radio_, &RadioPanel::wanted, this, [this](const robotcontrol::TeamRadioSettings& settings) {
     ControlGame control;
     control.set_action(ControlGame::RADIO);
@@ -205,7 +210,9 @@ void GameView::show(const robotcontrol::GameStatus* status) {
   radio_->show(status->radio());
   const QModelIndex index = table_->currentIndex();
   const bool isChosen = index.isValid();
-  const bool isPenalized = isChosen && !players_.row(index.row()).reason.empty();
+  const GamePlayerRow chosen = isChosen ? players_.row(index.row()) : GamePlayerRow();
+  const bool isPenalized = !chosen.reason.empty();
+  layout_->show(QString::fromStdString(chosen.robot), QString::fromStdString(chosen.team));
   penalize_->setEnabled(isChosen);
   return_->setEnabled(isPenalized);
 }

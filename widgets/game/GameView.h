@@ -13,6 +13,7 @@ class QTableView;
 namespace widgets {
 
 class EmptyHint;
+class LayoutRow;
 class RadioPanel;
 
 /// The game that simulated robots play: score, time and phase, the referee's decisions by hand, penalties,
@@ -45,6 +46,7 @@ class GameView final : public View {
   QComboBox *kickOff_ = nullptr, *reason_ = nullptr;
   QLabel *score_ = nullptr, *time_ = nullptr, *message_ = nullptr, *outcome_ = nullptr;
   RadioPanel* radio_ = nullptr;
+  LayoutRow* layout_ = nullptr;
   QTableView* table_ = nullptr;
   QWidget* contents_ = nullptr;
   EmptyHint* hint_ = nullptr;

@@ -12,6 +12,7 @@
 #include "app/core/game/GamePlacing.h"
 #include "app/core/game/GamePlayers.h"
 #include "app/core/game/Umpire.h"
+#include "robotlink/config/FieldDescription.h"
 
 namespace robotcontrol {
 class ControlGame;

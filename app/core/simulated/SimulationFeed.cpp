@@ -14,6 +14,7 @@
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
 #include "simcore/Scene.h"
 
 namespace app {

@@ -15,7 +15,7 @@ std::string shippedRules() {
   return robotlink::readFile(gameRulesNamed("2002")).value();
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
+std::string rulesWith(std::string text, const std::string& what, const std::string& by) {
   const auto at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;
   return text.replace(at, what.size(), by);
@@ -45,14 +45,16 @@ TEST(GameRules, thoseOf2002AreRead) {
 }
 
 TEST(GameRules, whatIsWrongIsSaidWithItsLine) {
-  const auto wrongTeams = errorsIn(replaced(shippedRules(), "[red, blue]", "[red]"));
+  const auto wrongTeams = errorsIn(rulesWith(shippedRules(), "[red, blue]", "[red]"));
   ASSERT_EQ(wrongTeams.size(), 1U);
   EXPECT_EQ(wrongTeams[0].id, "game.teams");
   EXPECT_GT(wrongTeams[0].where.line, 0);
-  EXPECT_EQ(errorsIn(replaced(shippedRules(), "watch: pushing", "watch: sleeping")).at(0).id, "game.word");
-  EXPECT_EQ(errorsIn(replaced(shippedRules(), "reason: leaving", "reason: pushing")).at(0).id, "game.reason");
-  EXPECT_EQ(errorsIn(replaced(shippedRules(), "goalie: [-1.85, 0.0]", "goalie: [1]")).at(0).id, "game.place");
-  EXPECT_EQ(errorsIn(replaced(shippedRules(), "version: 1", "version: 2")).at(0).id, "game.version");
-  EXPECT_FALSE(errorsIn(replaced(shippedRules(), "loss: 0.02", "loss: 2")).empty());
+  EXPECT_EQ(errorsIn(rulesWith(shippedRules(), "watch: pushing", "watch: sleeping")).at(0).id, "game.word");
+  EXPECT_EQ(errorsIn(rulesWith(shippedRules(), "reason: leaving", "reason: pushing")).at(0).id,
+            "game.reason");
+  EXPECT_EQ(errorsIn(rulesWith(shippedRules(), "goalie: [-1.85, 0.0]", "goalie: [1]")).at(0).id,
+            "game.place");
+  EXPECT_EQ(errorsIn(rulesWith(shippedRules(), "version: 1", "version: 2")).at(0).id, "game.version");
+  EXPECT_FALSE(errorsIn(rulesWith(shippedRules(), "loss: 0.02", "loss: 2")).empty());
   EXPECT_FALSE(errorsIn("version: 1\n").empty());
 }

@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-Instant at(int ms) {
+Instant atMs(int ms) {
   return Instant(milliseconds(ms));
 }
 
@@ -33,7 +33,7 @@ class Radio : public testing::Test {
   /// "sender: state" of all that a robot knows, if there is something new.
   std::vector<std::string> heard(const std::string& robot, int ms) {
     std::vector<std::string> all;
-    if (const auto messages = radio_.receive(robot, at(ms))) {
+    if (const auto messages = radio_.receive(robot, atMs(ms))) {
       for (const auto& message : messages->messages())
         all.push_back(message.sender() + ": " + message.state());
     }
@@ -53,31 +53,31 @@ class OneProcess final : public robotlink::Process {
 }  // namespace
 
 TEST_F(Radio, messagesArriveAtTheOthersOfTheTeamOnly) {
-  radio_.send("red1", saying("ball"), at(0));
+  radio_.send("red1", saying("ball"), atMs(0));
   EXPECT_THAT(heard("red2", 0), testing::ElementsAre("red1: ball"));
   EXPECT_THAT(heard("red2", 8), testing::IsEmpty()) << "nothing new";
   EXPECT_THAT(heard("red1", 8), testing::IsEmpty());
   EXPECT_THAT(heard("blue1", 8), testing::IsEmpty());
-  radio_.send("nobody", saying("ball"), at(8));
+  radio_.send("nobody", saying("ball"), atMs(8));
   EXPECT_EQ(radio_.sent(), 1U);
 }
 
 TEST_F(Radio, theyTakeTheirTimeAndEndAtTheRange) {
   radio_.setSettings({.range = 0, .delay = 0.1, .loss = 0});
-  radio_.send("red1", saying("early"), at(0));
+  radio_.send("red1", saying("early"), atMs(0));
   EXPECT_THAT(heard("red2", 96), testing::IsEmpty());
   EXPECT_THAT(heard("red2", 104), testing::ElementsAre("red1: early"));
   radio_.setSettings({.range = 1.5, .delay = 0, .loss = 0});
-  radio_.send("red1", saying("far"), at(200));
+  radio_.send("red1", saying("far"), atMs(200));
   EXPECT_THAT(heard("red2", 300), testing::IsEmpty());
   EXPECT_EQ(radio_.lost(), 1U);
 }
 
 TEST_F(Radio, whatIsOvertakenIsOld) {
   radio_.setSettings({.range = 0, .delay = 1, .loss = 0});
-  radio_.send("red1", saying("slow"), at(0));
+  radio_.send("red1", saying("slow"), atMs(0));
   radio_.setSettings({.range = 0, .delay = 0, .loss = 0});
-  radio_.send("red1", saying("fast"), at(10));
+  radio_.send("red1", saying("fast"), atMs(10));
   EXPECT_THAT(heard("red2", 10), testing::ElementsAre("red1: fast"));
   EXPECT_THAT(heard("red2", 2000), testing::IsEmpty());
 }
@@ -88,7 +88,7 @@ TEST_F(Radio, asManyAreLostAsWasAskedForAndAlwaysTheSame) {
     radio_.setSettings({.range = 0, .delay = 0, .loss = 0.3});
     std::vector<bool> result;
     for (int i = 0; i < 2000; ++i) {
-      radio_.send("red1", saying("x"), at(i));
+      radio_.send("red1", saying("x"), atMs(i));
       result.push_back(!heard("red2", i).empty());
     }
     return result;

@@ -79,7 +79,7 @@ struct Robot {
   Program program{"program", clock};
 };
 
-std::string at(std::uint16_t port) {
+std::string addressAt(std::uint16_t port) {
   return "127.0.0.1:" + std::to_string(port);
 }
 
@@ -118,8 +118,8 @@ TEST(TeamDatagram, whatIsNoneIsRefusedWithTheReason) {
 
 TEST(TeamLink, robotsOfATeamHearEachOther) {
   Robot first({.port = 0}, "red1");
-  Robot second({.port = 0, .peers = {at(first.link->port())}}, "red2");
-  Robot stranger({.port = 0, .peers = {at(first.link->port())}, .team = "blue"}, "blue1");
+  Robot second({.port = 0, .peers = {addressAt(first.link->port())}}, "red2");
+  Robot stranger({.port = 0, .peers = {addressAt(first.link->port())}, .team = "blue"}, "blue1");
   EXPECT_TRUE(eventually([&] {
     second.step();
     stranger.step();

@@ -144,6 +144,33 @@ class GameViewTest : public QObject {
     QCOMPARE(bench.asked().radio().loss(), 0.5);
   }
 
+  void aRobotOrItsTeamGetsALayout() {
+    using Type = robotlink::CommandTable::Type;
+    GameBench bench;
+    std::vector<std::string> asked;
+    bench.commands.add({.name = "layout.open",
+                        .help = "Opens a layout",
+                        .arguments = {{"layout", Type::kText}, {"robot", Type::kText}},
+                        .run = [&](const robotlink::CommandTable::Values& values) -> robotlink::Result<void> {
+                          asked.push_back(std::get<std::string>(values[0]) + " " +
+                                          std::get<std::string>(values[1]));
+                          return {};
+                        },
+                        .offer =
+                            [](const auto&) {
+                              return std::vector<std::string>{"compact", "parallel"};
+                            }});
+    auto view = bench.open<GameView>();
+    QVERIFY(!child<QAction>(*view, "gameLayoutRobot").isEnabled());
+    auto& table = child<QTableView>(*view, "gamePlayers");
+    table.setCurrentIndex(table.model()->index(1, 0));
+    child<QComboBox>(*view, "gameLayout").setCurrentText(QStringLiteral("parallel"));
+    bench.tick(*view);
+    press(*view, "gameLayoutRobot");
+    press(*view, "gameLayoutTeam");
+    QCOMPARE(asked, (std::vector<std::string>{"parallel blue1", "parallel blue"}));
+  }
+
   void aRefusalIsShown() {
     GameBench bench;
     bench.refusal = "the game is over";

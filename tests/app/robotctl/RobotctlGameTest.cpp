@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Games and tournaments as users of `robotctl` play them.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/TestFolder.h"
+#include "tests/app/robotctl/RobotctlRun.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class RobotctlGame : public testing::Test {
+ protected:
+  RobotctlOutcome robotctl(const std::string& arguments) const {
+    return runRobotctl(folder_.path(), arguments);
+  }
+  json printed(const std::string& arguments) const {
+    const RobotctlOutcome outcome = robotctl(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return outcome.status == 0 ? json::parse(outcome.out) : json();
+  }
+  TestFolder folder_;
+};
+
+}  // namespace
+
+TEST_F(RobotctlGame, aGamePrintsScoreThreadsAndADigestThatIsTheSameForAnyNumberOfThem) {
+  const std::string game = "sim game2002-1 --seconds 5 --seed 1 --blackout --json --threads ";
+  const json one = printed(game + "1"), two = printed(game + "2");
+  EXPECT_EQ(one["score"], (json{{"red", 0}, {"blue", 0}}));
+  EXPECT_EQ(one["threads"], 1);
+  EXPECT_EQ(two["threads"], 2);
+  EXPECT_EQ(one["digest"], two["digest"]);
+  EXPECT_EQ(one["game"], two["game"]);
+  EXPECT_EQ(one["game"]["phase"], "playing");
+  EXPECT_NEAR(one["game"]["seconds_left"].get<double>(), 115, 0.1);
+  ASSERT_EQ(one["game"]["players"].size(), 2U);
+  EXPECT_EQ(one["game"]["players"][1]["team"], "blue");
+}
+
+TEST_F(RobotctlGame, whatIsChosenForNobodyIsNamed) {
+  const std::string game = "sim game2002-1 --seconds 0.1 ";
+  EXPECT_EQ(robotctl(game + "--solution red/behavior=stand --layout blue1=parallel --game none").status, 0);
+  EXPECT_THAT(robotctl(game + "--solution green/behavior=stand").errors, HasSubstr("green"));
+  EXPECT_EQ(robotctl(game + "--solution green/behavior=stand").status, 1);
+  EXPECT_EQ(robotctl(game + "--solution /behavior=stand").status, 2);
+  EXPECT_EQ(robotctl(game + "--game nonsense").status, 1);
+}
+
+TEST_F(RobotctlGame, aTournamentSwapsSidesKeepsResultsAndReports) {
+  const std::string tournament =
+      "tournament still:behavior=stand compact --scene game2002-1 --games 2 --seconds 1 --out cup ";
+  const json first = printed(tournament + "--json");
+  ASSERT_EQ(first["games"].size(), 2U);
+  EXPECT_EQ(first["games"][0]["red"]["team"], "still");
+  EXPECT_EQ(first["games"][1]["red"]["team"], "compact");
+  EXPECT_EQ(first["games"][0]["seed"], first["games"][1]["seed"]);
+  EXPECT_EQ(first["standings"][0]["draws"], 2);
+  for (const char* file : {"report.html", "games.csv", "results.csv", "tournament.json"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "cup" / file)) << file;
+  const auto result = folder_ / "cup/runs/compact-against-still--game-2.json";
+  const auto made = std::filesystem::last_write_time(result);
+  EXPECT_EQ(printed(tournament + "--json"), first);
+  EXPECT_EQ(std::filesystem::last_write_time(result), made) << "it was not played again";
+  EXPECT_EQ(robotctl("tournament compact compact --out cup").status, 2) << "they have the same name";
+  EXPECT_EQ(robotctl("tournament a:behavior= compact --out cup").status, 2);
+}

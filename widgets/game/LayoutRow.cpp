@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/game/LayoutRow.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "robotlink/commands/CommandTable.h"
+#include "widgets/Controls.h"
+
+namespace widgets {
+namespace {
+
+constexpr char kLayoutCommand[] = "layout.open";
+
+}  // namespace
+
+LayoutRow::LayoutRow(robotlink::CommandTable& commands, QWidget* parent)
+    : QWidget(parent), commands_(commands) {
+  layouts_ = new QComboBox(this);
+  describe(*layouts_, {"gameLayout", tr("Layout"), tr("The process layout that a robot or a team gets")});
+  forRobot_ = makeAction(this, "robot",
+                         {"gameLayoutRobot", tr("For the robot"),
+                          tr("The program of the chosen robot starts again in this layout")});
+  forTeam_ = makeAction(this, "robot",
+                        {"gameLayoutTeam", tr("For its team"),
+                         tr("The programs of the chosen robot's team start again in this layout")});
+  auto* label = new QLabel(tr("Layout"), this);
+  label->setBuddy(layouts_);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(label);
+  row->addWidget(layouts_);
+  row->addWidget(makeLabeledButton(this, forRobot_));
+  row->addWidget(makeLabeledButton(this, forTeam_));
+  row->addStretch(1);
+  connect(forRobot_, &QAction::triggered, this, [this] { use(robot_); });
+  connect(forTeam_, &QAction::triggered, this, [this] { use(team_); });
+}
+
+void LayoutRow::show(const QString& robot, const QString& team) {
+  robot_ = robot;
+  team_ = team;
+  const auto* command = commands_.find(kLayoutCommand);
+  const bool isOffered = command != nullptr && command->offer;
+  setVisible(isOffered);
+  if (isOffered && layouts_->count() == 0) {
+    for (const std::string& layout : command->offer({})) layouts_->addItem(QString::fromStdString(layout));
+  }
+  forRobot_->setEnabled(layouts_->count() > 0 && !robot.isEmpty());
+  forTeam_->setEnabled(layouts_->count() > 0 && !team.isEmpty());
+}
+
+void LayoutRow::use(const QString& name) {
+  const auto done =
+      commands_.run(kLayoutCommand, {layouts_->currentText().toStdString(), name.toStdString()});
+  Q_EMIT asked(done ? QString() : QString::fromStdString(done.error().text));
+}
+
+}  // namespace widgets
