@@ -7,11 +7,13 @@
 #include <optional>
 
 #include "app/core/truth/PackageErrors.h"
+#include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
 
 namespace app {
@@ -103,6 +105,21 @@ void compareBallModel(const google::protobuf::Message& value, const OracleWorld&
   ++errors.reported;
   errors.invented += isInvented((reported - ball).norm(), ball.norm()) ? 1 : 0;
   noteBall(errors, reported, ball);
+}
+
+void compareTeamBall(const google::protobuf::Message& value, const OracleWorld& truth,
+                     const FieldDescription*, PackageErrors& errors) {
+  const auto* model = dynamic_cast<const robotcontrol::TeamBall*>(&value);
+  if (model == nullptr || !truth.has_ball_in_field()) return;
+  const Vector2 ball(robotlink::vector3(truth.ball_in_field()).head<2>());
+  const double distance = ballInRobot(truth).norm();
+  errors.there += 1;
+  errors.missed += model->known() ? 0 : 1;
+  if (!model->known()) return;
+  const double error = (robotlink::vector2(model->position_in_field()) - ball).norm();
+  ++errors.reported;
+  errors.invented += isInvented(error, distance) ? 1 : 0;
+  note(errors, "position", "m", error);
 }
 
 void compareBallPercept(const google::protobuf::Message& value, const OracleWorld& truth,
@@ -242,7 +259,7 @@ const std::map<std::string, Compare>& comparisons() {
       {robotlink::kCameraPose.name, compareCameraPose}, {robotlink::kBallPercept.name, compareBallPercept},
       {robotlink::kRobotPercepts.name, compareRobots},  {robotlink::kLandmarkPercepts.name, compareLandmarks},
       {robotlink::kBallModel.name, compareBallModel},   {robotlink::kRobotPose.name, comparePose},
-      {robotlink::kPlayersModel.name, comparePlayers}};
+      {robotlink::kPlayersModel.name, comparePlayers},  {robotlink::kTeamBall.name, compareTeamBall}};
   return kAll;
 }
 

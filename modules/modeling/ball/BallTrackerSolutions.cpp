@@ -87,6 +87,7 @@ const robotlink::ParameterTable<BallParticleOptions> kBallParticleTable{
     {BallParticleFields::kStartRateFieldNumber, &BallParticleOptions::startRate, kAtLeastZero},
     {BallParticleFields::kStopRateFieldNumber, &BallParticleOptions::stopRate, kAtLeastZero},
     {BallParticleFields::kStartSpeedFieldNumber, &BallParticleOptions::startSpeed, kAtLeastZero},
+    {BallParticleFields::kVelocityNoiseFieldNumber, &BallParticleOptions::velocityNoise, kAtLeastZero},
     {BallParticleFields::kDriftFieldNumber, &BallParticleOptions::drift, kAtLeastZero},
     {BallParticleFields::kDeviationNearFieldNumber,
      +[](BallParticleOptions& o) -> double& { return o.accuracy.deviationNear; }, kAboveZero},

@@ -16,6 +16,8 @@ namespace {
 
 /// Particles farther than this from the estimate do not belong to it, m.
 constexpr double kNearBall = 0.4;
+/// From percepts of so many seconds velocities are computed, with an error as this, m/s.
+constexpr double kVelocityTime = 0.24, kVelocityError = 0.25;
 /// The likelihood of a percept that is wrong.
 constexpr double kWrongPercept = 1e-3;
 
@@ -34,6 +36,9 @@ void ParticleBall::move(double seconds) {
       particle.velocity.setZero();
     const double speed = particle.velocity.norm();
     if (speed > 0) particle.velocity *= std::max(0.0, speed - options_.deceleration * seconds) / speed;
+    if (speed > 0)
+      particle.velocity +=
+          options_.velocityNoise * std::sqrt(seconds) * Vector2(random_.normal(), random_.normal());
     particle.position += particle.velocity * seconds + drift * Vector2(random_.normal(), random_.normal());
   }
 }
@@ -41,8 +46,12 @@ void ParticleBall::move(double seconds) {
 ParticleBall::Particle ParticleBall::drawAt(const Vector2& place, const Matrix2d& root) {
   Particle particle;
   particle.position = place + root * Vector2(random_.normal(), random_.normal());
-  if (random_.uniform() < 0.5)
-    particle.velocity = options_.startSpeed * Vector2(random_.normal(), random_.normal());
+  if (random_.uniform() < 0.5) return particle;
+  const double passed = recent_.empty() ? 0 : recent_.back().time - recent_.front().time;
+  const bool known = passed > 0.5 * kVelocityTime;
+  particle.velocity =
+      (known ? kVelocityError : options_.startSpeed) * Vector2(random_.normal(), random_.normal());
+  if (known) particle.velocity += (recent_.back().place - recent_.front().place) / passed;
   return particle;
 }
 
@@ -80,6 +89,11 @@ void ParticleBall::resample(const Vector2& place, const Matrix2d& covariance) {
     drawn_.back().weight = 1;
   }
   particles_.swap(drawn_);
+}
+
+void ParticleBall::remember(double time, const Vector2& place) {
+  recent_.push_back({time, place});
+  while (time - recent_.front().time > kVelocityTime) recent_.pop_front();
 }
 
 void ParticleBall::summarize(const Pose2& robotInOdometry) {
@@ -120,6 +134,7 @@ void ParticleBall::update(double time, const Pose2& robotInOdometry,
   if (seenAt_ && seconds > 0) move(seconds);
   if (seen) {
     if (seenAt_ && time - *seenAt_ > options_.memory) particles_.clear();
+    remember(time, robotInOdometry * seen->position);
     see(*seen, robotInOdometry);
     seenAt_ = time;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,8 @@ class ParticleBall {
     double startRate = 0.5, stopRate = 0.5;
     /// Standard deviation of the velocity of a ball that begins to roll, m/s.
     double startSpeed = 0.6;
+    /// How far velocities change, m/s after one second, growing with the root of time.
+    double velocityNoise = 0.4;
     /// How far dead reckoning moves a ball, m after one second, growing with the root of time.
     double drift = 0.06;
     BallAccuracy accuracy;
@@ -61,6 +64,8 @@ class ParticleBall {
   void see(const BallMeasurement& seen, const robotlink::Pose2& robotInOdometry);
   Particle drawAt(const robotlink::Vector2& place, const Eigen::Matrix2d& root);
   void resample(const robotlink::Vector2& place, const Eigen::Matrix2d& covariance);
+  /// Remembers a percept of the last moments, from which the velocity of a kicked ball follows.
+  void remember(double time, const robotlink::Vector2& place);
   void summarize(const robotlink::Pose2& robotInOdometry);
 
   Options options_;
@@ -68,6 +73,13 @@ class ParticleBall {
   BallEstimate estimate_;
   std::vector<Particle> particles_, drawn_;
   std::optional<double> updatedAt_, seenAt_;
+  /// A percept's place in the odometry frame, m, and its time, s.
+  struct Seen {
+    double time = 0;
+    robotlink::Vector2 place = robotlink::Vector2::Zero();
+  };
+  /// The percepts of the last moments, the newest last.
+  std::deque<Seen> recent_;
 };
 
 }  // namespace modules

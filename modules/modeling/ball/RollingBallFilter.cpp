@@ -72,6 +72,9 @@ void RollingBallFilter::roll(Model& model, double seconds) const {
   transition(0, 2) = transition(1, 3) = 0.5 * (1 + decay) * seconds;
   transition(2, 2) = transition(3, 3) = decay;
   model.state = transition * model.state;
+  // A deceleration that does not depend on the speed leaves differences of velocities as they are.
+  transition(0, 2) = transition(1, 3) = seconds;
+  transition(2, 2) = transition(3, 3) = 1;
   const double a = options_.acceleration * options_.acceleration, s2 = seconds * seconds;
   Matrix4d noise = Matrix4d::Zero();
   noise.topLeftCorner<2, 2>() =

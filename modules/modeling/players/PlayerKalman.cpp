@@ -52,12 +52,13 @@ void PlayerKalman::see(const PlayerSight& sight, const PlayerFrame& frame) {
     const Matrix2d innovation = track.covariance.topLeftCorner<2, 2>() + noise;
     const Vector2 off = measured - track.state.head<2>();
     const double distance = off.dot(innovation.inverse() * off);
-    if (distance >= least) continue;
+    // Two percepts of an image are two robots, but for patches of one robot that are close to each other.
+    if (distance >= least || (track.seen && off.norm() > options_.apart)) continue;
     least = distance;
     nearest = &track;
   }
   if (nearest == nullptr) {
-    Track track{sight.team, Eigen::Vector4d::Zero(), Matrix4d::Zero(), 0.5 * sight.confidence};
+    Track track{sight.team, Eigen::Vector4d::Zero(), Matrix4d::Zero(), 0.5 * sight.confidence, true};
     track.state.head<2>() = measured;
     track.covariance.topLeftCorner<2, 2>() = noise;
     track.covariance.bottomRightCorner<2, 2>() = Matrix2d::Identity() * 0.01;
@@ -68,6 +69,7 @@ void PlayerKalman::see(const PlayerSight& sight, const PlayerFrame& frame) {
   const Eigen::Matrix<double, 4, 2> gain = nearest->covariance.leftCols<2>() * innovation.inverse();
   nearest->state += gain * (measured - nearest->state.head<2>());
   nearest->covariance -= (gain * nearest->covariance.topRows<2>()).eval();
+  nearest->seen = true;
   nearest->confidence = 1 - (1 - nearest->confidence) * (1 - 0.5 * sight.confidence);
 }
 
@@ -94,6 +96,7 @@ void PlayerKalman::update(const PlayerFrame& frame) {
   began_ = true;
   for (Track& track : tracks_) {
     predict(track, seconds);
+    track.seen = false;
     const bool inView = frame.sector.contains(track.state.head<2>());
     track.confidence *= std::exp2(-seconds / (inView ? options_.seenHalfLife : options_.halfLife));
   }

@@ -11,7 +11,8 @@
 namespace modules {
 
 /// A Kalman filter over place and velocity for each other robot, in the field's frame. A percept belongs to
-/// the nearest robot of its team by Mahalanobis's distance, or begins a new one (Bar-Shalom, Fortmann:
+/// the nearest robot of its team by Mahalanobis's distance that no other percept of the image
+/// belongs to, or begins a new one (Bar-Shalom, Fortmann:
 /// Tracking and data association, 1988). Whether a robot exists is estimated besides: percepts confirm it,
 /// and it is doubted where the robot looks and does not see it. Not thread-safe.
 class PlayerKalman {
@@ -45,6 +46,8 @@ class PlayerKalman {
     Eigen::Vector4d state = Eigen::Vector4d::Zero();
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
     double confidence = 0;
+    /// It was seen in the present image.
+    bool seen = false;
   };
   const std::vector<Track>& tracks() const { return tracks_; }
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "app/core/truth/ErrorFigures.h"
+#include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
@@ -67,6 +68,22 @@ TEST_F(TruthErrorsTest, aBallIsComparedInTheFrameOfTheRobot) {
   EXPECT_NEAR(of("models/ball").quantities.at("position").amounts.mean(), 0.1, 1e-9);
   EXPECT_NEAR(of("models/ball").quantities.at("relative").amounts.mean(), 0.1, 1e-9);
   EXPECT_NEAR(of("models/ball").latency.mean(), 0.04, 1e-9);
+}
+
+TEST_F(TruthErrorsTest, theBallOfATeamIsComparedInTheField) {
+  const Instant time(std::chrono::seconds(1));
+  tellTruth(time);
+  auto ball = at<robotcontrol::TeamBall>(time);
+  errors_.add("red1", "models/team-ball", time, ball);
+  auto known = at<robotcontrol::TeamBall>(time);
+  known->set_known(true);
+  robotlink::assign(*known->mutable_position_in_field(), Vector2(1.2, 1));
+  errors_.add("red1", "models/team-ball", time, known);
+  tellTruth(time + kFrame);
+  EXPECT_EQ(of("models/team-ball").there, 2U);
+  EXPECT_EQ(of("models/team-ball").missed, 1U);
+  EXPECT_EQ(of("models/team-ball").reported, 1U);
+  EXPECT_NEAR(of("models/team-ball").quantities.at("position").amounts.mean(), 0.2, 1e-9);
 }
 
 TEST_F(TruthErrorsTest, whatComesBeforeItsTruthWaitsForIt) {

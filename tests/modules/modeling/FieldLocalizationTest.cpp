@@ -126,8 +126,12 @@ TEST(FieldMonteCarlo, knowsHowWellTheLandmarksFit) {
   const double fit = filter.fit();
   EXPECT_GT(fit, 0.35);
   walk.carry({1.2, -0.7, 3});
-  for (int i = 0; i < 20; ++i) filter.update(walk.step());
-  EXPECT_LT(filter.fit(), 0.7 * fit);
+  double worst = fit;
+  for (int i = 0; i < 40; ++i) {
+    filter.update(walk.step());
+    worst = std::min(worst, filter.fit());
+  }
+  EXPECT_LT(worst, 0.6 * fit);
 }
 
 }  // namespace
