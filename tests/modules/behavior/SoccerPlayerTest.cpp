@@ -68,8 +68,8 @@ TEST_F(SoccerPlayerTest, obeysTheReferee) {
     now.phase = phase;
     const Intention intention = play(now);
     EXPECT_EQ(state("game"), name);
-    if (phase != Phase::kReady && phase != Phase::kPlaying)
-      EXPECT_EQ(intention.motion, Intention::Motion::kStand) << name;
+    const bool walks = phase == Phase::kReady || phase == Phase::kPlaying;
+    EXPECT_EQ(intention.motion, walks ? Intention::Motion::kWalk : Intention::Motion::kStand) << name;
   }
   now.phase = Phase::kPlaying;
   now.penalized = true;
