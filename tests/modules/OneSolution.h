@@ -12,6 +12,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/config/FieldDescription.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Solution.h"
 
@@ -32,6 +33,8 @@ class OneSolution : public robotlink::SolutionContext {
     std::string description = "p3at.yaml";
     /// Whether all debug keys of the solution are on.
     bool keys = true;
+    /// In resources/fields; empty: it is on no field.
+    std::string field = {};
   };
 
   OneSolution(const std::string& task, const std::string& name) : OneSolution(task, name, Robot()) {}
@@ -44,6 +47,12 @@ class OneSolution : public robotlink::SolutionContext {
     setup_.description =
         *robotlink::readRobotDescription(ROBOTCONTROL_SOURCE_DIR "/resources/robots/" + robot.description);
     setup_.map = std::move(robot.map);
+    if (!robot.field.empty()) {
+      setup_.field = std::make_shared<const robotlink::FieldDescription>(
+          *robotlink::FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/" + robot.field));
+      // "blue2" plays in the blue team.
+      setup_.team = robot.name.substr(0, robot.name.find_first_of("0123456789"));
+    }
     if (description_->parameters != nullptr) parameters_.reset(description_->parameters->New());
     if (setUp) setUp(*parameters_);
     for (const auto* names : {&description_->required, &description_->optional})

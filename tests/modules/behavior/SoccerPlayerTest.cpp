@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The player of a team on plain values: phases, roles, places and what it does with the ball.
+#include <gmock/gmock.h>
+
+#include "modules/behavior/PotentialField.h"
+#include "modules/behavior/SoccerPlayer.h"
+#include "robotlink/config/FieldDescription.h"
+
+namespace modules {
+namespace {
+
+using robotlink::Pose2;
+using robotlink::Vector2;
+using Phase = GameSituation::Phase;
+
+robotlink::FieldDescription field2002() {
+  return *robotlink::FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/2002.yaml");
+}
+
+/// The robot stands at a place of its half, the ball lies at another one, and is seen.
+GameSituation situation(const Pose2& robot, const Vector2& ball) {
+  GameSituation now;
+  now.pose = robot;
+  now.knowsBall = true;
+  now.ball = robot.inverse() * ball;
+  return now;
+}
+
+Mate mate(int number, Role role, const Vector2& place, double secondsToBall) {
+  return {number, role, {place.x(), place.y(), 0}, secondsToBall, true};
+}
+
+class SoccerPlayerTest : public testing::Test {
+ protected:
+  /// Lets some frames pass.
+  Intention play(GameSituation now, int frames = 1) {
+    Intention last;
+    for (int i = 0; i < frames; ++i) {
+      now.time = time_ += 0.04;
+      last = player_.decide(now);
+    }
+    return last;
+  }
+  std::string state(const std::string& option) const {
+    for (const auto& active : player_.machine().active())
+      if (active.option->name() == option) return active.state->name();
+    return "";
+  }
+
+  robotlink::FieldDescription field_ = field2002();
+  SoccerPlayer player_{field_, {}};
+  double time_ = 0;
+};
+
+TEST_F(SoccerPlayerTest, withoutARefereeItPlays) {
+  const Intention intention = play(situation({-1, 0, 0}, {0, 0}));
+  EXPECT_EQ(state("game"), "play");
+  EXPECT_EQ(player_.role(), Role::kStriker);
+  EXPECT_EQ(intention.motion, Intention::Motion::kWalk);
+  EXPECT_GT(intention.forward, 0.1);
+}
+
+TEST_F(SoccerPlayerTest, obeysTheReferee) {
+  GameSituation now = situation({-1, 0, 0}, {0, 0});
+  for (const auto& [phase, name] : {std::pair(Phase::kInitial, "initial"), std::pair(Phase::kReady, "ready"),
+                                    std::pair(Phase::kSet, "set"), std::pair(Phase::kPlaying, "play"),
+                                    std::pair(Phase::kFinished, "finished")}) {
+    now.phase = phase;
+    const Intention intention = play(now);
+    EXPECT_EQ(state("game"), name);
+    const bool walks = phase == Phase::kReady || phase == Phase::kPlaying;
+    EXPECT_EQ(intention.motion, walks ? Intention::Motion::kWalk : Intention::Motion::kStand) << name;
+  }
+  now.phase = Phase::kPlaying;
+  now.penalized = true;
+  EXPECT_EQ(play(now).motion, Intention::Motion::kStand);
+  EXPECT_EQ(state("game"), "penalized");
+  now.penalized = false;
+  play(now);
+  EXPECT_EQ(state("game"), "play");
+}
+
+TEST_F(SoccerPlayerTest, walksToItsOwnPlaceForTheKickOffAndStaysThere) {
+  GameSituation now = situation({-1.8, 1, 0}, {0, 0});
+  now.phase = Phase::kReady;
+  now.number = 2;
+  now.mates = {mate(1, Role::kGoalie, {-2, 0}, 9)};
+  EXPECT_EQ(play(now).motion, Intention::Motion::kWalk);
+  const Pose2 place = TeamPlaces(field_, {}).kickOff(2, false);
+  EXPECT_NEAR((*player_.target() - now.pose->inverse() * place.translation()).norm(), 0, 1e-9);
+  now.pose = place;
+  EXPECT_EQ(play(now, 2).motion, Intention::Motion::kStand);
+}
+
+TEST_F(SoccerPlayerTest, getsUpAfterAFallAndStandsWhileItIsCarried) {
+  GameSituation now = situation({-1, 0, 0}, {0, 0});
+  play(now);
+  now.fallen = true;
+  EXPECT_EQ(play(now).motion, Intention::Motion::kGetUp);
+  now.pickedUp = true;
+  EXPECT_EQ(play(now).motion, Intention::Motion::kStand);
+  now.fallen = now.pickedUp = false;
+  EXPECT_EQ(play(now).motion, Intention::Motion::kWalk);
+}
+
+TEST_F(SoccerPlayerTest, leavesTheKickOffToTheOtherTeamUntilTheBallRolls) {
+  GameSituation now = situation({-0.8, 0, 0}, {0, 0});
+  now.ownKickOff = false;
+  now.phase = Phase::kSet;
+  play(now, 5);
+  now.phase = Phase::kPlaying;
+  EXPECT_EQ(play(now, 10).motion, Intention::Motion::kStand);
+  EXPECT_EQ(state("playing"), "wait");
+  now.ball = now.pose->inverse() * Vector2(-0.3, 0.3);
+  play(now, 2);
+  EXPECT_EQ(state("playing"), "striker");
+}
+
+TEST_F(SoccerPlayerTest, waitsForTheOtherTeamNotForever) {
+  GameSituation now = situation({-0.8, 0, 0}, {0, 0});
+  now.ownKickOff = false;
+  now.phase = Phase::kSet;
+  play(now, 5);
+  now.phase = Phase::kPlaying;
+  play(now, 200);
+  EXPECT_EQ(state("playing"), "striker");
+}
+
+TEST_F(SoccerPlayerTest, theFastestIsTheStrikerAndTheDeepestTheDefender) {
+  GameSituation now = situation({-1, 0.5, 0}, {1, 0});
+  now.number = 3;
+  now.mates = {mate(1, Role::kGoalie, {-1.9, 0}, 20), mate(2, Role::kStriker, {0.5, 0}, 3),
+               mate(4, Role::kNone, {-0.3, -0.5}, 9)};
+  play(now);
+  EXPECT_EQ(player_.role(), Role::kDefender);
+  now.mates[2].pose.x = -1.9;
+  play(now);
+  EXPECT_EQ(player_.role(), Role::kSupporter);
+  now.mates[1].secondsToBall = 1000;  // it has fallen
+  now.mates[2].secondsToBall = 1000;
+  play(now);
+  EXPECT_EQ(player_.role(), Role::kStriker);
+}
+
+TEST_F(SoccerPlayerTest, theStrikerKeepsItsRoleUntilAnotherIsClearlyFaster) {
+  GameSituation now = situation({0, 0, 0}, {1, 0});
+  now.number = 2;
+  play(now);
+  ASSERT_EQ(player_.role(), Role::kStriker);
+  now.mates = {mate(3, Role::kNone, {0, 1}, player_.secondsToBall() - 1)};
+  play(now);
+  EXPECT_EQ(player_.role(), Role::kStriker);
+  now.mates[0].secondsToBall -= 2;
+  play(now);
+  EXPECT_NE(player_.role(), Role::kStriker);
+}
+
+TEST_F(SoccerPlayerTest, theGoalieStaysInItsGoalAndClearsNearBalls) {
+  GameSituation now = situation({-1.9, 0, 0}, {1, 0});
+  now.mates = {mate(2, Role::kStriker, {0, 0}, 3)};
+  play(now, 5);
+  EXPECT_EQ(player_.role(), Role::kGoalie);
+  EXPECT_EQ(state("keep goal"), "guard");
+  EXPECT_EQ(state("take place"), "stand");
+  now.ball = now.pose->inverse() * Vector2(-1.5, 0.1);
+  EXPECT_EQ(play(now, 5).motion, Intention::Motion::kWalk);
+  EXPECT_EQ(state("keep goal"), "clear");
+  now.ball = now.pose->inverse() * Vector2(0, 0.1);
+  play(now, 2);
+  EXPECT_EQ(state("keep goal"), "guard");
+}
+
+TEST_F(SoccerPlayerTest, aBallThatLiesBehindItIsWalkedAround) {
+  GameSituation now = situation({1, 0, 0}, {0.6, 0});
+  play(now, 3);
+  ASSERT_TRUE(player_.target());
+  EXPECT_GT((*player_.target() - now.ball).norm(), 0.2) << "not through the ball";
+  EXPECT_NEAR(std::abs(*player_.aim()), 0, 0.1) << "it plays toward the goal before it";
+}
+
+TEST_F(SoccerPlayerTest, kicksOnceWhenTheBallIsBeforeItsPawsAndTheGoalAhead) {
+  GameSituation now = situation({1.4, 0, 0}, {1.555, 0});
+  Intention intention = play(now, 3);
+  EXPECT_EQ(state("strike"), "kick");
+  EXPECT_EQ(intention.motion, Intention::Motion::kKick);
+  EXPECT_FALSE(intention.kick.empty());
+  now.playsMotion = true;
+  now.stable = false;
+  EXPECT_EQ(play(now).motion, Intention::Motion::kStand) << "a request that stays would repeat the kick";
+  now.playsMotion = false;
+  now.stable = true;
+  now.ball = {0.7, 0};
+  EXPECT_EQ(play(now, 2).motion, Intention::Motion::kWalk);
+}
+
+TEST_F(SoccerPlayerTest, searchesAndStandsStillWhenItIsBlind) {
+  GameSituation now = situation({0, 0, 0}, {1, 0});
+  now.knowsBall = false;
+  EXPECT_EQ(play(now, 10).head, Intention::Head::kSearch);
+  EXPECT_EQ(play(now, 60).motion, Intention::Motion::kWalk) << "turns";
+  now.seesField = false;
+  EXPECT_EQ(play(now, 40).motion, Intention::Motion::kStand);
+  EXPECT_EQ(state("search"), "blind");
+}
+
+TEST_F(SoccerPlayerTest, comesBackFromTheGoal) {
+  GameSituation now = situation({2.2, 0, 0}, {0, 0});
+  play(now);
+  EXPECT_EQ(state("playing"), "return");
+  ASSERT_TRUE(player_.target());
+  EXPECT_LT((*now.pose * *player_.target()).x(), 2.0);
+}
+
+TEST(TeamPlacesTest, aimsAtTheWidestGapOfTheGoal) {
+  const TeamPlaces places(field2002(), {});
+  EXPECT_NEAR(places.aim({1, 0}, {}).y(), 0, 1e-9);
+  EXPECT_LT(places.aim({1, 0}, {{1.9, 0.1}}).y(), -0.05);
+  EXPECT_GT(places.aim({1, 0}, {{1.9, -0.1}}).y(), 0.05);
+  EXPECT_NEAR(places.aim({1, 0}, {{0.5, 0}}).y(), 0, 1e-9) << "who stands behind the ball is not in the way";
+}
+
+TEST(TeamPlacesTest, playersStandBetweenTheBallAndTheirGoal) {
+  const TeamPlaces places(field2002(), {});
+  for (const Vector2& ball : {Vector2(0, 0), Vector2(-1, 0.8), Vector2(1.5, -1)}) {
+    const Pose2 goalie = places.goalie(ball), defender = places.defender(ball);
+    EXPECT_LT(goalie.x, -1.7);
+    EXPECT_LT(std::abs(goalie.y), 0.3);
+    EXPECT_LT(goalie.x, defender.x);
+    EXPECT_GE(places.supporter(ball).x, -1.6);
+    EXPECT_FALSE(places.isOutside(places.supporter(ball).translation()));
+  }
+  EXPECT_LT(places.kickOff(1, true).x, places.kickOff(2, false).x);
+}
+
+class PotentialFieldTest : public testing::Test {
+ protected:
+  PotentialField field_{field2002()};
+};
+
+TEST_F(PotentialFieldTest, theBallAttractsAndRobotsRepel) {
+  GameSituation now = situation({-1, 0, 0}, {0.5, 0});
+  EXPECT_GT(field_.force(now, {0, 0}).x(), 0.1);
+  EXPECT_NEAR(field_.force(now, {0, 0}).y(), 0, 1e-9);
+  now.robots = {{0.2, 0.05}};
+  EXPECT_LT(field_.force(now, {0, 0}).x(), 0.1);
+  EXPECT_LT(field_.force(now, {0, 0}).y(), 0);
+}
+
+TEST_F(PotentialFieldTest, onTheWrongSideOfTheBallItGoesAroundIt) {
+  const GameSituation now = situation({0.4, 0.02, robotlink::kPi}, {0, 0});
+  const Vector2 force = field_.force(now, {0, 0});
+  EXPECT_GT(std::abs(force.y()), 2 * std::abs(force.x()));
+}
+
+TEST_F(PotentialFieldTest, kicksOnceAndOnlyTowardTheGoal) {
+  GameSituation now = situation({1, 0, 0}, {1.155, 0});
+  EXPECT_EQ(field_.decide(now).motion, Intention::Motion::kKick);
+  now.playsMotion = true;
+  EXPECT_EQ(field_.decide(now).motion, Intention::Motion::kStand);
+  now = situation({-1, 0, robotlink::kPi}, {-1.155, 0});
+  EXPECT_EQ(field_.decide(now).motion, Intention::Motion::kWalk);
+  now.penalized = true;
+  EXPECT_EQ(field_.decide(now).motion, Intention::Motion::kStand);
+}
+
+}  // namespace
+}  // namespace modules
