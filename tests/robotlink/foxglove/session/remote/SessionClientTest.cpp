@@ -48,7 +48,7 @@ class FarSession {
     listener_ = *std::move(listener);
   }
   /// As if an image could be made of its width.
-  static robotlink::websocket::ImageEncoder encoderOf(std::uint32_t added) {
+  static ImageEncoder encoderOf(std::uint32_t added) {
     return [added](const google::protobuf::Message& image) {
       auto encoded = std::make_shared<foxglove::CompressedImage>();
       encoded->set_format(std::to_string(dynamic_cast<const foxglove::RawImage&>(image).width() + added));
