@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "foxglove/Robot.pb.h"
+#include "logplayer/search/MessageSource.h"
 #include "robotlink/session/Session.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
@@ -168,6 +169,7 @@ void MessagesView::connectSignals() {
   });
   connect(clear_, &QAction::triggered, this, [this] {
     model_.clear();
+    missed_.clear();
     showState();
   });
   connect(follow_, &QAction::toggled, this, [this](bool on) {
@@ -234,6 +236,8 @@ void MessagesView::takeNew() {
     listed_ = std::move(logs);
     generation_ = generation;
     cursors_.clear();
+    newest_.clear();
+    missed_.clear();
     sameLogs ? model_.removePublished() : takeLogs();
     shown_ = {};
     showState();
@@ -244,6 +248,13 @@ void MessagesView::takeNew() {
     const StreamCursor::News news = cursors_[stream->path].take(*stream);
     // The clock went back, as at a reset: what was said later than that was not said.
     if (news.restarted && !news.messages.empty()) removeLater(news.messages.front()->time, entries);
+    if (!news.messages.empty()) {
+      const auto known = newest_.find(stream->path);
+      if (known == newest_.end() || news.missed)
+        noteMissed(stream->path, known == newest_.end() ? Instant::min() : known->second,
+                   news.messages.front()->time);
+      newest_[stream->path] = news.messages.back()->time;
+    }
     for (const auto* message : news.messages) {
       const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
       if (log == nullptr) continue;
@@ -251,10 +262,58 @@ void MessagesView::takeNew() {
       if (logged_.empty() || !logged_.contains(keyOf(entry))) entries.push_back(std::move(entry));
     }
   }
+  takeArchived();
   if (entries.empty()) return;
   model_.insert(std::move(entries));
   if (follow_->isChecked() && session().timeline().live() && !logs_.replay().open()) table_->scrollToBottom();
   showState();
+}
+
+void MessagesView::noteMissed(const std::string& stream, Instant from, Instant to) {
+  const auto known = missed_.try_emplace(stream, robotlink::Stretch{from, to}).first;
+  known->second.from = std::min(known->second.from, from);
+  known->second.to = to;
+}
+
+MessagesView::Read MessagesView::readTexts(const Reading& reading, const std::stop_token& stop) {
+  Read read{reading.generation};
+  std::vector<std::string> streams;
+  Instant from = Instant::max();
+  for (const auto& [stream, stretch] : reading.stretches) {
+    streams.push_back(stream);
+    from = std::min(from, stretch.from);
+  }
+  const auto source = logplayer::historySource(reading.pieces);
+  const auto cursor = source->read(streams, from);
+  while (!stop.stop_requested()) {
+    const auto message = cursor->next();
+    if (!message) break;
+    const auto& [begin, end] = reading.stretches.at(message->path);
+    const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
+    if (log == nullptr || message->time <= begin || message->time >= end) continue;
+    read.texts.push_back(logEntry(*message, QString::fromStdString(robotPart(message->path)), *log));
+  }
+  return read;
+}
+
+void MessagesView::takeArchived() {
+  if (reader_) {
+    auto read = reader_->take();
+    if (read && read->generation == generation_ && !read->texts.empty()) {
+      model_.insert(std::move(read->texts));
+      showState();
+    }
+  }
+  const auto* archive = session().history().archive();
+  if (missed_.empty() || archive == nullptr || !logs_.logs().empty()) return missed_.clear();
+  Reading reading{generation_, missed_, archive->pieces()};
+  if (reading.pieces.empty()) return missed_.clear();
+  if (!reader_)
+    reader_ = std::make_unique<robotlink::Worker<Reading, Read>>(
+        [this](const Reading& wanted, const std::stop_token& stop) {
+          reader_->publish(readTexts(wanted, stop));
+        });
+  if (reader_->postIfFree(std::move(reading))) missed_.clear();
 }
 
 void MessagesView::removeLater(Instant time, std::vector<LogEntry>& unlisted) {

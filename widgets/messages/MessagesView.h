@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "robotlink/base/Worker.h"
+#include "robotlink/session/HistoryArchive.h"
 #include "widgets/HiddenTick.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/View.h"
@@ -40,6 +42,18 @@ class MessagesView final : public View, public HiddenTick {
   robotlink::Result<void> setFilter(const std::string& text, bool isRegex);
 
  private:
+  /// Texts to be read from disk, each stream's within a stretch whose ends are not included.
+  struct Reading {
+    std::uint64_t generation = 0;
+    std::map<std::string, robotlink::Stretch> stretches = {};
+    std::vector<robotlink::HistoryArchive::Piece> pieces = {};
+  };
+  struct Read {
+    std::uint64_t generation = 0;
+    std::vector<LogEntry> texts = {};
+  };
+  static Read readTexts(const Reading& reading, const std::stop_token& stop);
+
   /// Actions of the toolbar, among them regular expression, previous and next match, follow, pause.
   void createActions();
   void createFilters();
@@ -48,6 +62,10 @@ class MessagesView final : public View, public HiddenTick {
   /// Appends the messages that arrived since the last tick. Starts over when the store was reset or the set
   /// of open logs changed.
   void takeNew();
+  /// Has read what the history has on disk of the texts that were not taken, and takes what was read.
+  void takeArchived();
+  /// Notes that texts of a stream from `from` to `to` are at most on disk, both not included.
+  void noteMissed(const std::string& stream, robotlink::Instant from, robotlink::Instant to);
   /// Forgets what was said after a time, listed or about to be.
   void removeLater(robotlink::Instant time, std::vector<LogEntry>& unlisted);
   /// Replaces the table by all messages that the open logs hold, played or not.
@@ -86,6 +104,12 @@ class MessagesView final : public View, public HiddenTick {
   QAction* previous_ = nullptr;
   /// What was already read of each stream, by path.
   std::map<std::string, StreamCursor> cursors_;
+  /// The time of the newest message that was taken of each stream, by path.
+  std::map<std::string, robotlink::Instant> newest_;
+  /// What is still to be read from disk.
+  std::map<std::string, robotlink::Stretch> missed_;
+  /// Null until something is to be read.
+  std::unique_ptr<robotlink::Worker<Reading, Read>> reader_;
   /// Generation of the store when it was last read; another one means that it was reset.
   std::uint64_t generation_ = 0;
   OpenLogs& logs_;

@@ -15,6 +15,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
 #include "tests/widgets/LogBench.h"
+#include "tests/widgets/timeline/MadeUpArchive.h"
 
 namespace widgets::test {
 
@@ -315,6 +316,38 @@ class MessagesViewTest : public QObject {
     QCOMPARE(table.model()->rowCount(), 0);
     bench.tick(*view);
     QCOMPARE(table.model()->rowCount(), 0);
+  }
+
+  void whatIsOnDiskIsListedWhenTheViewIsOpenedOrSeenAgain() {
+    Bench bench;
+    bench.session.history().setArchive(std::make_unique<MadeUpArchive>(true));
+    bench.session.store().setBytes(20'000);
+    int said = 0;
+    const auto say = [&] {
+      for (const int end = said + 300; said < end; ++said) {
+        bench.push("red1/log", log(Log::INFO, "a", "text " + std::to_string(said)), 1 + 0.1 * said);
+        if (said % 10 == 0) bench.session.tick();
+      }
+    };
+    say();
+    auto view = bench.open<widgets::MessagesView>();
+    auto& table = child<QTableView>(*view, "messagesTable");
+    const auto isListed = [&] {
+      return QTest::qWaitFor([&] {
+        bench.tick(*view);
+        return table.model()->rowCount() == said;
+      });
+    };
+    QVERIFY(isListed());
+    // Nobody ticks it, as while it is closed.
+    say();
+    QVERIFY(bench.session.store().find("red1/log")->messages.size() < 300);
+    QVERIFY(isListed());
+    for (int row = 0; row < said; ++row) QCOMPARE(cell(table, row, 4), QStringLiteral("text %1").arg(row));
+    // In a pause and behind another tab.
+    say();
+    view->tickHidden();
+    QVERIFY(isListed());
   }
 
   void selectedRowsAreCopied() {
