@@ -195,11 +195,11 @@ QString GameView::chosenRobot() const {
 }
 
 void GameView::tick() {
-  show(session().store().latestAs<robotcontrol::GameStatus>(robotlink::streams::kGame,
-                                                            session().timeline().shown()));
+  showStatus(session().store().latestAs<robotcontrol::GameStatus>(robotlink::streams::kGame,
+                                                                  session().timeline().shown()));
 }
 
-void GameView::show(const robotcontrol::GameStatus* status) {
+void GameView::showStatus(const robotcontrol::GameStatus* status) {
   contents_->setVisible(status != nullptr);
   hint_->setHint(status != nullptr ? QString()
                                    : tr("No game is played. Open a scene with a game, such as game2002."));
@@ -207,12 +207,12 @@ void GameView::show(const robotcontrol::GameStatus* status) {
   if (status == nullptr) return;
   showPhase(*status);
   showChoices(*status);
-  radio_->show(status->radio());
+  radio_->showSettings(status->radio());
   const QModelIndex index = table_->currentIndex();
   const bool isChosen = index.isValid();
   const GamePlayerRow chosen = isChosen ? players_.row(index.row()) : GamePlayerRow();
   const bool isPenalized = !chosen.reason.empty();
-  layout_->show(QString::fromStdString(chosen.robot), QString::fromStdString(chosen.team));
+  layout_->showFor(QString::fromStdString(chosen.robot), QString::fromStdString(chosen.team));
   penalize_->setEnabled(isChosen);
   return_->setEnabled(isPenalized);
 }

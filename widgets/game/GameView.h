@@ -30,7 +30,7 @@ class GameView final : public View {
   void createViews();
   void connectSignals();
   /// Shows what the referee says; null: there is none.
-  void show(const robotcontrol::GameStatus* status);
+  void showStatus(const robotcontrol::GameStatus* status);
   void showPhase(const robotcontrol::GameStatus& status);
   /// The choices of teams and reasons, which the rules name.
   void showChoices(const robotcontrol::GameStatus& status);

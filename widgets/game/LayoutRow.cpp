@@ -40,7 +40,7 @@ LayoutRow::LayoutRow(robotlink::CommandTable& commands, QWidget* parent)
   connect(forTeam_, &QAction::triggered, this, [this] { use(team_); });
 }
 
-void LayoutRow::show(const QString& robot, const QString& team) {
+void LayoutRow::showFor(const QString& robot, const QString& team) {
   robot_ = robot;
   team_ = team;
   const auto* command = commands_.find(kLayoutCommand);

@@ -21,7 +21,7 @@ class LayoutRow final : public QWidget {
   explicit LayoutRow(robotlink::CommandTable& commands, QWidget* parent = nullptr);
 
   /// Shows what is offered now; nothing can be chosen without a robot.
-  void show(const QString& robot, const QString& team);
+  void showFor(const QString& robot, const QString& team);
 
  Q_SIGNALS:
   /// A command was run; the reason if it failed.

@@ -65,7 +65,7 @@ RadioPanel::RadioPanel(QWidget* parent) : QWidget(parent) {
   row->addStretch(1);
 }
 
-void RadioPanel::show(const TeamRadioSettings& settings) {
+void RadioPanel::showSettings(const TeamRadioSettings& settings) {
   const std::array<double, 3> values{settings.range(), 1000 * settings.delay(), 100 * settings.loss()};
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (boxes_[i]->hasFocus()) continue;

@@ -17,7 +17,7 @@ class RadioPanel final : public QWidget {
   explicit RadioPanel(QWidget* parent = nullptr);
 
   /// Shows the settings; what the user is changing is not moved.
-  void show(const robotcontrol::TeamRadioSettings& settings);
+  void showSettings(const robotcontrol::TeamRadioSettings& settings);
 
  Q_SIGNALS:
   /// The user wants these; what is unset stays.
