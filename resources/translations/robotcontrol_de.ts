@@ -978,6 +978,50 @@
         <source>Writes into the text of the simulated scene that an object begins where it is now; nothing is saved</source>
         <translation>Schreibt in den Text der simulierten Szene, dass ein Objekt dort beginnt, wo es jetzt ist; nichts wird gespeichert</translation>
     </message>
+    <message>
+        <source>Begins the game anew: no goals, first half, nobody is penalized</source>
+        <translation>Beginnt das Spiel von vorn: keine Tore, erste Halbzeit, niemand ist bestraft</translation>
+    </message>
+    <message>
+        <source>Chooses whether the referee decides by itself: phases, goals, balls out, penalties</source>
+        <translation>Wählt, ob der Schiedsrichter selbst entscheidet: Phasen, Tore, Bälle im Aus, Strafen</translation>
+    </message>
+    <message>
+        <source>Ends the half</source>
+        <translation>Beendet die Halbzeit</translation>
+    </message>
+    <message>
+        <source>Gives a team the kick-off</source>
+        <translation>Gibt einem Team den Anstoß</translation>
+    </message>
+    <message>
+        <source>Has the robots go to their places for a kick-off; a new half begins where one was over</source>
+        <translation>Lässt die Roboter für einen Anstoß auf ihre Plätze gehen; nach dem Ende einer Halbzeit beginnt die nächste</translation>
+    </message>
+    <message>
+        <source>Lets the robots play</source>
+        <translation>Lässt die Roboter spielen</translation>
+    </message>
+    <message>
+        <source>Puts a penalized robot back into the game</source>
+        <translation>Setzt einen bestraften Roboter wieder ins Spiel</translation>
+    </message>
+    <message>
+        <source>Puts the robots to their places and the ball to the middle; they wait</source>
+        <translation>Setzt die Roboter auf ihre Plätze und den Ball in die Mitte; sie warten</translation>
+    </message>
+    <message>
+        <source>Sets how messages get from robot to robot of a team</source>
+        <translation>Stellt ein, wie Nachrichten in einem Team von Roboter zu Roboter kommen</translation>
+    </message>
+    <message>
+        <source>Sets the goals of a team</source>
+        <translation>Setzt die Tore eines Teams</translation>
+    </message>
+    <message>
+        <source>Takes a robot out of the game for the time that the rules say</source>
+        <translation>Nimmt einen Roboter für die Zeit aus dem Spiel, die die Regeln sagen</translation>
+    </message>
 </context>
 <context>
     <name>Data</name>
@@ -2486,6 +2530,14 @@
     <message>
         <source>Edits the files of simulated scenes, and lets the simulation go on with the changes.</source>
         <translation>Bearbeitet die Dateien simulierter Szenen und lässt die Simulation mit den Änderungen weiterlaufen.</translation>
+    </message>
+    <message>
+        <source>Game</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>Shows score, time and penalties of a simulated game, and lets you referee it.</source>
+        <translation>Zeigt Spielstand, Zeit und Strafen eines simulierten Spiels und lässt Sie Schiedsrichter sein.</translation>
     </message>
 </context>
 <context>
@@ -4850,10 +4902,6 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Date&amp;i…</translation>
     </message>
     <message>
-        <source>Chooses the layout, the color table, or the folder of parameters or motions for the selected cell</source>
-        <translation>Wählt das Layout, die Farbtabelle oder den Ordner der Parameter oder Bewegungen für die ausgewählte Zelle</translation>
-    </message>
-    <message>
         <source>&amp;Connect</source>
         <translation>Ver&amp;binden</translation>
     </message>
@@ -5008,6 +5056,18 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     <message>
         <source>not connected</source>
         <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Chooses the layout, the color table, the preset, or the folder of parameters or motions for the selected cell</source>
+        <translation>Wählt für die gewählte Zelle das Layout, die Farbtabelle, die Voreinstellung oder den Ordner mit Parametern oder Bewegungen</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Voreinstellungen (*.json)</translation>
     </message>
 </context>
 <context>
@@ -9304,6 +9364,164 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     </message>
 </context>
 <context>
+    <name>widgets::GamePlayerModel</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Team</source>
+        <translation>Team</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Penalized for</source>
+        <translation>Bestraft wegen</translation>
+    </message>
+    <message>
+        <source>Left [s]</source>
+        <translation>Noch [s]</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::GameView</name>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>The robots go to their places</source>
+        <translation>Die Roboter gehen auf ihre Plätze</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Aufstellen</translation>
+    </message>
+    <message>
+        <source>Robots and ball are put to their places, and wait</source>
+        <translation>Roboter und Ball werden auf ihre Plätze gesetzt und warten</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Spielen</translation>
+    </message>
+    <message>
+        <source>The robots play</source>
+        <translation>Die Roboter spielen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>The half ends</source>
+        <translation>Die Halbzeit endet</translation>
+    </message>
+    <message>
+        <source>New game</source>
+        <translation>Neues Spiel</translation>
+    </message>
+    <message>
+        <source>No goals, first half, nobody is penalized</source>
+        <translation>Keine Tore, erste Halbzeit, niemand ist bestraft</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>The referee decides by itself: phases, goals, balls out, penalties</source>
+        <translation>Der Schiedsrichter entscheidet selbst: Phasen, Tore, Bälle im Aus, Strafen</translation>
+    </message>
+    <message>
+        <source>Penalize</source>
+        <translation>Bestrafen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen robot out of the game</source>
+        <translation>Nimmt den gewählten Roboter aus dem Spiel</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Zurück ins Spiel</translation>
+    </message>
+    <message>
+        <source>The chosen robot plays again</source>
+        <translation>Der gewählte Roboter spielt wieder mit</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Spielstand</translation>
+    </message>
+    <message>
+        <source>Half and time</source>
+        <translation>Halbzeit und Zeit</translation>
+    </message>
+    <message>
+        <source>Kick-off</source>
+        <translation>Anstoß</translation>
+    </message>
+    <message>
+        <source>The team that kicks off next</source>
+        <translation>Das Team, das als nächstes anstößt</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>What the robot is penalized for</source>
+        <translation>Wofür der Roboter bestraft wird</translation>
+    </message>
+    <message>
+        <source>What happened last</source>
+        <translation>Was zuletzt geschah</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>No game is played. Open a scene with a game, such as game2002.</source>
+        <translation>Es wird nicht gespielt. Öffnen Sie eine Szene mit einem Spiel, etwa game2002.</translation>
+    </message>
+    <message>
+        <source>initial</source>
+        <translation>vor dem Spiel</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>aufgestellt</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>im Spiel</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>half %1, %2 left, %3</source>
+        <translation>Halbzeit %1, noch %2, %3</translation>
+    </message>
+</context>
+<context>
     <name>widgets::GamepadDialog</name>
     <message>
         <source>Gamepad</source>
@@ -10095,6 +10313,33 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>Mean real time from the beginning of that frame to the command; in lockstep, where the robot&apos;s clock stands meanwhile, also what the processes before took</source>
         <translation>Mittlere wirkliche Zeit vom Beginn dieses Durchlaufs bis zum Befehl; im Gleichschritt, wo die Uhr des Roboters inzwischen steht, auch das, was die Prozesse davor gebraucht haben</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::LayoutRow</name>
+    <message>
+        <source>Layout</source>
+        <translation>Layout</translation>
+    </message>
+    <message>
+        <source>The process layout that a robot or a team gets</source>
+        <translation>Das Prozess-Layout, das ein Roboter oder ein Team bekommt</translation>
+    </message>
+    <message>
+        <source>For the robot</source>
+        <translation>Für den Roboter</translation>
+    </message>
+    <message>
+        <source>The program of the chosen robot starts again in this layout</source>
+        <translation>Das Programm des gewählten Roboters beginnt in diesem Layout von neuem</translation>
+    </message>
+    <message>
+        <source>For its team</source>
+        <translation>Für sein Team</translation>
+    </message>
+    <message>
+        <source>The programs of the chosen robot&apos;s team start again in this layout</source>
+        <translation>Die Programme des Teams dieses Roboters beginnen in diesem Layout von neuem</translation>
     </message>
 </context>
 <context>
@@ -12661,6 +12906,18 @@ Verzeichnung %8</translation>
         <source>share of lost readings</source>
         <translation>Anteil verlorener Messwerte</translation>
     </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>untere Grenze</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>obere Grenze</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PropertiesView</name>
@@ -12948,6 +13205,45 @@ Verzeichnung %8</translation>
     <message>
         <source>laser</source>
         <translation>Laser</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RadioPanel</name>
+    <message>
+        <source>Range</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>How far away robots of a team hear each other; 0: however far</source>
+        <translation>Wie weit entfernt sich Roboter eines Teams hören; 0: beliebig weit</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>How long a message takes</source>
+        <translation>Wie lange eine Nachricht braucht</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
+        <source>The share of messages that do not arrive</source>
+        <translation>Der Anteil der Nachrichten, die nicht ankommen</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
     </message>
 </context>
 <context>
@@ -14410,12 +14706,6 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>%1; es gibt mehr, die nicht gezeigt werden</translation>
     </message>
     <message>
-        <source>No log is open.
-Open one with File &gt; Open log…, or drop log files onto the window. For live robots, the timeline steps by changes of a value.</source>
-        <translation>Kein Log ist offen.
-Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster ziehen. Bei laufenden Robotern geht die Zeitleiste von Änderung zu Änderung eines Werts.</translation>
-    </message>
-    <message>
         <source>Type a condition, such as models/ball.position.x &gt; 1, or choose Texts, and press Enter.</source>
         <translation>Eine Bedingung eingeben, etwa models/ball.position.x &gt; 1, oder Texte wählen, und die Eingabetaste drücken.</translation>
     </message>
@@ -14426,6 +14716,16 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
     <message>
         <source>Computed by the program: %1</source>
         <translation>Vom Programm berechnet: %1</translation>
+    </message>
+    <message>
+        <source>live</source>
+        <translation>live</translation>
+    </message>
+    <message>
+        <source>There is nothing to search.
+Open a log with File &gt; Open log…, or drop log files onto the window; or start a simulation, or connect to a robot.</source>
+        <translation>Es gibt nichts zu durchsuchen.
+Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster ziehen; oder eine Simulation starten, oder einen Roboter verbinden.</translation>
     </message>
 </context>
 <context>
