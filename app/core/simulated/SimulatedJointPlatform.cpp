@@ -195,7 +195,10 @@ void SimulatedJointPlatform::sendBody() {
     robotlink::assign(*body->mutable_acceleration(), robotlink::Vector3(a[0], a[1], a[2]));
   }
   if (distance_ >= 0) body->set_distance(sensors[static_cast<std::size_t>(distance_)].values[0]);
-  for (const std::size_t contact : contacts_) body->add_paw_contacts(sensors[contact].values[0] > 0.5);
+  // A robot that is moved without forces stands on the ground, though nothing presses its paws.
+  const bool isGuided = motionStatus_.has_value();
+  for (const std::size_t contact : contacts_)
+    body->add_paw_contacts(isGuided || sensors[contact].values[0] > 0.5);
   bodySensors_.send(std::move(body));
 }
 

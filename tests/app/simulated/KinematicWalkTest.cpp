@@ -41,6 +41,7 @@ struct ReportedWalk {
   Pose2 odometry;
   int jointStates = 0, bodySensors = 0;
   double acceleration = 0;
+  bool everStoodOnNothing = false;
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string& robot, const auto& queue) {
               if (robot != "red1") return;
@@ -61,6 +62,7 @@ struct ReportedWalk {
     robotcontrol::BodySensors sensors;
     sensors.ParseFromString(message.package().data());
     acceleration = sensors.acceleration().z();
+    for (const bool contact : sensors.paw_contacts()) everStoodOnNothing = everStoodOnNothing || !contact;
   }
 };
 
@@ -107,4 +109,5 @@ TEST(KinematicWalk, theBodyMovesByTheProgramsOdometryAndTheProgramNoticesNothing
   EXPECT_GT(reported.jointStates, 90);
   EXPECT_GT(reported.bodySensors, 90);
   EXPECT_NEAR(reported.acceleration, 9.81, 8);
+  EXPECT_FALSE(reported.everStoodOnNothing) << "it would seem to be picked up";
 }
