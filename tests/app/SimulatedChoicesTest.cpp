@@ -117,7 +117,7 @@ TEST(SimulatedChoices, inAPauseTheTablesAndParametersFollowWhatWasAsked) {
   Reported reported;
   const auto run = makeRun(simulationOptions(), reported.listeners());
   run->publishComingAnswers();
-  EXPECT_EQ(reported.solutions["ball-model"], "filtered") << "known before the first step";
+  EXPECT_EQ(reported.solutions["ball-model"], "kalman") << "known before the first step";
   for (const auto& request : choices()) ASSERT_TRUE(run->request(request).has_value());
   run->publishComingAnswers();
   EXPECT_EQ(reported.accepted.size(), 5U) << "the four, and what the run asks for itself";

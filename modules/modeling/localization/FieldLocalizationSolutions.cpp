@@ -50,7 +50,8 @@ class FieldLocalization : public SelfLocalization {
         field_(context.robot().field),
         percepts_(context.input(robotlink::kLandmarkPercepts)),
         lines_(context.input(robotlink::kFieldLines)),
-        motion_(context.input(robotlink::kMotionStatus)) {}
+        motion_(context.input(robotlink::kMotionStatus)),
+        state_(context.input(robotlink::kRobotState)) {}
 
   void execute() override {
     if (!percepts_ || !percepts_.isNew()) return;
@@ -71,17 +72,22 @@ class FieldLocalization : public SelfLocalization {
   typename Filter::Frame frame() {
     typename Filter::Frame frame;
     frame.time = robotlink::seconds(robotlink::instant(percepts_->timestamp()));
+    frame.carried = state_ && state_->picked_up();
+    bool fallen = false;
     if (motion_) {
       const auto kind = motion_->executed().kind();
-      frame.shaken =
-          kind == robotcontrol::MotionRequest::KEY_FRAMES || kind == robotcontrol::MotionRequest::GET_UP;
+      fallen = motion_->fallen();
+      frame.shaken = fallen || kind == robotcontrol::MotionRequest::KEY_FRAMES ||
+                     kind == robotcontrol::MotionRequest::GET_UP;
       odometry_.add(robotlink::seconds(robotlink::instant(motion_->timestamp())),
                     robotlink::pose2(motion_->odometry()));
     }
     frame.robotInOdometry = odometry_.at(frame.time);
     landmarks_.clear();
-    for (const robotcontrol::LandmarkPercept& percept : percepts_->landmarks()) addLandmark(percept);
     points_.clear();
+    // The pose of the camera of a robot that lies or hangs is not known.
+    if (fallen || frame.carried) return frame;
+    for (const robotcontrol::LandmarkPercept& percept : percepts_->landmarks()) addLandmark(percept);
     // Those of an older image would be combined with another pose.
     if (lines_ && robotlink::instant(lines_->timestamp()) == robotlink::instant(percepts_->timestamp())) {
       for (const auto& point : lines_->points())
@@ -119,6 +125,7 @@ class FieldLocalization : public SelfLocalization {
   robotlink::Input<robotcontrol::LandmarkPercepts> percepts_;
   robotlink::Input<robotcontrol::FieldLinePercepts> lines_;
   robotlink::Input<robotcontrol::MotionStatus> motion_;
+  robotlink::Input<robotcontrol::RobotState> state_;
   std::optional<Filter> filter_;
   OdometryBuffer odometry_;
   std::vector<LandmarkMeasurement> landmarks_;
@@ -175,6 +182,7 @@ const robotlink::SolutionRegistration kFieldMonteCarlo =
         .needs(robotlink::kLandmarkPercepts)
         .uses(robotlink::kFieldLines)
         .uses(robotlink::kMotionStatus)
+        .uses(robotlink::kRobotState)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorParticlesKey, &kLocatorPlotKey, &kFittedLinesKey, &kLandmarkFitKey})
         .parameters<ParticleFields>(kParticleTable.rules<ParticleFields>());
@@ -235,6 +243,7 @@ const robotlink::SolutionRegistration kKalmanLocator =
         .needs(robotlink::kLandmarkPercepts)
         .uses(robotlink::kFieldLines)
         .uses(robotlink::kMotionStatus)
+        .uses(robotlink::kRobotState)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorPlotKey, &kFittedLinesKey, &kHypothesesKey, &kHypothesisWeightKey})
         .parameters<KalmanFields>(kPoseKalmanTable.rules<KalmanFields>());

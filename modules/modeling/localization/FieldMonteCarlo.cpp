@@ -266,6 +266,10 @@ void FieldMonteCarlo::update(const Frame& frame) {
   if (hasOdometry_) move(odometry_.inverse() * frame.robotInOdometry, frame.shaken);
   odometry_ = frame.robotInOdometry;
   hasOdometry_ = true;
+  if (frame.carried) {
+    memory_.clear();
+    fit_ = 0;
+  }
   memory_.add(frame.time, frame.robotInOdometry, frame.landmarks, options_.memory);
   if (!frame.landmarks.empty() || !frame.lines.empty()) {
     weigh(frame);

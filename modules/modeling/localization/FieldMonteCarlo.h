@@ -67,6 +67,8 @@ class FieldMonteCarlo {
     robotlink::Pose2 robotInOdometry;
     /// Dead reckoning is unreliable because the robot kicks or gets up.
     bool shaken = false;
+    /// The robot was picked up, and may be put down anywhere.
+    bool carried = false;
     std::span<const LandmarkMeasurement> landmarks = {};
     std::span<const LineMeasurement> lines = {};
   };

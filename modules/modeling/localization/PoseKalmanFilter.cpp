@@ -104,14 +104,16 @@ double PoseKalmanFilter::correctByLine(Hypothesis& hypothesis, const LineMeasure
 }
 
 void PoseKalmanFilter::addHypothesis(const Pose2& pose, double distance) {
-  Hypothesis added{pose, Matrix3d::Zero(), options_.newWeight};
+  Hypothesis added{pose, Matrix3d::Zero(), wasCarried_ ? 1 : options_.newWeight};
   keepOnField(added.pose);
   if ((added.pose.translation() - pose.translation()).norm() > 0.4) return;
   const double deviation = 0.1 + options_.distanceDeviation * distance;
   const double turn = 2 * options_.bearingDeviation + 0.1;
   added.covariance.diagonal() = Eigen::Vector3d(deviation * deviation, deviation * deviation, turn * turn);
   const bool known = std::ranges::any_of(hypotheses_, [&](const auto& one) { return areSame(one, added); });
-  if (!known) hypotheses_.push_back(added);
+  if (known) return;
+  hypotheses_.push_back(added);
+  wasCarried_ = false;
 }
 
 void PoseKalmanFilter::addHypotheses(const Pose2& robotInOdometry) {
@@ -173,6 +175,11 @@ void PoseKalmanFilter::update(const Frame& frame) {
   const Pose2 step = hasOdometry_ ? odometry_.inverse() * frame.robotInOdometry : Pose2{};
   odometry_ = frame.robotInOdometry;
   hasOdometry_ = true;
+  if (frame.carried) {
+    // Where it was says nothing about where it will be.
+    memory_.clear();
+    wasCarried_ = true;
+  }
   memory_.add(frame.time, frame.robotInOdometry, frame.landmarks, options_.memory);
   for (Hypothesis& one : hypotheses_) predict(one, step, frame.shaken);
   if (!frame.landmarks.empty()) addHypotheses(frame.robotInOdometry);

@@ -97,6 +97,8 @@ class PoseKalmanFilter {
   std::vector<Hypothesis> hypotheses_;
   robotlink::Pose2 odometry_;
   bool hasOdometry_ = false;
+  /// The robot was carried, and nothing has said since then where it is.
+  bool wasCarried_ = false;
   PoseEstimate estimate_;
 };
 
