@@ -62,7 +62,7 @@ ROOMS = {
     "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", "scratch", ".", "edit"],
     "modules": [".", "behavior", "modeling", "modeling/ball", "modeling/localization", "modeling/players", "modeling/team", "motion", "navigation", "mapping", "perception", "perception/body", "perception/lines", "driving"],
     "widgets": ["controls", ".", "text", "steering", "drawings", "picture", "keys", "ports", "packets", "processes", "solutions", "image", "camera", "motion", "motions", "joints", "world", "field",
-        "log", "streams", "timing", "color", "drive", "game", "messages", "search", "console", "plots/items", "plots", "data", "overview", "sceneedit", "scene/render", "scene/gizmo", "scene", "objects", "timeline", "export", "color/image", "color/quality",
+        "log", "streams", "timing", "color", "drive", "behavior", "game", "messages", "search", "console", "plots/items", "plots", "data", "overview", "sceneedit", "scene/render", "scene/gizmo", "scene", "objects", "timeline", "export", "color/image", "color/quality",
         "color/samples", "color/space"],
     "app/core": ["plugins", "truth", "team", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "scenetext", "world/control", "world", "snapshots", "game", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "compare", "link", "log", "run"],

@@ -50,6 +50,25 @@ OptionMachine::Option& OptionMachine::option(std::string name, std::string help)
   return options_.emplace_back(std::move(name), std::move(help));
 }
 
+std::map<std::string, std::string> OptionMachine::forcedStates(const std::string& text) {
+  const auto trimmed = [](const std::string& word) {
+    const auto first = word.find_first_not_of(' ');
+    return first == std::string::npos ? "" : word.substr(first, word.find_last_not_of(' ') - first + 1);
+  };
+  std::map<std::string, std::string> forced;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string pair = text.substr(begin, end - begin);
+    const std::size_t equal = pair.find('=');
+    if (equal != std::string::npos) {
+      const std::string option = trimmed(pair.substr(0, equal)), state = trimmed(pair.substr(equal + 1));
+      if (!option.empty() && !state.empty()) forced[option] = state;
+    }
+    begin = end + 1;
+  }
+  return forced;
+}
+
 void OptionMachine::seal(Option& option) const {
   const auto resolve = [&](Transition& transition) {
     transition.target = option.find(transition.to);
@@ -83,7 +102,7 @@ void OptionMachine::advance(double time) {
   ++frame_;
   active_.clear();
   if (control_.hold && held_) {
-    granted_ += control_.steps - counted_;
+    if (control_.steps > counted_) granted_ += control_.steps - counted_;
   } else {
     granted_ = 0;
   }

@@ -111,6 +111,10 @@ class OptionMachine {
     std::uint32_t steps = 0;
   };
 
+  /// Reads the states of Control::forced from a text: "playing=goalie, strike=kick"; what is none of these
+  /// pairs is skipped.
+  static std::map<std::string, std::string> forcedStates(const std::string& text);
+
   /// An option that is active, with its state.
   struct Active {
     const Option* option = nullptr;

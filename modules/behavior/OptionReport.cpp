@@ -83,7 +83,7 @@ void OptionReport::sendGraph(const OptionMachine& machine) {
 
 OptionMachine::Control optionControl(const robotcontrol::BehaviorControl& from) {
   OptionMachine::Control control;
-  for (const auto& forced : from.forced()) control.forced[forced.option()] = forced.state();
+  control.forced = OptionMachine::forcedStates(from.forced());
   control.hold = from.hold();
   control.steps = from.steps();
   return control;

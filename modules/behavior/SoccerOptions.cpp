@@ -181,7 +181,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
             return p.skills_.canKick(p.now_.ball) && p.now_.seesBall() &&
                    std::abs(p.aim_) < p.options_.kickTolerance;
           })
-      .to("dribble", "positioning takes too long", after(&SoccerPlayer::Options::positionTime));
+      .to("approach", "positioning takes too long", after(&SoccerPlayer::Options::positionTime));
   strike.state("kick", "Kicks with chest and head.")
       .begins([&p] { p.kickBegan_ = false; })
       .does([&p] { p.kickBall(); })

@@ -18,6 +18,8 @@ namespace {
 constexpr double kNever = 1e3;
 /// Added to the bid of a player that has not seen the ball itself, s.
 constexpr double kHearsayPenalty = 2;
+/// Directions that are tried on either side of the wanted one, to half a turn.
+constexpr int kDirections = 12;
 /// How far a ball rolls without being touched by anybody, m.
 constexpr double kMoved = 0.12;
 
@@ -43,11 +45,16 @@ double SoccerPlayer::directionInTeam(const Vector2& ball) const {
     way = places_.aim(ball, now_.opponents) - ball;
   }
   if (way.norm() < 0.05) way = Vector2::UnitX();
-  // Near a wall there may be no room behind the ball: it is played along the wall then.
-  const Vector2 behind = ball - way.normalized() * options_.skills.standOff;
-  const Vector2 possible = places_.reachable(behind);
-  if ((possible - behind).norm() > 0.02 && (ball - possible).norm() > 0.05) way = ball - possible;
-  return std::atan2(way.y(), way.x());
+  // Near a wall or in a corner there may be no room behind the ball: then the direction next to the wanted
+  // one is taken from whose side the ball can be reached.
+  const double wanted = std::atan2(way.y(), way.x());
+  for (int i = 0; i <= 2 * kDirections; ++i) {
+    const double turn = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * robotlink::kPi / kDirections;
+    const Vector2 direction(std::cos(wanted + turn), std::sin(wanted + turn));
+    const Vector2 behind = ball - direction * options_.skills.standOff;
+    if ((places_.reachable(behind) - behind).norm() < 0.02) return wanted + turn;
+  }
+  return wanted;
 }
 
 double SoccerPlayer::playDirection() const {

@@ -36,8 +36,9 @@ class SoccerPlayer {
     double alignTolerance = 0.3, alignLost = 0.9;
     /// Distance of the ball up to which it pushes it, and from which on it approaches it again, m.
     double dribbleDistance = 0.36, dribbleLost = 0.55;
-    /// It kicks instead of pushing when the goal is no farther than this, or an opponent this near, m.
-    double kickRange = 0.9, kickPressure = 0.45;
+    /// It kicks instead of pushing when the goal is no farther than this, or an opponent this near, m. Always
+    /// by default: the ERS-210 steps over a ball that it pushes.
+    double kickRange = 9, kickPressure = 0.45;
     /// How exactly the ball must be before the chest for a kick is tried at all for, s.
     double positionTime = 4, kickTimeout = 5;
     /// Angle up to which it kicks, rad.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "robotlink/config/FieldDescription.h"
 
@@ -44,6 +45,7 @@ TeamPlaces::TeamPlaces(const robotlink::FieldDescription& field, const Options& 
       goalWidth_(field.goalWidth),
       penaltyLength_(field.penaltyAreaLength),
       penaltyWidth_(field.penaltyAreaWidth),
+      cornerSide_(field.cornerTriangleSide),
       kickOff_(field.kickOff) {
   std::ranges::stable_sort(kickOff_, [](const Pose2& a, const Pose2& b) { return a.x > b.x; });
   if (kickOff_.empty()) kickOff_.push_back({-0.4 * goalX_, 0, 0});
@@ -132,7 +134,13 @@ Vector2 TeamPlaces::inside(const Vector2& place) const {
 
 Vector2 TeamPlaces::reachable(const Vector2& place) const {
   const double x = goalX_ - kHalfRobot, y = touchY_ - kHalfRobot;
-  return {std::clamp(place.x(), -x, x), std::clamp(place.y(), -y, y)};
+  Vector2 result(std::clamp(place.x(), -x, x), std::clamp(place.y(), -y, y));
+  // The triangles in the corners, whose ramps a robot does not climb.
+  const double beyond = std::abs(result.x()) + std::abs(result.y()) -
+                        (goalX_ + touchY_ - cornerSide_ - kHalfRobot * std::numbers::sqrt2);
+  if (beyond > 0)
+    result -= 0.5 * beyond * Vector2(std::copysign(1, result.x()), std::copysign(1, result.y()));
+  return result;
 }
 
 }  // namespace modules

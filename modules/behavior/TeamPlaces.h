@@ -55,14 +55,14 @@ class TeamPlaces {
   bool isOutside(const robotlink::Vector2& place) const;
   /// The nearest place that is no closer to the walls than allowed.
   robotlink::Vector2 inside(const robotlink::Vector2& place) const;
-  /// The nearest place at which a robot fits beside the walls.
+  /// The nearest place at which a robot fits beside the walls and the ramps in the corners.
   robotlink::Vector2 reachable(const robotlink::Vector2& place) const;
 
  private:
   robotlink::Pose2 facing(const robotlink::Vector2& place, const robotlink::Vector2& ball) const;
 
   Options options_;
-  double goalX_, touchY_, goalWidth_, penaltyLength_, penaltyWidth_;
+  double goalX_, touchY_, goalWidth_, penaltyLength_, penaltyWidth_, cornerSide_;
   /// The places at the kick-off, the ones next to the opponents first.
   std::vector<robotlink::Pose2> kickOff_;
 };

@@ -132,6 +132,13 @@ TEST_F(OptionMachineTest, aMachineThatHoldsTakesOneTransitionForEachStep) {
   EXPECT_EQ(path(machine_), "game/play act/search");
 }
 
+TEST(OptionMachineControlTest, forcedStatesAreReadFromText) {
+  const auto forced = OptionMachine::forcedStates(" keep goal = clear,strike=kick, nonsense, =x, y= ");
+  EXPECT_THAT(forced,
+              testing::ElementsAre(testing::Pair("keep goal", "clear"), testing::Pair("strike", "kick")));
+  EXPECT_TRUE(OptionMachine::forcedStates("").empty());
+}
+
 TEST_F(OptionMachineTest, restartingBeginsWithTheFirstState) {
   whistle_ = true;
   advance(1);

@@ -113,9 +113,7 @@ TEST_F(SoccerSolutionTest, theRefereeIsObeyedAndGoalsAreThoseThatItNames) {
 TEST_F(SoccerSolutionTest, aStateIsForcedByAParameter) {
   see(1, 0, robotlink::kPi);
   auto& control = *soccer_.parametersAs<robotcontrol::SoccerParameters>().mutable_control();
-  auto& forced = *control.add_forced();
-  forced.set_option("playing");
-  forced.set_state("goalie");
+  control.set_forced("playing=goalie");
   soccer_.execute();
   EXPECT_EQ(option(1), "goalie");
   EXPECT_TRUE(soccer_.sent(robotlink::kBehaviorState)->active(1).forced());
