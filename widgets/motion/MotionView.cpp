@@ -84,12 +84,15 @@ QWidget* MotionView::createTop() {
   bold.setBold(true);
   robotName_->setFont(bold);
   state_ = makeNote(top, "motionState", tr("Who steers"));
-  auto* layout = new QHBoxLayout(top);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(robotName_);
-  layout->addWidget(take_);
-  layout->addWidget(state_, 1);
-  layout->addWidget(stop_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(robotName_);
+  row->addWidget(take_);
+  row->addStretch(1);
+  row->addWidget(stop_);
+  // Below them it has the whole width, also while STOP says that it is engaged.
+  auto* layout = makeColumn(top, {}, 4);
+  layout->addLayout(row);
+  layout->addWidget(state_);
   return top;
 }
 

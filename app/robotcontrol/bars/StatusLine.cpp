@@ -74,14 +74,23 @@ QString StatusLine::robotState(const robotcontrol::SimulationStatus& status) {
   return tr("%1, last heard %2 s ago").arg(what).arg(silence, 0, 'f', 0);
 }
 
+bool StatusLine::isLost() const {
+  return workbench_.loaded() == nullptr &&
+         std::ranges::none_of(workbench_.session().remoteRobots(),
+                              [](const auto& one) { return one.second.isConnected; });
+}
+
 void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
   state_->setText(workbench_.loading()               ? tr("loading…")
+                  : isLost()                         ? tr("not connected")
                   : status.stopped_robots_size() > 0 ? tr("STOP engaged")
                   : status.is_real()                 ? robotState(status)
                   : status.running()                 ? tr("running")
                                                      : tr("paused"));
   time_->setText(tr("%1 s").arg(status.time(), 0, 'f', 3));
-  speed_->setText(status.is_real() ? tr("real time") : tr("sim %1×").arg(status.speed(), 0, 'f', 1));
+  speed_->setText(isLost()           ? QString()
+                  : status.is_real() ? tr("real time")
+                                     : tr("sim %1×").arg(status.speed(), 0, 'f', 1));
   const auto contacts = status.ball_contacts();
   const auto& models = status.models();
   if (std::find(models.begin(), models.end(), widgets::kBallModel) == models.end()) return contacts_->clear();

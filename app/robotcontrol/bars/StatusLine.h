@@ -29,6 +29,8 @@ class StatusLine : public QObject {
  private:
   /// showSimulation(), showLog() and showNothing() set all labels for what is open.
   void showSimulation(const robotcontrol::SimulationStatus& status);
+  /// Whether what is shown was sent over a line that is lost or ended now.
+  bool isLost() const;
   /// The state of the connection to a real robot, here or elsewhere, and for how long nothing was received.
   QString robotState(const robotcontrol::SimulationStatus& status);
   void showLog(const robotcontrol::ReplayStatus& status);

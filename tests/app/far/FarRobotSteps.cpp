@@ -212,6 +212,8 @@ void FarRobotSteps::theLineIsLostWhileItIsDrivenAndFoundByItself() {
   QVERIFY(desk.find<QToolButton>("motionTakeOver").isChecked());  // the history stays
   QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QToolButton>("statusSteering").isVisible(), kWaitMs);
   QVERIFY(desk.find<QLabel>("motionState").text().contains(QStringLiteral("is lost")));
+  QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("statusState").text(), QStringLiteral("not connected"),
+                            kWaitMs);
   widgets::test::keepPicture(desk.window, "far-robot-lost");
   desk.release(Qt::Key_W);
   const std::uint64_t before = desk.count(kClassImages);
@@ -222,6 +224,7 @@ void FarRobotSteps::theLineIsLostWhileItIsDrivenAndFoundByItself() {
   QTRY_VERIFY_WITH_TIMEOUT(desk.count(kClassImages) > before, kWaitMs);
   qInfo("found again after %lld ms", watch.elapsed());
   QCOMPARE(desk.robot(), QStringLiteral("red1"));
+  QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("statusState").text(), QStringLiteral("running"), kWaitMs);
   for (const auto& gap : desk.line().gaps) QVERIFY(gap.to.has_value());
   QTRY_VERIFY_WITH_TIMEOUT(desk.stands(), kWaitMs);
   // And it can be driven on.
