@@ -122,7 +122,9 @@ std::string manyStacks() {
 std::vector<std::uint64_t> digestsOf(Simulation& simulation, int steps) {
   std::vector<std::uint64_t> digests;
   for (int i = 0; i < steps; ++i) {
-    if (i == 600) EXPECT_TRUE(simulation.throwModel("s0_0", {2, 0, 0.5}, {0, 3, 0}));
+    if (i == 600) {
+      EXPECT_TRUE(simulation.throwModel("s0_0", {2, 0, 0.5}, {0, 3, 0}));
+    }
     simulation.step();
     digests.push_back(simulation.digest());
   }
