@@ -10,10 +10,8 @@
 #include "simcore/physics/shapes/LumpedLink.h"
 #include "tests/simcore/truth/Bodies.h"
 
-namespace simcore {
+namespace simcore::truth {
 namespace {
-
-using namespace truth;
 
 constexpr double kEdge = 0.1, kMass = 1;
 
@@ -45,7 +43,7 @@ TEST(Sleeping, aStackFallsAsleepAndKeepsWhatItTouches) {
   physics.readContacts(true);
   bodies.run(1);
   EXPECT_EQ(physics.digest(), digest);
-  EXPECT_TRUE(physics.touched(0, 0));
+  EXPECT_TRUE(physics.touched(std::size_t{0}, 0));
   EXPECT_TRUE(physics.touched(1, 2));
   EXPECT_FALSE(physics.touched(1, 3));
   EXPECT_TRUE(physics.touchedObstacle(3));
@@ -180,10 +178,10 @@ TEST(FixedLinks, areOneBodyWhoseSolidsAreEachTheirLinks) {
   Physics& physics = bodies.physics();
   ASSERT_EQ(physics.bodyCount(), 2U);
   EXPECT_EQ(physics.carrierOf(1), 0U);
-  EXPECT_DOUBLE_EQ(physics.massOf(0 + 1), 2);
+  EXPECT_DOUBLE_EQ(physics.massOf(1), 2);
   bodies.run(1);
-  EXPECT_TRUE(physics.touched(0, 0));
-  EXPECT_TRUE(physics.touched(1, 0));
+  EXPECT_TRUE(physics.touched(std::size_t{0}, 0));
+  EXPECT_TRUE(physics.touched(std::size_t{1}, 0));
   EXPECT_NEAR((physics.linkInWorld(1).translation() - Vector3(0.5, 0, 0.1)).norm(), 0, 1e-4);
   EXPECT_NEAR(bodies.motion("bell").position.x(), 0.25, 1e-4);
   const Pose3 apart = physics.linkInWorld(0).inverse() * physics.linkInWorld(1);
@@ -212,4 +210,4 @@ TEST(FixedLinks, stayApartIfTheyMoveDifferentlyOrAnotherJointConnectsThem) {
 }
 
 }  // namespace
-}  // namespace simcore
+}  // namespace simcore::truth
