@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kEdge = 0.1, kMass = 1;
 
-std::string boxAt(const std::string& name, double x, double z) {
+std::string cubeAt(const std::string& name, double x, double z) {
   const Vector3 size = Vector3::Constant(kEdge);
   return model(name, std::to_string(x) + " 0 " + std::to_string(z) + " 0 0 0",
                inertial(kMass, momentsOfBox(kMass, size)) + solid(box(size)));
@@ -24,7 +24,7 @@ std::string boxAt(const std::string& name, double x, double z) {
 /// Boxes on each other; their names begin with `name`.
 std::string stackAt(const std::string& name, double x, int boxes) {
   std::string stack;
-  for (int i = 0; i < boxes; ++i) stack += boxAt(name + std::to_string(i), x, kEdge * (0.5 + i));
+  for (int i = 0; i < boxes; ++i) stack += cubeAt(name + std::to_string(i), x, kEdge * (0.5 + i));
   return stack;
 }
 
@@ -57,7 +57,7 @@ TEST(Sleeping, aStackFallsAsleepAndKeepsWhatItTouches) {
 }
 
 TEST(Sleeping, aForceWakesTheWholeStack) {
-  Bodies bodies(ground() + stackAt("box", 0, 3) + boxAt("other", 2, kEdge / 2));
+  Bodies bodies(ground() + stackAt("box", 0, 3) + cubeAt("other", 2, kEdge / 2));
   bodies.run(4);
   Physics& physics = bodies.physics();
   ASSERT_EQ(sleepersOf(physics, 5), 4);
@@ -117,7 +117,7 @@ std::string manyStacks() {
 }
 
 /// Runs until most sleep, throws what is left over onto one stack, and goes on.
-std::vector<std::uint64_t> digestsOf(Simulation& simulation, int steps) {
+std::vector<std::uint64_t> digestsOfRun(Simulation& simulation, int steps) {
   std::vector<std::uint64_t> digests;
   for (int i = 0; i < steps; ++i) {
     if (i == 600) {
@@ -134,7 +134,7 @@ TEST(Sleeping, anyNumberOfThreadsGivesTheSameBytes) {
   for (const int threads : {1, 2, 3}) {
     const auto simulation =
         simulationOf(manyStacks(), {.seed = 2, .pool = std::make_shared<robotlink::ThreadPool>(threads)});
-    all.push_back(digestsOf(*simulation, 1200));
+    all.push_back(digestsOfRun(*simulation, 1200));
   }
   EXPECT_EQ(all[0], all[1]);
   EXPECT_EQ(all[0], all[2]);
