@@ -262,7 +262,7 @@ void MainWindow::showEnded(const std::vector<std::string>& reported) {
 /// Changes the perspective if the current one is the default for what was loaded before; a perspective that
 /// the user has chosen stays. Has no effect at the start, when the window is restored as it was.
 void MainWindow::showWhatBelongsTo(const LoadedPlatform& loaded) {
-  if (showViewsOfScene(loaded)) return;
+  if (showViewsOfScene(loaded) || goesOnEditing(loaded)) return;
   const QString chosen = loaded.sources.empty() ? QString() : perspectives_.chosenFor(loaded.sources.front());
   if (!std::exchange(isPerspectiveWanted_, false) && !chosen.isEmpty()) {
     beginning_ = Perspectives::beginningWith(loaded);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MainWindow: docks, perspectives, and the undo history of the layout.
+#include <qtadvanceddocking/DockWidget.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <QApplication>
 #include <QFileDialog>
@@ -8,6 +9,8 @@
 #include <QShowEvent>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <filesystem>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
@@ -17,6 +20,8 @@
 #include "app/robotcontrol/docks/MaximizedView.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/sceneedit/SceneBench.h"
+#include "widgets/sceneedit/SceneEditorView.h"
 
 namespace app {
 namespace {
@@ -106,6 +111,19 @@ bool MainWindow::showViewsOfScene(const LoadedPlatform& loaded) {
   layouts_->forget();
   fillPerspectiveMenu();
   QTimer::singleShot(0, keys_, &WindowKeys::focusContent);  // after the old views are deleted
+  return true;
+}
+
+bool MainWindow::goesOnEditing(const LoadedPlatform& loaded) {
+  const widgets::SceneFile* edited = widgets::sceneBench(context_).current();
+  const auto docks = docks_->openDocks();
+  const bool isShown = std::ranges::any_of(docks, [](const ads::CDockWidget* dock) {
+    return qobject_cast<const widgets::SceneEditorView*>(dock->widget()) != nullptr;
+  });
+  if (edited == nullptr || !isShown || !loaded.isSimulated() || loaded.sources.empty()) return false;
+  std::error_code unknown;
+  if (!std::filesystem::equivalent(edited->path(), loaded.sources.front(), unknown)) return false;
+  static_cast<void>(openView("scene"));
   return true;
 }
 

@@ -37,7 +37,7 @@ NewSceneDialog::NewSceneDialog(const SceneLanguage& language, std::filesystem::p
     const QString name = QString::fromStdString(model.name);
     if (model.isRobot) robot_->addItem(name, name);
   }
-  if (robot_->count() > 1) robot_->setCurrentIndex(robot_->count() - 1);
+  if (robot_->count() > 1) robot_->setCurrentIndex(1);
   form->addRow(tr("Robot"), robot_);
   refusal_ = makeNote(this, "newSceneRefusal", tr("Why the scene cannot be made"));
   form->addRow(refusal_);

@@ -2,8 +2,10 @@
 #include "widgets/sceneedit/SceneDialogs.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QStandardPaths>
 
 #include "widgets/sceneedit/NewSceneDialog.h"
 #include "widgets/sceneedit/SceneBench.h"
@@ -22,6 +24,16 @@ bool wasDone(SceneBench& bench, const robotlink::Result<void>& result) {
 
 QString shownFolder(const SceneBench& bench) {
   return QString::fromStdString(bench.folder().string());
+}
+
+/// Where a new scene is saved: beside the other files of its author, not beside a shipped scene that happens
+/// to run.
+QString folderOfNewFiles(const SceneBench& bench) {
+  for (const SceneFile* file : bench.files()) {
+    if (!file->path().empty()) return QString::fromStdString(file->path().parent_path().string());
+  }
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QDir(documents).exists() ? documents : QDir::homePath();
 }
 
 /// Asks whether changes shall be saved. `save` saves them.
@@ -65,7 +77,9 @@ bool saveScene(SceneBench& bench, QWidget* parent) {
 
 bool saveSceneAs(SceneBench& bench, QWidget* parent) {
   if (bench.current() == nullptr) return false;
-  QFileDialog dialog(parent, SceneDialogText::tr("Save scene file"), shownFolder(bench),
+  const bool isNew = bench.current()->path().empty();
+  QFileDialog dialog(parent, SceneDialogText::tr("Save scene file"),
+                     isNew ? folderOfNewFiles(bench) : shownFolder(bench),
                      SceneDialogText::tr("Scenes and models (*.sdf *.world *.xml *.map);;All files (*)"));
   dialog.setObjectName(QStringLiteral("saveSceneDialog"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);

@@ -9,6 +9,7 @@
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
+#include "widgets/scene/SceneView.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneLanguage.h"
 
@@ -65,6 +66,19 @@ class SceneEditorGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading(), kWaitMs);
     QCOMPARE(desk.status()->steps(), 2U);
     QCOMPARE(robotlink::readFile(desk.file).value_or(""), changed.toStdString());
+  }
+
+  void theWindowStaysAsItIsWhenTheEditedSceneRuns() {
+    SceneDesk desk(home_);
+    QCOMPARE(desk.run("simulation.open field2002"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    desk.makeRoom();
+    QVERIFY(desk.bench().run().has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.bench().runningScene() == desk.bench().current()->path(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading(), kWaitMs);
+    // A robot on wheels would bring its own views otherwise.
+    QVERIFY(desk.window.findChild<QPlainTextEdit*>(QStringLiteral("sceneText")) != nullptr);
+    QVERIFY(desk.window.findChild<widgets::SceneView*>() != nullptr);
   }
 
   void whatIsWrongIsFoundInTheTextThatIsNotSaved() {

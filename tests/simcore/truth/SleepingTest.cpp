@@ -10,14 +10,12 @@
 #include "simcore/physics/shapes/LumpedLink.h"
 #include "tests/simcore/truth/Bodies.h"
 
-namespace simcore {
+namespace simcore::truth {
 namespace {
-
-using namespace truth;
 
 constexpr double kEdge = 0.1, kMass = 1;
 
-std::string smallBoxAt(const std::string& name, double x, double z) {
+std::string cubeAt(const std::string& name, double x, double z) {
   const Vector3 size = Vector3::Constant(kEdge);
   return model(name, std::to_string(x) + " 0 " + std::to_string(z) + " 0 0 0",
                inertial(kMass, momentsOfBox(kMass, size)) + solid(box(size)));
@@ -26,7 +24,7 @@ std::string smallBoxAt(const std::string& name, double x, double z) {
 /// Boxes on each other; their names begin with `name`.
 std::string stackAt(const std::string& name, double x, int boxes) {
   std::string stack;
-  for (int i = 0; i < boxes; ++i) stack += smallBoxAt(name + std::to_string(i), x, kEdge * (0.5 + i));
+  for (int i = 0; i < boxes; ++i) stack += cubeAt(name + std::to_string(i), x, kEdge * (0.5 + i));
   return stack;
 }
 
@@ -45,7 +43,7 @@ TEST(Sleeping, aStackFallsAsleepAndKeepsWhatItTouches) {
   physics.readContacts(true);
   bodies.run(1);
   EXPECT_EQ(physics.digest(), digest);
-  EXPECT_TRUE(physics.touched(0, 0));
+  EXPECT_TRUE(physics.touched(std::size_t{0}, 0));
   EXPECT_TRUE(physics.touched(1, 2));
   EXPECT_FALSE(physics.touched(1, 3));
   EXPECT_TRUE(physics.touchedObstacle(3));
@@ -59,7 +57,7 @@ TEST(Sleeping, aStackFallsAsleepAndKeepsWhatItTouches) {
 }
 
 TEST(Sleeping, aForceWakesTheWholeStack) {
-  Bodies bodies(ground() + stackAt("box", 0, 3) + smallBoxAt("other", 2, kEdge / 2));
+  Bodies bodies(ground() + stackAt("box", 0, 3) + cubeAt("other", 2, kEdge / 2));
   bodies.run(4);
   Physics& physics = bodies.physics();
   ASSERT_EQ(sleepersOf(physics, 5), 4);
@@ -119,10 +117,12 @@ std::string manyStacks() {
 }
 
 /// Runs until most sleep, throws what is left over onto one stack, and goes on.
-std::vector<std::uint64_t> digestsOf(Simulation& simulation, int steps) {
+std::vector<std::uint64_t> digestsOfRun(Simulation& simulation, int steps) {
   std::vector<std::uint64_t> digests;
   for (int i = 0; i < steps; ++i) {
-    if (i == 600) EXPECT_TRUE(simulation.throwModel("s0_0", {2, 0, 0.5}, {0, 3, 0}));
+    if (i == 600) {
+      EXPECT_TRUE(simulation.throwModel("s0_0", {2, 0, 0.5}, {0, 3, 0}));
+    }
     simulation.step();
     digests.push_back(simulation.digest());
   }
@@ -134,7 +134,7 @@ TEST(Sleeping, anyNumberOfThreadsGivesTheSameBytes) {
   for (const int threads : {1, 2, 3}) {
     const auto simulation =
         simulationOf(manyStacks(), {.seed = 2, .pool = std::make_shared<robotlink::ThreadPool>(threads)});
-    all.push_back(digestsOf(*simulation, 1200));
+    all.push_back(digestsOfRun(*simulation, 1200));
   }
   EXPECT_EQ(all[0], all[1]);
   EXPECT_EQ(all[0], all[2]);
@@ -178,10 +178,10 @@ TEST(FixedLinks, areOneBodyWhoseSolidsAreEachTheirLinks) {
   Physics& physics = bodies.physics();
   ASSERT_EQ(physics.bodyCount(), 2U);
   EXPECT_EQ(physics.carrierOf(1), 0U);
-  EXPECT_DOUBLE_EQ(physics.massOf(0 + 1), 2);
+  EXPECT_DOUBLE_EQ(physics.massOf(1), 2);
   bodies.run(1);
-  EXPECT_TRUE(physics.touched(0, 0));
-  EXPECT_TRUE(physics.touched(1, 0));
+  EXPECT_TRUE(physics.touched(std::size_t{0}, 0));
+  EXPECT_TRUE(physics.touched(std::size_t{1}, 0));
   EXPECT_NEAR((physics.linkInWorld(1).translation() - Vector3(0.5, 0, 0.1)).norm(), 0, 1e-4);
   EXPECT_NEAR(bodies.motion("bell").position.x(), 0.25, 1e-4);
   const Pose3 apart = physics.linkInWorld(0).inverse() * physics.linkInWorld(1);
@@ -210,4 +210,4 @@ TEST(FixedLinks, stayApartIfTheyMoveDifferentlyOrAnotherJointConnectsThem) {
 }
 
 }  // namespace
-}  // namespace simcore
+}  // namespace simcore::truth
