@@ -12,7 +12,7 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/base/Random.h"
 #include "robotlink/debugging/DebugKey.h"
-#include "robotlink/debugging/SolutionRegistry.h"
+#include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/GamePackages.h"
 #include "tests/modules/game/PlayedGame.h"
