@@ -16,9 +16,9 @@ class BodyTiltFilter {
  public:
   struct Options {
     /// After which time the accelerometer has mostly replaced the legs, s.
-    double timeConstant = 1;
+    double timeConstant = 6;
     /// Accelerations whose length is farther from gravity, as a fraction of it, are ignored.
-    double maximumJolt = 0.35;
+    double maximumJolt = 0.12;
   };
 
   /// Call it once a frame. `legs` is the tilt by the legs; `acceleration` in m/s^2 in the body's frame, at

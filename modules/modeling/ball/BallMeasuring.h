@@ -11,9 +11,9 @@ namespace modules {
 /// farther away the ball is. A plain value.
 struct BallAccuracy {
   /// Standard deviation along the ray, m, plus this for each meter of distance.
-  double deviationNear = 0.015, deviationPerMeter = 0.06;
+  double deviationNear = 0.008, deviationPerMeter = 0.03;
   /// Across the ray, rad.
-  double bearingDeviation = 0.03;
+  double bearingDeviation = 0.015;
 
   /// The covariance in the frame of dead reckoning of a percept of the robot at this pose, m^2. Lower
   /// confidence (from 0 to 1) makes it wider.

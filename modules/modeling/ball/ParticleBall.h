@@ -33,12 +33,12 @@ class ParticleBall {
     /// How far velocities change, m/s after one second, growing with the root of time.
     double velocityNoise = 0.4;
     /// How far dead reckoning moves a ball, m after one second, growing with the root of time.
-    double drift = 0.06;
+    double drift = 0.12;
     BallAccuracy accuracy;
     /// The fraction of particles that are drawn at a percept.
     double newShare = 0.06;
     /// The fraction of a percept's information that the percept before did not contain.
-    double evidence = 0.5;
+    double evidence = 0.7;
     std::uint64_t seed = 1;
   };
   struct Particle {

@@ -25,11 +25,11 @@ class RollingBallFilter {
     /// Deceleration of a rolling ball, m/s^2.
     double deceleration = 0.3;
     /// Standard deviation of the accelerations of a rolling ball, m/s^2.
-    double acceleration = 1.5;
+    double acceleration = 2;
     /// How far dead reckoning moves a resting ball, m after one second, growing with the root of time.
-    double drift = 0.04;
+    double drift = 0.1;
     /// How often a ball begins to roll and comes to rest, 1/s.
-    double startRate = 0.3, stopRate = 0.5;
+    double startRate = 0.5, stopRate = 0.5;
     BallAccuracy accuracy;
     /// Percepts farther away than this many standard deviations are outliers.
     double gate = 4;

@@ -11,7 +11,6 @@
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/base/Random.h"
-#include "robotlink/debugging/DebugKey.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/GamePackages.h"

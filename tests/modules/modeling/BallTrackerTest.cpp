@@ -41,11 +41,11 @@ TYPED_TEST(BallTracker, knowsNothingBeforeTheFirstPercept) {
 TYPED_TEST(BallTracker, isBetterThanItsPercepts) {
   double filtered = 0;
   for (int i = 0; i < 200; ++i) {
-    this->show({1, 0.2}, {}, 0.06);
+    this->show({1, 0.2}, {}, 0.03);
     if (i >= 50) filtered += (this->place() - Vector2(1, 0.2)).norm() / 150;
   }
-  // The mean length of that noise is 0.075.
-  EXPECT_LT(filtered, 0.045);
+  // The mean length of that noise is 0.038.
+  EXPECT_LT(filtered, 0.03);
 }
 
 TYPED_TEST(BallTracker, seesABallAtRestAsRestingWhileTheRobotWalks) {

@@ -94,6 +94,8 @@ TEST_P(WeightedTeamBall, believesTheMoreCertainRobot) {
 
 TEST_P(WeightedTeamBall, forgetsWhatIsOld) {
   hear(-1, 0.3, 0.1);
+  model(false);
+  EXPECT_TRUE(ball().known());
   solution_.pass(20);
   model(false);
   EXPECT_FALSE(ball().known());

@@ -131,7 +131,7 @@ TEST(BodyTiltFilter, followsTheLegsAtOnceAndGravityInTheLongRun) {
   EXPECT_NEAR(filter.update({0.12, 0.15, 0.02}, level, 0.04, options).pitch, 0.15, 0.02);
   EXPECT_NEAR(filter.update({0.12, 0.15, 0.02}, level, 0.04, options).height, 0.12, 1e-12);
   BodyTilt tilt;
-  for (int i = 0; i < 200; ++i) tilt = filter.update({0.12, 0.15, 0.02}, level, 0.04, options);
+  for (int i = 0; i < 1200; ++i) tilt = filter.update({0.12, 0.15, 0.02}, level, 0.04, options);
   EXPECT_NEAR(tilt.pitch, 0, 0.005);
   EXPECT_NEAR(tilt.roll, 0, 0.005);
 }
