@@ -13,7 +13,7 @@ OptionMachine::Action SoccerOptions::stands(Head head) const {
   return [&player = player_, head] { player.stand(head); };
 }
 
-OptionMachine::Condition SoccerOptions::after(double SoccerPlayer::Options::*limit) const {
+OptionMachine::Condition SoccerOptions::after(double SoccerMind::Options::*limit) const {
   return [&player = player_, limit] { return player.machine_.stateTime() > player.options_.*limit; };
 }
 
@@ -41,7 +41,7 @@ void SoccerOptions::build() {
 }
 
 void SoccerOptions::buildGame(Option& game, Option& playing, Option& place) const {
-  SoccerPlayer& p = player_;
+  SoccerMind& p = player_;
   const auto phase = [&p](Phase wanted) { return [&p, wanted] { return p.now_.phase == wanted; }; };
   game.state("play", "The game is on, or there is no referee.").activates(playing);
   game.state("initial", "Before the game.").does(stands(Head::kAhead));
@@ -72,7 +72,7 @@ void SoccerOptions::buildGame(Option& game, Option& playing, Option& place) cons
 }
 
 void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGoal, Option& place) const {
-  SoccerPlayer& p = player_;
+  SoccerMind& p = player_;
   playing.state("decide", "Has no role yet.").does(stands(Head::kSearch));
   playing.state("wait", "Leaves the ball to the other team, which has the kick-off.")
       .does(stands(Head::kSearch));
@@ -110,7 +110,7 @@ void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGo
 }
 
 void SoccerOptions::buildKeepGoal(Option& keepGoal, Option& strike, Option& place) const {
-  SoccerPlayer& p = player_;
+  SoccerMind& p = player_;
   const auto ballNear = [&p](double margin) {
     const auto ball = p.now_.ballInTeam();
     return ball && p.now_.ballAge < p.options_.lostAfter && p.places_.isGoaliesBall(*ball, margin);
@@ -127,7 +127,7 @@ void SoccerOptions::buildKeepGoal(Option& keepGoal, Option& strike, Option& plac
 }
 
 void SoccerOptions::buildStrike(Option& strike, Option& search) const {
-  SoccerPlayer& p = player_;
+  SoccerMind& p = player_;
   strike.state("search", "Does not know where the ball is.")
       .activates(search)
       .to("approach", "the ball is seen", [&p] { return p.now_.seesBall(); })
@@ -156,7 +156,7 @@ void SoccerOptions::buildStrike(Option& strike, Option& search) const {
 }
 
 void SoccerOptions::buildAtBall(Option& strike) const {
-  SoccerPlayer& p = player_;
+  SoccerMind& p = player_;
   const auto isAway = [&p] { return p.now_.ball.norm() > p.options_.dribbleLost; };
   const auto isBeside = [&p] {
     return std::abs(BallSkills::offset(p.now_.ball, p.aim_)) > p.options_.alignLost ||
@@ -181,16 +181,16 @@ void SoccerOptions::buildAtBall(Option& strike) const {
             return p.skills_.canKick(p.now_.ball) && p.now_.seesBall() &&
                    std::abs(p.aim_) < p.options_.kickTolerance;
           })
-      .to("approach", "positioning takes too long", after(&SoccerPlayer::Options::positionTime));
+      .to("approach", "positioning takes too long", after(&SoccerMind::Options::positionTime));
   strike.state("kick", "Kicks with chest and head.")
       .begins([&p] { p.kickBegan_ = false; })
       .does([&p] { p.kickBall(); })
       .to("approach", "kicked", [&p] { return p.kickBegan_ && !p.now_.playsMotion && p.now_.stable; })
-      .to("approach", "the kick did not come to an end", after(&SoccerPlayer::Options::kickTimeout));
+      .to("approach", "the kick did not come to an end", after(&SoccerMind::Options::kickTimeout));
 }
 
 void SoccerOptions::buildPlace(Option& place) const {
-  SoccerPlayer& p = player_;
+  SoccerMind& p = player_;
   place.state("walk", "Walks there.")
       .does([&p] { p.walkToPlace(p.place_); })
       .to("stand", "it is there", [&p] { return p.isAtPlace(); });
@@ -209,25 +209,25 @@ void SoccerOptions::buildPlace(Option& place) const {
 }
 
 void SoccerOptions::buildSearch(Option& search) const {
-  SoccerPlayer& p = player_;
+  SoccerMind& p = player_;
   const auto isBlind = [&p] { return p.now_.time - p.fieldSeenAt_ > p.options_.blindAfter; };
   search.state("look about", "Stands and moves its head.")
       .begins([&p] { p.turnDirection_ = p.now_.ball.y() < 0 ? -1 : 1; })
       .does(stands(Head::kSearch))
-      .to("turn", "the ball is not within the head's reach", after(&SoccerPlayer::Options::lookAboutTime));
+      .to("turn", "the ball is not within the head's reach", after(&SoccerMind::Options::lookAboutTime));
   search.state("turn", "Turns on the spot.")
       .does([&p] {
         p.intention_ = p.skills_.turnTo(p.turnDirection_);
         p.intention_.head = Head::kSearch;
       })
-      .to("wander", "no ball all around", after(&SoccerPlayer::Options::turnTime));
+      .to("wander", "no ball all around", after(&SoccerMind::Options::turnTime));
   search.state("wander", "Walks to the middle of the field, or ahead, to look from elsewhere.")
       .does([&p] {
         const Vector2 way = p.now_.pose ? p.now_.pose->inverse() * Vector2(0, 0) : Vector2(1, 0);
         p.intention_ = p.skills_.walkTo(way, std::atan2(way.y(), way.x()), p.now_.robots);
         p.intention_.head = Head::kSearch;
       })
-      .to("look about", "look from here", after(&SoccerPlayer::Options::wanderTime));
+      .to("look about", "look from here", after(&SoccerMind::Options::wanderTime));
   search.state("blind", "Nothing of the field is seen: stands still.")
       .does(stands(Head::kSearch))
       .to("look about", "the field is seen again", [isBlind] { return !isBlind(); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/behavior/SoccerPlayer.h"
+#include "modules/behavior/SoccerMind.h"
 
 namespace modules {
 
@@ -9,7 +9,7 @@ namespace modules {
 /// conditions and actions refer to the player, which must outlive its machine.
 class SoccerOptions {
  public:
-  explicit SoccerOptions(SoccerPlayer& player) : player_(player), machine_(player.machine_) {}
+  explicit SoccerOptions(SoccerMind& player) : player_(player), machine_(player.machine_) {}
   void build();
 
  private:
@@ -30,10 +30,10 @@ class SoccerOptions {
 
   OptionMachine::Action stands(Head head) const;
   /// Time in the present state is more than a parameter, which may change meanwhile.
-  OptionMachine::Condition after(double SoccerPlayer::Options::*limit) const;
+  OptionMachine::Condition after(double SoccerMind::Options::*limit) const;
   OptionMachine::Condition isLost() const;
 
-  SoccerPlayer& player_;
+  SoccerMind& player_;
   OptionMachine& machine_;
 };
 

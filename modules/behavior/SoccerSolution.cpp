@@ -74,7 +74,7 @@ constexpr int kSkills = Fields::kSkillsFieldNumber;
 constexpr int kReading = Fields::kSituationFieldNumber;
 using B = BallSkills::Options;
 using S = SituationReader::Options;
-using P = SoccerPlayer::Options;
+using P = SoccerMind::Options;
 using T = TeamPlaces::Options;
 using R = RoleAssignment::Options;
 

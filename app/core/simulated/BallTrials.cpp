@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/BallTrials.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "app/core/simulated/RunEnd.h"
 #include "robotlink/base/Random.h"
+#include "robotlink/config/FieldDescription.h"
 #include "simcore/Scene.h"
 
 namespace app {
@@ -41,6 +43,57 @@ bool placeBall(SimulatedRun& run, const BallTrials& trials, std::uint64_t seed, 
     if (run.world().simulation().placeModel(ballOf(run), {ball.x(), ball.y(), 0})) return true;
   }
   return false;
+}
+
+/// The least distance of the robot's center from the walls when it is placed anywhere, m; and of the ball's.
+constexpr double kRobotFromWall = 0.3, kBallFromWall = 0.15;
+
+/// Places robot and ball anywhere on the field, at random.
+bool placeAnywhere(SimulatedRun& run, const robotlink::FieldDescription& field, BallTrials::Trial& trial) {
+  robotlink::Random random(trial.seed, 0x60A1);
+  simcore::Simulation& simulation = run.world().simulation();
+  const auto inside = [&](double limit, double margin) {
+    return random.uniform(margin - limit, limit - margin);
+  };
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    trial.robot = {inside(field.goalLineX(), kRobotFromWall), inside(field.touchLineY(), kRobotFromWall),
+                   random.uniform(-robotlink::kPi, robotlink::kPi)};
+    trial.ball = {inside(field.goalLineX(), kBallFromWall), inside(field.touchLineY(), kBallFromWall)};
+    if ((trial.ball - trial.robot.translation()).norm() < kClearOfRobot) continue;
+    // The ball leaves the place to which the robot comes.
+    (void)simulation.placeModel(ballOf(run), {trial.ball.x(), trial.ball.y(), 0});
+    if (simulation.placeModel(run.robots().front(), trial.robot) &&
+        simulation.placeModel(ballOf(run), {trial.ball.x(), trial.ball.y(), 0}))
+      return true;
+  }
+  return false;
+}
+
+/// Whether the whole ball is in the goal that a team attacks; the red one plays toward +x.
+bool isInGoal(const robotlink::FieldDescription& field, const Vector2& ball, double direction) {
+  return direction * ball.x() > field.goalLineX() + field.ballRadius &&
+         std::abs(ball.y()) < 0.5 * field.goalWidth;
+}
+
+/// Plays a trial that ends with a goal. Nothing if it was canceled.
+std::optional<BallTrials::Trial> playForGoal(SimulatedRun& run, const BallTrials& trials,
+                                             BallTrials::Trial trial) {
+  const robotlink::Clock& clock = run.world().clock();
+  const auto& robots = run.world().simulation().scene().robots();
+  const auto robot = std::ranges::find(robots, run.robots().front(), &simcore::Scene::Robot::name);
+  const double direction = robot != robots.end() && robot->team == "blue" ? -1 : 1;
+  while (clock.now() < robotlink::Instant(robotlink::fromSeconds(trials.seconds)) && !trial.scored) {
+    if (trials.stop && trials.stop()) return std::nullopt;
+    run.step();
+    if (!trial.touched && run.world().simulation().ballContacts() > 0) {
+      trial.touched = true;
+      trial.touchedAfter = robotlink::seconds(clock.now());
+    }
+    trial.scored = isInGoal(*run.field(), poseOf(run, ballOf(run)).translation(), direction);
+  }
+  if (trial.scored) trial.scoredAfter = robotlink::seconds(clock.now());
+  trial.moved = (poseOf(run, ballOf(run)).translation() - trial.ball).norm();
+  return trial;
 }
 
 /// Plays a trial whose ball is placed. Nothing if it was canceled.
@@ -80,18 +133,24 @@ tl::expected<std::vector<BallTrials::Trial>, robotlink::Errors> BallTrials::play
     return tl::unexpected(robotlink::Errors{
         {"trials.no-ball", "there is no ball in this scene to play with", {}, {run.scene.string(), 0, 0}}});
   }
+  if (goals && !simulated.field()) {
+    return tl::unexpected(robotlink::Errors{
+        {"trials.no-field", "there is no field in this scene to score on", {}, {run.scene.string(), 0, 0}}});
+  }
   std::vector<Trial> trials;
   for (int i = 0; i < count; ++i) {
     Trial trial;
     trial.seed = firstSeed + static_cast<std::uint64_t>(i);
     if (auto errors = simulated.reset(trial.seed); !errors.empty()) return tl::unexpected(std::move(errors));
-    if (!placeBall(simulated, *this, trial.seed, trial.ball)) {
+    const bool placed = goals ? placeAnywhere(simulated, *simulated.field(), trial)
+                              : placeBall(simulated, *this, trial.seed, trial.ball);
+    if (!placed) {
       return tl::unexpected(robotlink::Errors{{"trials.no-place",
                                                "the ball fits nowhere within the radius; choose a larger one",
                                                {},
                                                {run.scene.string(), 0, 0}}});
     }
-    const auto played = playOne(simulated, *this, trial);
+    const auto played = goals ? playForGoal(simulated, *this, trial) : playOne(simulated, *this, trial);
     if (!played) break;
     trials.push_back(*played);
     if (onTrial) onTrial(trials.back());

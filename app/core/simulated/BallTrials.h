@@ -25,6 +25,12 @@ struct BallTrials {
     double moved = 0;
     /// Whether the robot was no longer upright at the end.
     bool fell = false;
+    /// Whether the ball came into a goal, which is looked at only with `goals`: that of the opponents of the
+    /// first robot's team; and when, simulated s.
+    bool scored = false;
+    double scoredAfter = 0;
+    /// Where the robot was placed, in the field's frame.
+    robotlink::Pose2 robot;
   };
   /// The simulation. Kick-offs are switched off.
   RunOptions run;
@@ -38,6 +44,9 @@ struct BallTrials {
   double radius = 1.5;
   /// The end of a trial without a touch, simulated s.
   double seconds = 60;
+  /// Robot and ball are placed anywhere on the field, whatever the radius is, and a trial ends with a goal
+  /// instead of a touch.
+  bool goals = false;
   /// How long a trial continues after the first touch, simulated s.
   double afterTouch = 2;
   /// Called after each trial; may be empty.

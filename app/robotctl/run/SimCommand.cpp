@@ -73,6 +73,7 @@ struct SimArguments {
   bool errors = false;
   int trials = 0;
   double radius = 1.5;
+  bool goals = false;
   double speed = 0;  ///< times real time; 0: as fast as possible
   bool progress = false;
   SnapshotOptions snapshots;
@@ -255,6 +256,7 @@ int runTrials(const SimArguments& arguments) {
   trials.firstSeed = arguments.run.world.seed;
   trials.count = arguments.trials;
   trials.radius = arguments.radius;
+  trials.goals = arguments.goals;
   trials.seconds = arguments.seconds;
   return playTrials(std::move(trials), *troubles, arguments.asJson);
 }
@@ -439,6 +441,10 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_option("--radius", arguments->radius, "Radius of these places around the robot, m")
       ->check(numberFrom(0.4, 10))
       ->capture_default_str();
+  sim->add_flag(
+         "--goals", arguments->goals,
+         "Places robot and ball of these games anywhere on the field, and counts goals within --seconds")
+      ->needs(trials);
   auto* speed = sim->add_option("--speed", arguments->speed,
                                 "How many times real time; 0 is as fast as possible (lockstep 0, threads, "
                                 "--arcos and --listen 1)")

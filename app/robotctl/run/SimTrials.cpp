@@ -17,10 +17,23 @@ using nlohmann::json;
 
 namespace {
 
-json trialJson(const BallTrials::Trial& trial) {
+json trialJson(const BallTrials::Trial& trial, bool goals) {
+  if (goals) {
+    return {{"seed", trial.seed},
+            {"robot", {trial.robot.x, trial.robot.y, trial.robot.heading}},
+            {"ball", {trial.ball.x(), trial.ball.y()}},
+            {"scored", trial.scored},
+            {"scored_after", trial.scored ? json(trial.scoredAfter) : json()}};
+  }
   return {{"seed", trial.seed},        {"ball", {trial.ball.x(), trial.ball.y()}},
           {"touched", trial.touched},  {"touched_after", trial.touched ? json(trial.touchedAfter) : json()},
           {"ball_moved", trial.moved}, {"fell", trial.fell}};
+}
+
+void printGoal(const BallTrials::Trial& trial) {
+  std::cerr << "seed " << trial.seed << ": "
+            << (trial.scored ? fmt::format("scored after {:.1f} s", trial.scoredAfter) : "not scored")
+            << "\n";
 }
 
 void printTrial(const BallTrials::Trial& trial) {
@@ -46,21 +59,26 @@ int withTroubles(int status, const ProgramTroubles& troubles) {
 int playTrials(BallTrials trials, const ProgramTroubles& troubles, bool asJson) {
   const Interrupt interrupt;
   trials.stop = &Interrupt::noted;
-  trials.onTrial = printTrial;
+  trials.onTrial = trials.goals ? printGoal : printTrial;
   const auto results = trials.play();
   if (!results) return printErrors(results.error());
   json report;
   report["trials"] = results->size();
   report["touched"] = std::ranges::count_if(*results, [](const auto& t) { return t.touched; });
-  report["radius"] = trials.radius;
+  if (trials.goals) {
+    report["scored"] = std::ranges::count_if(*results, [](const auto& t) { return t.scored; });
+  } else {
+    report["radius"] = trials.radius;
+  }
   report["seconds"] = trials.seconds;
   report["blackout"] = trials.run.world.blackout;
-  for (const auto& trial : *results) report["results"].push_back(trialJson(trial));
+  for (const auto& trial : *results) report["results"].push_back(trialJson(trial, trials.goals));
   report["troubles"] = troublesJson(troubles);
   if (asJson) {
     std::cout << jsonOutput(report);
   } else {
-    std::cout << report["touched"] << " of " << report["trials"] << " touched the ball\n";
+    std::cout << report[trials.goals ? "scored" : "touched"] << " of " << report["trials"]
+              << (trials.goals ? " scored\n" : " touched the ball\n");
   }
   const bool isWhole = results->size() == static_cast<std::size_t>(trials.count);
   return withTroubles(isWhole ? kDone : kFailed, troubles);

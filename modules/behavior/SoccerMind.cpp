@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/behavior/SoccerMind.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace modules {
+
+using robotlink::normalizedAngle;
+using robotlink::Pose2;
+using robotlink::Vector2;
+
+namespace {
+
+/// What a player that cannot play bids, s.
+constexpr double kNever = 1e3;
+/// Added to the bid of a player that has not seen the ball itself, s.
+constexpr double kHearsayPenalty = 2;
+/// Directions that are tried on either side of the wanted one, to half a turn.
+constexpr int kDirections = 12;
+/// How far a ball rolls without being touched by anybody, m.
+constexpr double kMoved = 0.12;
+
+}  // namespace
+
+SoccerMind::SoccerMind(const robotlink::FieldDescription& field, const Options& options)
+    : options_(options), places_(field, options.places), skills_(options.skills), roles_(options.roles) {}
+
+void SoccerMind::setOptions(const Options& options) {
+  options_ = options;
+  skills_.setOptions(options.skills);
+  roles_.setOptions(options.roles);
+}
+
+double SoccerMind::directionInTeam(const Vector2& ball) const {
+  Vector2 way;
+  if (roles_.role() == Role::kGoalie) {
+    // Away from the own goal, to the side on which the ball is.
+    way = ball - places_.ownGoal() + Vector2(0.3, 0);
+  } else {
+    way = places_.aim(ball, now_.opponents) - ball;
+  }
+  if (way.norm() < 0.05) way = Vector2::UnitX();
+  // Near a wall or in a corner there may be no room behind the ball: then the direction next to the wanted
+  // one is taken from whose side the ball can be reached.
+  const double wanted = std::atan2(way.y(), way.x());
+  for (int i = 0; i <= 2 * kDirections; ++i) {
+    const double turn = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * robotlink::kPi / kDirections;
+    const Vector2 direction(std::cos(wanted + turn), std::sin(wanted + turn));
+    const Vector2 behind = ball - direction * options_.skills.standOff;
+    if ((places_.reachable(behind) - behind).norm() < 0.02) return wanted + turn;
+  }
+  return wanted;
+}
+
+double SoccerMind::playDirection() const {
+  const auto ball = now_.ballInTeam();
+  if (!ball) return std::atan2(now_.ball.y(), now_.ball.x());
+  return normalizedAngle(directionInTeam(*ball) - now_.pose->heading);
+}
+
+std::optional<double> SoccerMind::aim() const {
+  if (!now_.knowsBall) return std::nullopt;
+  return aim_;
+}
+
+double SoccerMind::distanceToGoal() const {
+  const auto ball = now_.ballInTeam();
+  return ball ? (places_.opponentGoal() - *ball).norm() : 1e3;
+}
+
+bool SoccerMind::isUnderPressure() const {
+  const auto ball = now_.ballInTeam();
+  return ball && std::ranges::any_of(now_.opponents, [&](const Vector2& opponent) {
+           return (opponent - *ball).norm() < options_.kickPressure;
+         });
+}
+
+bool SoccerMind::shouldKick() const {
+  return distanceToGoal() < options_.kickRange || isUnderPressure() || roles_.role() == Role::kGoalie;
+}
+
+bool SoccerMind::isAtPlace() const {
+  if (!now_.pose) return false;
+  const Pose2 rest = now_.pose->inverse() * place_;
+  return rest.translation().norm() < options_.placeTolerance && std::abs(rest.heading) < options_.placeAngle;
+}
+
+bool SoccerMind::mustGlance() const {
+  return now_.time - glancedAt_ > options_.glanceAgain + options_.glanceTime;
+}
+
+void SoccerMind::observe(const GameSituation& now) {
+  if (!started_) fieldSeenAt_ = now.time;
+  started_ = true;
+  const bool wasPlaying = now_.phase == GameSituation::Phase::kPlaying && now_.time > 0;
+  now_ = now;
+  if (now.seesField) fieldSeenAt_ = now.time;
+  if (now.phase == GameSituation::Phase::kPlaying) {
+    if (!wasPlaying) {
+      playingSince_ = now.time;
+      ballMoved_ = false;
+      ballAtKickOff_ = now.ballInTeam();
+    }
+    if (const auto ball = now.ballInTeam(); ball && !now.ballFromTeam) {
+      if (!ballAtKickOff_) ballAtKickOff_ = ball;
+      if ((*ball - *ballAtKickOff_).norm() > kMoved + 0.1 * now.ball.norm()) ballMoved_ = true;
+    }
+  }
+  aim_ = playDirection();
+  secondsToBall_ = kNever;
+  if (now.knowsBall && !now.fallen && !now.penalized && !now.pickedUp)
+    secondsToBall_ = skills_.secondsTo(now.ball, aim_) + std::min(5.0, now.ballAge) +
+                     (now.ballFromTeam ? kHearsayPenalty : 0);
+  (void)roles_.decide(now, secondsToBall_);
+}
+
+Intention SoccerMind::decide(const GameSituation& now) {
+  observe(now);
+  intention_ = {};
+  target_.reset();
+  machine_.advance(now.time);
+  return intention_;
+}
+
+void SoccerMind::stand(Intention::Head head) {
+  intention_ = {};
+  intention_.head = head;
+}
+
+void SoccerMind::walkToPlace(const Pose2& placeInTeam) {
+  if (!now_.pose) {
+    stand(Intention::Head::kLookAround);
+    return;
+  }
+  const Pose2 rest = now_.pose->inverse() * placeInTeam;
+  target_ = rest.translation();
+  std::vector<Vector2> obstacles = now_.robots;
+  // It leaves the ball to the striker.
+  if (now_.knowsBall && roles_.role() != Role::kStriker && roles_.role() != Role::kGoalie)
+    obstacles.push_back(now_.ball);
+  intention_ = skills_.walkTo(rest.translation(), rest.heading, obstacles);
+  // On the way it looks at the ball, and now and then for beacons and goals.
+  if (mustGlance()) glancedAt_ = now_.time;
+  const bool glances = now_.time - glancedAt_ < options_.glanceTime || !now_.knowsBall;
+  intention_.head = glances ? Intention::Head::kLookAround : Intention::Head::kTrack;
+}
+
+void SoccerMind::approachBall() {
+  target_ = skills_.placeBehind(now_.ball, aim_);
+  intention_ = skills_.approach(now_.ball, aim_, now_.robots);
+  if (now_.ball.norm() < options_.glanceDistance) return;
+  if (mustGlance() && now_.seesBall()) glancedAt_ = now_.time;
+  if (now_.time - glancedAt_ < options_.glanceTime) intention_.head = Intention::Head::kLookAround;
+}
+
+void SoccerMind::kickBall() {
+  if (now_.playsMotion) kickBegan_ = true;
+  // Requested only until it begins: a motion that is still requested when it ends is repeated.
+  intention_ = {};
+  intention_.motion = kickBegan_ ? Intention::Motion::kStand : Intention::Motion::kKick;
+  intention_.kick = options_.kick;
+  intention_.head = Intention::Head::kTrack;
+}
+
+}  // namespace modules

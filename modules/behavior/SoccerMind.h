@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "modules/behavior/BallSkills.h"
+#include "modules/behavior/GameSituation.h"
+#include "modules/behavior/OptionMachine.h"
+#include "modules/behavior/RoleAssignment.h"
+#include "modules/behavior/TeamPlaces.h"
+
+namespace modules {
+
+/// What a soccer player knows, and what it can do: the conditions and actions of its options, on plain
+/// values. SoccerOptions builds the options, SoccerPlayer runs them. Not thread-safe; it must not be moved,
+/// because the options refer to it.
+class SoccerMind {
+ public:
+  struct Options {
+    BallSkills::Options skills;
+    TeamPlaces::Options places;
+    RoleAssignment::Options roles;
+    /// Search: time for which it looks about before it turns, of a turn, and of the walk after it, s.
+    double lookAboutTime = 2.0, turnTime = 7, wanderTime = 5;
+    /// Time without colors of the field after which it stands still, s.
+    double blindAfter = 1;
+    /// Time without seeing the ball after which it is searched, s.
+    double lostAfter = 3;
+    /// How long it looks for beacons and goals, and how often at the earliest, s.
+    double glanceTime = 1.2, glanceAgain = 6;
+    /// Distance of the ball from which on it does so while it walks, m.
+    double glanceDistance = 0.8;
+    /// Angle between ball and aim up to which it pushes the ball, and from which on it goes behind it again,
+    /// rad.
+    double alignTolerance = 0.3, alignLost = 0.9;
+    /// Distance of the ball up to which it pushes it, and from which on it approaches it again, m.
+    double dribbleDistance = 0.36, dribbleLost = 0.55;
+    /// It kicks instead of pushing when the goal is no farther than this, or an opponent this near, m. Always
+    /// by default: the ERS-210 steps over a ball that it pushes.
+    double kickRange = 9, kickPressure = 0.45;
+    /// How exactly the ball must be before the chest for a kick is tried at all for, s.
+    double positionTime = 4, kickTimeout = 5;
+    /// Angle up to which it kicks, rad.
+    double kickTolerance = 0.3;
+    /// Margin around the penalty area in which the goalie goes for the ball, m.
+    double goalieMargin = 0.15;
+    /// How near to its place a player stands still, m and rad.
+    double placeTolerance = 0.12, placeAngle = 0.3;
+    /// How long it waits for the other team's kick-off, s.
+    double kickOffWait = 6;
+    /// The key-frame motion of a kick straight ahead.
+    std::string kick = "kick-forward";
+  };
+
+  /// `field` is that of the places.
+  SoccerMind(const robotlink::FieldDescription& field, const Options& options);
+  SoccerMind(const SoccerMind&) = delete;
+  SoccerMind& operator=(const SoccerMind&) = delete;
+
+  /// Takes effect with the next decide(); the places stay those of the constructor.
+  void setOptions(const Options& options);
+  void setControl(OptionMachine::Control control) { machine_.setControl(std::move(control)); }
+
+  /// Brings everything up to date that conditions and actions read, runs the options, and returns what the
+  /// action of the last one wants. Call it once a frame.
+  Intention decide(const GameSituation& now);
+
+  const OptionMachine& machine() const { return machine_; }
+  Role role() const { return roles_.role(); }
+  /// The estimate that the team is told, s.
+  double secondsToBall() const { return secondsToBall_; }
+  // For drawings: where it walks to, in the robot's frame, and the direction in which it plays the ball.
+  const std::optional<robotlink::Vector2>& target() const { return target_; }
+  std::optional<double> aim() const;
+
+ private:
+  friend class SoccerOptions;
+
+  /// Brings everything up to date that conditions and actions read.
+  void observe(const GameSituation& now);
+  /// The direction in which the ball is to be played, as an angle in the robot's frame; the direction to the
+  /// ball while the robot does not know where it is.
+  double playDirection() const;
+  /// The direction in the team's frame, such that the robot finds room behind the ball.
+  double directionInTeam(const robotlink::Vector2& ball) const;
+  /// The angle up to which a ball that is played now goes into the goal; unset if the pose is unknown.
+  double distanceToGoal() const;
+  bool isUnderPressure() const;
+  bool shouldKick() const;
+  bool isAtPlace() const;
+  bool mustGlance() const;
+
+  // Actions.
+  void stand(Intention::Head head);
+  void walkToPlace(const robotlink::Pose2& placeInTeam);
+  void approachBall();
+  void kickBall();
+
+  Options options_;
+  TeamPlaces places_;
+  BallSkills skills_;
+  RoleAssignment roles_;
+  OptionMachine machine_;
+  GameSituation now_;
+  Intention intention_;
+  std::optional<robotlink::Vector2> target_;
+  /// In the robot's frame, rad.
+  double aim_ = 0;
+  double secondsToBall_ = 1e3;
+  /// Where the player of the present option has its place, in the team's frame.
+  robotlink::Pose2 place_;
+  /// 1 to the left, -1 to the right.
+  double turnDirection_ = 1;
+  double fieldSeenAt_ = 0, glancedAt_ = -1e9, playingSince_ = 0;
+  bool started_ = false;
+  /// The motion task confirmed that the kick is being played.
+  bool kickBegan_ = false;
+  /// Whether the ball has left its place since the other team's kick-off.
+  bool ballMoved_ = true;
+  std::optional<robotlink::Vector2> ballAtKickOff_;
+};
+
+}  // namespace modules
