@@ -249,7 +249,11 @@ void SearchView::forgetOthers() {
                            ? *searchedGeneration_ == session().store().generation() && logs_.logs().empty()
                            : !logs_.logs().empty();
   if (isThere || (model_.rowCount() == 0 && !isSearching_)) return;
-  if (searchedGeneration_) searcher_.cancel();
+  if (searchedGeneration_) {
+    searcher_.cancel();
+    searcher_.take();
+    isSearching_ = false;
+  }
   model_.clear();
   showMarks();
   showOutcome(*state_, {}, false);
@@ -270,7 +274,8 @@ void SearchView::tick() {
                    "the window; or start a simulation, or connect to a robot.")
       : model_.rowCount() > 0 || isSearching_
           ? QString()
-          : tr("Type a condition, such as models/ball.position.x > 1, or choose Texts, and press Enter."));
+          : tr("Type a condition, such as models/ball.position.x > 1, or choose Texts, and press "
+               "Enter."));
 }
 
 Result<void> SearchView::saveTo(const QString& file) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/session/KeyModes.h"
 #include "tests/TestFolder.h"
 #include "tests/app/program/FakeProgram.h"
 
@@ -253,21 +254,22 @@ TEST_F(RobotHostTest, aPresetInTheRobotsFileCountsAtTheNextStartAfterItWasChange
     host_->enqueueRequests();
     const auto keys = host_->overrides().keys();
     const auto found = keys.find("package/models/ball");
-    return found == keys.end() ? -1 : static_cast<int>(found->second.kind());
+    return found == keys.end() ? std::string("off") : robotlink::inWords(found->second);
   };
   start();
-  EXPECT_EQ(startAgain(), -1) << "there is no file";
+  EXPECT_EQ(startAgain(), "off") << "there is no file";
   write("always");
-  EXPECT_EQ(startAgain(), robotcontrol::KeyMode::ALWAYS);
+  EXPECT_EQ(startAgain(), "always");
   // What somebody chose after that stays.
   Request other = key("package/models/ball", 7);
-  other.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::N_TIMES);
+  other.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::EVERY_N);
+  other.mutable_set_key()->mutable_mode()->set_n(2);
   ASSERT_TRUE(host_->request(other));
   host_->enqueueRequests();
   answer(7, true);
-  EXPECT_EQ(startAgain(), robotcontrol::KeyMode::N_TIMES);
+  EXPECT_EQ(startAgain(), "every 2");
   write("every 3");
-  EXPECT_EQ(startAgain(), robotcontrol::KeyMode::EVERY_N);
+  EXPECT_EQ(startAgain(), "every 3");
 }
 
 TEST_F(RobotHostTest, whatTheNextProgramCannotDoIsReportedAndKept) {
