@@ -83,7 +83,7 @@ class TouchingModels {
       if (second.sleeper != nullptr) keepAwake(b);
       return;
     }
-    const auto [low, high] = std::minmax(of(a), of(b));
+    const int groupA = of(a), groupB = of(b), low = std::min(groupA, groupB), high = std::max(groupA, groupB);
     if (!sleeps_[static_cast<std::size_t>(high)]) keepAwake(low);
     first_[static_cast<std::size_t>(high)] = low;
   }

@@ -22,8 +22,8 @@ class LinkSets {
     return link;
   }
   void join(int a, int b) {
-    const auto [low, high] = std::minmax(of(a), of(b));
-    first_[static_cast<std::size_t>(high)] = low;
+    const int setA = of(a), setB = of(b);
+    first_[static_cast<std::size_t>(std::max(setA, setB))] = std::min(setA, setB);
   }
 
  private:
