@@ -37,6 +37,21 @@
     </message>
 </context>
 <context>
+    <name>BehaviorModel</name>
+    <message>
+        <source>%1: %2 for %3 s</source>
+        <translation>%1: %2 seit %3 s</translation>
+    </message>
+    <message>
+        <source>%1, forced</source>
+        <translation>%1, erzwungen</translation>
+    </message>
+    <message>
+        <source>%1, because %2</source>
+        <translation>%1, weil %2</translation>
+    </message>
+</context>
+<context>
     <name>Command</name>
     <message>
         <source>Adds a bookmark to the log</source>
@@ -1372,6 +1387,24 @@
     </message>
 </context>
 <context>
+    <name>OptionGraph</name>
+    <message>
+        <source>to %1: %2</source>
+        <translation>nach %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>OptionHistory</name>
+    <message>
+        <source>%1 for %2 s</source>
+        <translation>%1 seit %2 s</translation>
+    </message>
+</context>
+<context>
     <name>OwnModels</name>
     <message>
         <source>%1 (pose unknown)</source>
@@ -2538,6 +2571,14 @@
     <message>
         <source>Shows score, time and penalties of a simulated game, and lets you referee it.</source>
         <translation>Zeigt Spielstand, Zeit und Strafen eines simulierten Spiels und lässt Sie Schiedsrichter sein.</translation>
+    </message>
+    <message>
+        <source>Behavior</source>
+        <translation>Verhalten</translation>
+    </message>
+    <message>
+        <source>Shows the options and states of the robot&apos;s behavior, what is active and why.</source>
+        <translation>Zeigt die Optionen und Zustände des Verhaltens des Roboters, was aktiv ist und warum.</translation>
     </message>
 </context>
 <context>
@@ -6254,6 +6295,65 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
 </context>
 <context>
+    <name>widgets::BehaviorView</name>
+    <message>
+        <source>Force</source>
+        <translation>Erzwingen</translation>
+    </message>
+    <message>
+        <source>Keeps the behavior in the selected state until it is released</source>
+        <translation>Hält das Verhalten im ausgewählten Zustand, bis es freigegeben wird</translation>
+    </message>
+    <message>
+        <source>Ctrl+Return</source>
+        <translation>Ctrl+Return</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>The behavior decides again</source>
+        <translation>Das Verhalten entscheidet wieder</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>No state changes until it is stepped or held no more</source>
+        <translation>Kein Zustand wechselt, bis ein Schritt folgt oder nicht mehr angehalten wird</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Lets the next change of a state happen</source>
+        <translation>Lässt den nächsten Zustandswechsel geschehen</translation>
+    </message>
+    <message>
+        <source>F10</source>
+        <translation>F10</translation>
+    </message>
+    <message>
+        <source>What is active</source>
+        <translation>Was aktiv ist</translation>
+    </message>
+    <message>
+        <source>No robot. Start a simulation or connect to a robot, and choose it in the toolbar.</source>
+        <translation>Kein Roboter. Starten Sie eine Simulation oder verbinden Sie sich mit einem Roboter und wählen Sie ihn in der Werkzeugleiste.</translation>
+    </message>
+    <message>
+        <source>The robot has not reported its behavior yet. Start its program.</source>
+        <translation>Der Roboter hat sein Verhalten noch nicht gemeldet. Starten Sie sein Programm.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::BookmarkModel</name>
     <message>
         <source>Time [s]</source>
@@ -9725,6 +9825,13 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     </message>
 </context>
 <context>
+    <name>widgets::HistoryStrip</name>
+    <message>
+        <source>States of the last minute</source>
+        <translation>Zustände der letzten Minute</translation>
+    </message>
+</context>
+<context>
     <name>widgets::HostingBar</name>
     <message>
         <source>Where the program runs</source>
@@ -11409,6 +11516,13 @@ Verzeichnung %8</translation>
     <message>
         <source>The bookmarks were not saved: %1</source>
         <translation>Die Lesezeichen wurden nicht gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::OptionCanvas</name>
+    <message>
+        <source>Options of the behavior</source>
+        <translation>Optionen des Verhaltens</translation>
     </message>
 </context>
 <context>
