@@ -12,6 +12,9 @@ namespace {
 
 using nlohmann::json;
 
+/// Seconds after which a module counts as not returning: on a busy machine a game must not be played without
+/// a robot whose program merely had to wait.
+constexpr char kGamePatience[] = "60";
 constexpr char kLayoutPart[] = "layout", kPresetPart[] = "preset";
 
 /// A file by its whole path, since jobs run in other folders; a name as it is.
@@ -99,8 +102,11 @@ PlannedRun Tournament::run(int game) const {
   const TeamChoice& first = teams[teamOf(game, 0)];
   const TeamChoice& second = teams[teamOf(game, 1)];
   PlannedRun run{first.name + " against " + second.name, fmt::format("game {}", game + 1), {}};
-  run.arguments = {"sim",       wholeFile(scene),           "--threads", "1",
-                   "--seconds", fmt::format("{}", seconds), "--seed",    std::to_string(seedOf(game)),
+  run.arguments = {"sim",        wholeFile(scene),
+                   "--threads",  "1",
+                   "--seconds",  fmt::format("{}", seconds),
+                   "--seed",     std::to_string(seedOf(game)),
+                   "--patience", kGamePatience,
                    "--json"};
   for (std::size_t color = 0; color < colors.size(); ++color)
     std::ranges::move(teams[teamOf(game, color)].optionsFor(colors[color]),

@@ -58,9 +58,9 @@ QString textOf(const QWidget& view, const char* label) {
   return child<QLabel>(view, label).text();
 }
 
-/// The button that triggers an action.
-void press(const QWidget& view, const char* action) {
-  child<QAction>(view, action).trigger();
+/// Clicks a button.
+void press(const QWidget& view, const char* button) {
+  child<QToolButton>(view, button).click();
 }
 
 }  // namespace
@@ -74,9 +74,9 @@ class GameViewTest : public QObject {
     QCOMPARE(textOf(*view, "gameScore"), QStringLiteral("red 3 : 1 blue"));
     QCOMPARE(textOf(*view, "gameTime"), QStringLiteral("half 2, 1:04 left, playing"));
     QVERIFY(textOf(*view, "gameMessage").startsWith(QStringLiteral("blue1 is penalized")));
-    QVERIFY(child<QAction>(*view, "gamePlay").isChecked());
-    QVERIFY(!child<QAction>(*view, "gameReady").isChecked());
-    QVERIFY(child<QAction>(*view, "gameAutomatic").isChecked());
+    QVERIFY(child<QToolButton>(*view, "gamePlay").isChecked());
+    QVERIFY(!child<QToolButton>(*view, "gameReady").isChecked());
+    QVERIFY(child<QToolButton>(*view, "gameAutomatic").isChecked());
     QCOMPARE(child<QComboBox>(*view, "gameKickOff").currentText(), QStringLiteral("blue"));
     auto& model = *child<QTableView>(*view, "gamePlayers").model();
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
@@ -105,13 +105,13 @@ class GameViewTest : public QObject {
     QCOMPARE(bench.asked().action(), ControlGame::AUTOMATIC);
     QVERIFY(!bench.asked().on());
     bench.tick(*view);
-    QVERIFY2(child<QAction>(*view, "gameAutomatic").isChecked(), "until the referee says so");
+    QVERIFY2(child<QToolButton>(*view, "gameAutomatic").isChecked(), "until the referee says so");
   }
 
   void theChosenRobotIsPenalizedAndReturns() {
     GameBench bench;
     auto view = bench.open<GameView>();
-    QVERIFY(!child<QAction>(*view, "gamePenalize").isEnabled());
+    QVERIFY(!child<QToolButton>(*view, "gamePenalize").isEnabled());
     auto& table = child<QTableView>(*view, "gamePlayers");
     table.setCurrentIndex(table.model()->index(1, 0));
     child<QComboBox>(*view, "gameReason").setCurrentText(QStringLiteral("holding"));
@@ -125,7 +125,7 @@ class GameViewTest : public QObject {
     QCOMPARE(bench.asked().robot(), std::string("blue1"));
     table.setCurrentIndex(table.model()->index(0, 0));
     bench.tick(*view);
-    QVERIFY2(!child<QAction>(*view, "gameReturn").isEnabled(), "red1 plays");
+    QVERIFY2(!child<QToolButton>(*view, "gameReturn").isEnabled(), "red1 plays");
   }
 
   void kickOffAndRadioAreChosen() {
@@ -161,7 +161,7 @@ class GameViewTest : public QObject {
                               return std::vector<std::string>{"compact", "parallel"};
                             }});
     auto view = bench.open<GameView>();
-    QVERIFY(!child<QAction>(*view, "gameLayoutRobot").isEnabled());
+    QVERIFY(!child<QToolButton>(*view, "gameLayoutRobot").isEnabled());
     auto& table = child<QTableView>(*view, "gamePlayers");
     table.setCurrentIndex(table.model()->index(1, 0));
     child<QComboBox>(*view, "gameLayout").setCurrentText(QStringLiteral("parallel"));
