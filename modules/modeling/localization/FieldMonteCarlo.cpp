@@ -167,15 +167,16 @@ Pose2 FieldMonteCarlo::drawPose(const Pose2& robotInOdometry) {
           around + kPi - std::atan2(seen.y(), seen.x()) + turn};
 }
 
-void FieldMonteCarlo::resample(const Pose2& robotInOdometry) {
+void FieldMonteCarlo::resample(const Frame& frame) {
   const std::size_t count = particles_.size();
   double sum = 0;
   for (const Particle& particle : particles_) sum += particle.weight;
   if (!(sum > 0)) return;
   const double lack = options_.goodFit > 0 ? std::max(0.0, 1 - fit_ / options_.goodFit) : 0;
-  const double fresh = options_.newShare * lack;
+  const bool shows = !frame.landmarks.empty();
+  const double fresh = shows ? options_.newShare * lack : 0;
   if (fresh == 0 && effectiveParticles() > 0.5 * static_cast<double>(count)) return;
-  const double share = fresh + options_.probeShare;
+  const double share = shows ? fresh + options_.probeShare : 0;
   const double start = random_.uniform(), rough = options_.roughening;
   double passed = 0;
   std::size_t at = 0;
@@ -187,7 +188,7 @@ void FieldMonteCarlo::resample(const Pose2& robotInOdometry) {
     Particle& added = drawn_.emplace_back();
     // If duplicates stayed equal, the cloud would shrink whatever is seen.
     if (random_.uniform() < share)
-      set(added, drawPose(robotInOdometry));
+      set(added, drawPose(frame.robotInOdometry));
     else
       set(added, {from.x + rough * noise(), from.y + rough * noise(), from.heading + rough * noise()});
   }
@@ -273,7 +274,7 @@ void FieldMonteCarlo::update(const Frame& frame) {
   memory_.add(frame.time, frame.robotInOdometry, frame.landmarks, options_.memory);
   if (!frame.landmarks.empty() || !frame.lines.empty()) {
     weigh(frame);
-    resample(frame.robotInOdometry);
+    resample(frame);
   }
   summarize();
 }

@@ -35,19 +35,19 @@ class FieldMonteCarlo {
     int linePoints = 12;
     /// The fraction of an image's information that the previous image did not contain: of landmarks, and of
     /// each point of a line.
-    double landmarkEvidence = 0.25, lineEvidence = 0.06;
+    double landmarkEvidence = 0.25, lineEvidence = 0.03;
     /// Error after walking one meter, m; grows with the square root of the distance.
-    double walkNoise = 0.1;
+    double walkNoise = 0.12;
     /// Error after turning one radian, rad; grows likewise.
-    double turnNoise = 0.12;
+    double turnNoise = 0.15;
     /// Added in every update, m and rad.
     double driftNoise = 0.002;
     /// Noise added to duplicated particles, m and rad.
     double roughening = 0.01;
     /// Mean fit of the landmarks, 0 to 1, below which particles are replaced.
-    double goodFit = 0.35;
+    double goodFit = 0.45;
     /// The fraction of particles that are replaced if nothing fits; and in every image.
-    double newShare = 0.15, probeShare = 0.01;
+    double newShare = 0.2, probeShare = 0.01;
     /// How long landmarks are remembered for new particles, s.
     double memory = 4;
     std::uint64_t seed = 1;
@@ -111,7 +111,9 @@ class FieldMonteCarlo {
   double lineSquares(const Particle& particle) const;
   void weigh(const Frame& frame);
   void choose(const Frame& frame);
-  void resample(const robotlink::Pose2& robotInOdometry);
+  /// Draws a new generation of particles by their weights. Particles that follow from landmarks are added
+  /// only if the image shows one: lines alone would let mirrored poses win.
+  void resample(const Frame& frame);
   /// A pose from two landmarks of the memory, or around one; any pose if there is none.
   robotlink::Pose2 drawPose(const robotlink::Pose2& robotInOdometry);
   robotlink::Pose2 anyPose();
