@@ -11,7 +11,13 @@ using robotcontrol::KeyTable;
 
 KeyWishes::Outcome KeyWishes::set(const robotcontrol::SetKey& request) {
   const Key* key = find(request.name());
-  if (key == nullptr) return {true, false};
+  if (key == nullptr) {
+    if (hasTable() || request.mode().kind() != KeyMode::ALWAYS) return {true, false};
+    // The robot says whether it has the key; what the key publishes is known, and subscribed to, with the
+    // table.
+    choose(request);
+    return {true, wanted_.insert(request.name()).second};
+  }
   const bool wasChosen = choices_.erase(request.name()) + counted_.erase(request.name()) > 0;
   // Keys that publish no stream are none that one can subscribe to.
   if (key->stream().empty()) {

@@ -132,8 +132,11 @@ class FarNarrowGuiTest : public WindowTest {
     qInfo("STOP acts after %lld ms", taken);
     QVERIFY(taken < 300);
     QTRY_VERIFY_WITH_TIMEOUT(there.table() != before, kWaitMs);
+    // The desk knows it later than the robot.
+    auto& engaged = desk.find<QAction>("robot.stop");
+    QTRY_VERIFY_WITH_TIMEOUT(engaged.isChecked(), kWaitMs);
     QTest::mouseClick(&stop, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!there.isStopped(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!there.isStopped() && !engaged.isChecked(), kWaitMs);
   }
 };
 

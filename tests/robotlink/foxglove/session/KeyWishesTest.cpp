@@ -35,6 +35,20 @@ class KeyWishesTest : public testing::Test {
   KeyWishes keys_;
 };
 
+TEST_F(KeyWishesTest, aKeyThatIsSwitchedOnBeforeTheTableComesIsASubscriptionThen) {
+  KeyWishes early;
+  const auto on = early.set(keyRequest("disc", KeyMode::ALWAYS));
+  EXPECT_TRUE(on.isForwarded) << "the robot says whether it has this key";
+  EXPECT_TRUE(on.hasChanged);
+  early.setTable(table_);
+  EXPECT_TRUE(early.wants("drawings/disc"));
+  EXPECT_EQ(early.shown().keys(0).mode().kind(), KeyMode::ALWAYS);
+  const auto off = early.set(keyRequest("disc", KeyMode::OFF));
+  EXPECT_TRUE(off.isChoice) << "the robot is told, too";
+  EXPECT_FALSE(early.choice("disc").has_value());
+  EXPECT_FALSE(early.wants("drawings/disc"));
+}
+
 TEST_F(KeyWishesTest, aKeyThatIsSwitchedOnHereIsASubscription) {
   EXPECT_FALSE(keys_.wants("drawings/disc"));
   const auto on = keys_.set(keyRequest("disc", KeyMode::ALWAYS));
