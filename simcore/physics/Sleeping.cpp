@@ -15,7 +15,7 @@ namespace {
 /// For so many steps something has to stay.
 constexpr int kQuietSteps = 125;
 // How far it may move and turn in the meantime, m and rad.
-constexpr double kQuietWay = 0.00025, kQuietTurn = 0.0005;
+constexpr double kQuietWay = 0.0005, kQuietTurn = 0.003;
 
 OdeModel& modelAt(OdeWorld& ode, int model) {
   return ode.models[static_cast<std::size_t>(model)];
