@@ -10,6 +10,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
 
 namespace app {
@@ -224,8 +225,11 @@ void RemoteBodyPlatform::sendStatus(Instant now) {
 
 bool RemoteBodyPlatform::hasNewCommands() {
   bool isNew = false;
-  for (auto& [package, command] : commands_)
-    isNew |= std::exchange(command.taken, command.receiver->taken()) != command.receiver->taken();
+  for (auto& [package, command] : commands_) {
+    const bool hasCome = std::exchange(command.taken, command.receiver->taken()) != command.receiver->taken();
+    // What is told to the team moves nothing; it goes with the commands that do.
+    isNew |= hasCome && package != robotlink::kTeamMessage.name;
+  }
   return isNew;
 }
 
