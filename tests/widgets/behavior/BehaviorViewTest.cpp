@@ -129,7 +129,7 @@ class BehaviorViewTest : public QObject {
   void theViewShowsWhatIsActiveAndEnablesForcingOfSelectedStates() {
     Bench bench;
     auto view = bench.open<BehaviorView>();
-    QVERIFY(!child<QAction>(*view, "behaviorForce").isEnabled());
+    QVERIFY(!child<QAction>(*view, "behaviorForceAction").isEnabled());
     bench.push(std::string("red1/") + robotlink::kBehaviorGraph.name, someGraph(), 1);
     bench.push(std::string("red1/") + robotlink::kBehaviorState.name, someState("kick"), 1);
     bench.advance();
@@ -139,8 +139,8 @@ class BehaviorViewTest : public QObject {
     const QPoint place = graph.stateRect({1, 0}).center().toPoint();
     QTest::mouseClick(&graph, Qt::LeftButton, {}, place);
     QVERIFY((graph.selected() == BehaviorModel::Place{1, 0}));
-    QVERIFY(child<QAction>(*view, "behaviorForce").isEnabled());
-    QVERIFY(!child<QAction>(*view, "behaviorStep").isEnabled());
+    QVERIFY(child<QAction>(*view, "behaviorForceAction").isEnabled());
+    QVERIFY(!child<QAction>(*view, "behaviorStepAction").isEnabled());
     keepPicture(*view, "behavior");
   }
 };
