@@ -38,6 +38,10 @@ int run(const QString& wanted, const QStringList& arguments) {
 
 int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  // QtTest ends a function after five minutes, in the midst of a soak test.
+  const double soak = qEnvironmentVariable("ROBOTCONTROL_SOAK_SECONDS").toDouble();
+  if (soak > 0 && !qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT"))
+    qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number(static_cast<qint64>(1000 * (2 * soak + 600))));
   QApplication application(argc, argv);
   const widgets::test::BenchHome home;
   QStringList arguments = QApplication::arguments();
