@@ -72,6 +72,9 @@ class Planner {
   void describeProducer(ReplayPlan::Package& package) const;
   /// Decides where each package comes from.
   void choose();
+  /// Whether a package that is not logged need not be computed: no task requires it, the requested solution
+  /// does not yield it, and other packages of its task are logged.
+  bool isDispensable(const ReplayPlan::Package& package) const;
   /// Removes tasks whose packages all come from the log.
   void replaceTasks();
   /// Removes tasks that cannot run.
@@ -167,7 +170,8 @@ void Planner::choose() {
     const auto choice = selection_.packages.find(package.name);
     const auto source = choice == selection_.packages.end() ? ControlReplay::AUTOMATIC : choice->second;
     package.chosen = source != ControlReplay::AUTOMATIC;
-    const bool recomputed = !package.logged || (selection_.recomputeAll && package.canRecompute);
+    const bool recomputed =
+        package.logged || isDispensable(package) ? selection_.recomputeAll && package.canRecompute : true;
     package.source = recomputed ? ControlReplay::RECOMPUTED : ControlReplay::AS_LOGGED;
     if (source == ControlReplay::RECOMPUTED && !package.canRecompute) {
       errors_.push_back({"replay.cannot-recompute",
@@ -188,6 +192,26 @@ void Planner::choose() {
          {name},
          {}});
   }
+}
+
+bool Planner::isDispensable(const ReplayPlan::Package& package) const {
+  bool isBesideLogged = false;
+  for (const Layout::Process& process : selection_.layout.processes) {
+    for (const Layout::Task& task : process.tasks) {
+      const TaskCatalog::Task* known = catalog_.find(task.task);
+      if (known == nullptr) continue;
+      const std::set<std::string> outputs = outputsOf(known);
+      isBesideLogged = isBesideLogged || (outputs.contains(package.name) &&
+                                          std::ranges::any_of(outputs, [&](const auto& output) {
+                                            return selection_.logged.contains(output);
+                                          }));
+      for (const TaskCatalog::Solution& solution : known->solutions) {
+        const bool isSent = solution.name == task.solution && contains(solution.outputs, package.name);
+        if (isSent || contains(solution.required, package.name)) return false;
+      }
+    }
+  }
+  return isBesideLogged;
 }
 
 // ---- Tasks

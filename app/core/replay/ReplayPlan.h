@@ -32,7 +32,9 @@ struct ReplaySelection {
 };
 
 /// Which part of a layout runs on a log, and where each package comes from. Logged packages replace the tasks
-/// that yield them, unless the user chooses to recompute them; what is not logged is recomputed if possible.
+/// that yield them, unless the user chooses to recompute them; what is not logged is recomputed if possible,
+/// but where only other solutions than the requested one yield it, no task requires it, and other packages of
+/// its task are logged.
 /// A task whose packages all are as logged leaves the layout, and so does a task that lacks an input; a
 /// process leaves with its last task. A plain value.
 struct ReplayPlan {

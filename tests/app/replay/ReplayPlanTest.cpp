@@ -112,6 +112,21 @@ TEST(ReplayPlan, whateverIsLoggedTakesThePlaceOfItsProducers) {
   EXPECT_THAT(plan.unavailable, IsEmpty()) << "they could run";
 }
 
+TEST(ReplayPlan, whatOnlyOtherSolutionsYieldIsNotComputedUnlessAPersonWantsIt) {
+  TaskCatalog all = catalog();
+  all.tasks["walk"].solutions.push_back({"dance", "", {"joints"}, {}, {"steps", "music"}});
+  const std::set<std::string> logged{"image",   "joints", "regions", "pose",
+                                     "percept", "model",  "steps",   "status"};
+  ReplaySelection selection = wishesFor(logged);
+  const auto plan = planReplay(selection, all);
+  ASSERT_TRUE(plan);
+  EXPECT_THAT(tasksOf(*plan), IsEmpty()) << "the gait, which was recorded, makes no music";
+  selection.packages["music"] = ControlReplay::RECOMPUTED;
+  const auto wanted = planReplay(selection, all);
+  ASSERT_TRUE(wanted);
+  EXPECT_THAT(tasksOf(*wanted), ElementsAre("motion/walk:gait"));
+}
+
 TEST(ReplayPlan, aLoggedPoseLetsARobotWithoutJointsBeSeenThrough) {
   const ReplayPlan plan = planned(wishesFor({"image", "pose"}));
   EXPECT_THAT(tasksOf(plan),

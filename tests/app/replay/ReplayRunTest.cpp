@@ -74,7 +74,12 @@ TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
   const auto status = replay.status();
   EXPECT_THAT(status.unavailable_tasks(), IsEmpty());
   EXPECT_GE(recomputedPackages(status).size(), 12U);
-  EXPECT_EQ(static_cast<std::size_t>(status.differences_size()), recomputedPackages(status).size());
+  // The solutions that were chosen do not send all packages of their tasks.
+  const auto compared = std::ranges::count_if(status.packages(), [](const auto& package) {
+    return package.source() == robotcontrol::ControlReplay::RECOMPUTED && package.can_recompute() &&
+           package.logged();
+  });
+  EXPECT_EQ(status.differences_size(), compared);
   for (const auto& difference : status.differences()) {
     EXPECT_GT(difference.compared(), 70U) << difference.package();
     EXPECT_EQ(difference.different(), 0U)

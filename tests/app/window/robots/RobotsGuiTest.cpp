@@ -74,7 +74,7 @@ class RobotsGuiTest : public WindowTest {
     desk.press("robotsDeploy");
     QVERIFY(desk.state().contains(QStringLiteral("not connected")));
     desk.press("robotsConnect");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.robot().text(8).startsWith(QStringLiteral("connected")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.robot().text(9).startsWith(QStringLiteral("connected")), kWaitMs);
     QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.remote().robots().empty(), kWaitMs);
     QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.remote().connections().front().hasResources, kWaitMs);
     desk.press("robotsCheck");
@@ -106,7 +106,7 @@ class RobotsGuiTest : public WindowTest {
         }(),
         kWaitMs);
     desk.press("robotsDisconnect");
-    QTRY_COMPARE_WITH_TIMEOUT(desk.robot().text(8), QStringLiteral("not connected"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.robot().text(9), QStringLiteral("not connected"), kWaitMs);
   }
 
   void aSetIsEditedAndSavedAsText() {
