@@ -75,9 +75,9 @@ QString StatusLine::robotState(const robotcontrol::SimulationStatus& status) {
 }
 
 bool StatusLine::isLost() const {
-  return workbench_.loaded() == nullptr &&
-         std::ranges::none_of(workbench_.session().remoteRobots(),
-                              [](const auto& one) { return one.second.isConnected; });
+  const auto& remote = workbench_.session().remoteRobots();
+  return workbench_.loaded() == nullptr && !remote.empty() &&
+         std::ranges::none_of(remote, [](const auto& one) { return one.second.isConnected; });
 }
 
 void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
