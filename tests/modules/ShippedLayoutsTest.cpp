@@ -106,8 +106,9 @@ TEST_P(ShippedLayoutsTest, withoutASimulatorOraclesSayWhyTheyCannotBeChosen) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedLayoutsTest,
                          testing::Values(Shipped{"parallel", "ers210"}, Shipped{"compact", "ers210"},
-                                         Shipped{"balanced", "ers210"}, Shipped{"ers210-programs", "ers210"},
-                                         Shipped{"pioneer", "p3at"}, Shipped{"pioneer-parallel", "p3at"},
+                                         Shipped{"soccer", "ers210"}, Shipped{"balanced", "ers210"},
+                                         Shipped{"ers210-programs", "ers210"}, Shipped{"pioneer", "p3at"},
+                                         Shipped{"pioneer-parallel", "p3at"},
                                          Shipped{"pioneer-programs", "p3at"},
                                          Shipped{"pioneer-wander", "p3at"},
                                          Shipped{"pioneer-mapping", "p3at"}, Shipped{"pioneer", "p3dx"},
