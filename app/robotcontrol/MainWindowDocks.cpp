@@ -9,7 +9,6 @@
 #include <QShowEvent>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <filesystem>
 
 #include "app/core/Workbench.h"
@@ -20,6 +19,7 @@
 #include "app/robotcontrol/docks/MaximizedView.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/scene/SceneView.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneEditorView.h"
 
@@ -116,14 +116,17 @@ bool MainWindow::showViewsOfScene(const LoadedPlatform& loaded) {
 
 bool MainWindow::goesOnEditing(const LoadedPlatform& loaded) {
   const widgets::SceneFile* edited = widgets::sceneBench(context_).current();
-  const auto docks = docks_->openDocks();
-  const bool isShown = std::ranges::any_of(docks, [](const ads::CDockWidget* dock) {
-    return qobject_cast<const widgets::SceneEditorView*>(dock->widget()) != nullptr;
-  });
-  if (edited == nullptr || !isShown || !loaded.isSimulated() || loaded.sources.empty()) return false;
+  const widgets::SceneView* scene = nullptr;
+  bool isShown = false;
+  for (const ads::CDockWidget* dock : docks_->openDocks()) {
+    isShown = isShown || qobject_cast<const widgets::SceneEditorView*>(dock->widget()) != nullptr;
+    if (scene == nullptr) scene = qobject_cast<const widgets::SceneView*>(dock->widget());
+  }
+  if (edited == nullptr || !isShown || scene == nullptr || !loaded.isSimulated() || loaded.sources.empty())
+    return false;
   std::error_code unknown;
   if (!std::filesystem::equivalent(edited->path(), loaded.sources.front(), unknown)) return false;
-  static_cast<void>(openView("scene"));
+  if (!scene->isVisible()) static_cast<void>(openView("scene"));
   return true;
 }
 

@@ -53,6 +53,11 @@ void ProgramRequests::choose(const std::vector<Request>& overrides) {
   }
 }
 
+void ProgramRequests::chooseAnew(const std::vector<Request>& overrides) {
+  const std::lock_guard lock(mutex_);
+  for (const Request& request : overrides) overrides_.note(request);
+}
+
 void ProgramRequests::beginOverridden() {
   const std::lock_guard lock(mutex_);
   preview_.reset();

@@ -43,6 +43,8 @@ class ProgramRequests {
   void beginOverridden();
   /// Keeps overrides as if the user had made them before; those that were made win. Before begin().
   void choose(const std::vector<robotcontrol::Request>& overrides);
+  /// The same, but the overrides replace what was chosen before.
+  void chooseAnew(const std::vector<robotcontrol::Request>& overrides);
   /// Enqueues a request of the user. Returns false if too many are waiting already. In a pause, a request
   /// replaces the previous one if both set the same thing.
   bool ask(const robotcontrol::Request& request);

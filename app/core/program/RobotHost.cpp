@@ -121,7 +121,15 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   if (tap_ != nullptr) record(executor.kind());
   setUp();
   std::vector<std::string> lost;
-  if (const auto preset = presetToBegin()) requests_.choose(requestsOf(*preset, program_->parameters()));
+  // A file that was changed since an earlier start is the newest that somebody chose.
+  const bool isFirst = !std::exchange(hasBegun_, true);
+  if (const auto preset = presetToBegin()) {
+    const auto chosen = requestsOf(*preset, program_->parameters());
+    if (isFirst)
+      requests_.choose(chosen);
+    else
+      requests_.chooseAnew(chosen);
+  }
   if (overridden_) {
     requests_.beginOverridden();
   } else {

@@ -211,6 +211,7 @@ class RobotHost {
   bool overridden_ = false;
   /// What was in the file of the robot's preset when a program began last; unset: there was none.
   std::optional<std::string> presetText_;
+  bool hasBegun_ = false;
   std::vector<robotlink::Process*> processes_;
   /// Since the last begin().
   ExecutorKind executor_ = ExecutorKind::kLockstep;

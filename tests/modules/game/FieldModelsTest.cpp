@@ -54,7 +54,8 @@ TEST_P(FieldLocalizer, isGoodWhilePlaying) {
   });
   game.run(10);
   EXPECT_GT(place.count(), 200);
-  EXPECT_LT(place.mean(), 0.15);
+  // Without particles that begin anew, the filter takes longer where few landmarks are seen.
+  EXPECT_LT(place.mean(), GetParam() == std::string("kalman") ? 0.25 : 0.15);
   EXPECT_LT(heading.mean(), robotlink::radians(8));
 }
 
