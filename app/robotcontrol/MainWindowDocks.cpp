@@ -116,18 +116,15 @@ bool MainWindow::showViewsOfScene(const LoadedPlatform& loaded) {
 
 bool MainWindow::goesOnEditing(const LoadedPlatform& loaded) {
   const widgets::SceneFile* edited = widgets::sceneBench(context_).current();
-  const widgets::SceneView* scene = nullptr;
-  bool isShown = false;
+  bool isEditorShown = false, isSceneShown = false;
   for (const ads::CDockWidget* dock : docks_->openDocks()) {
-    isShown = isShown || qobject_cast<const widgets::SceneEditorView*>(dock->widget()) != nullptr;
-    if (scene == nullptr) scene = qobject_cast<const widgets::SceneView*>(dock->widget());
+    isEditorShown = isEditorShown || qobject_cast<const widgets::SceneEditorView*>(dock->widget()) != nullptr;
+    isSceneShown = isSceneShown || qobject_cast<const widgets::SceneView*>(dock->widget()) != nullptr;
   }
-  if (edited == nullptr || !isShown || scene == nullptr || !loaded.isSimulated() || loaded.sources.empty())
-    return false;
+  if (edited == nullptr || !isEditorShown || !isSceneShown) return false;
+  if (!loaded.isSimulated() || loaded.sources.empty()) return false;
   std::error_code unknown;
-  if (!std::filesystem::equivalent(edited->path(), loaded.sources.front(), unknown)) return false;
-  if (!scene->isVisible()) static_cast<void>(openView("scene"));
-  return true;
+  return std::filesystem::equivalent(edited->path(), loaded.sources.front(), unknown);
 }
 
 void MainWindow::choosePerspective(const QString& name) {

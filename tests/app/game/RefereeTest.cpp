@@ -228,13 +228,13 @@ TEST(Referee, aTeamGetsAnotherLayoutWhileTheOthersPlayOn) {
   ASSERT_TRUE(run);
   play(*run, 0.5);
   EXPECT_TRUE(run->setLayoutOf("blue", layoutNamed("parallel")).empty());
-  EXPECT_EQ(run->layout().stem(), "compact");
+  EXPECT_EQ(run->layout().stem(), "soccer");
   EXPECT_EQ(run->otherLayouts().at("blue2").stem(), "parallel");
-  EXPECT_TRUE(run->setLayoutOf("blue2", layoutNamed("compact")).empty());
+  EXPECT_TRUE(run->setLayoutOf("blue2", layoutNamed("soccer")).empty());
   EXPECT_EQ(run->otherLayouts().size(), 1U);
-  EXPECT_FALSE(run->setLayoutOf("green", layoutNamed("compact")).empty());
+  EXPECT_FALSE(run->setLayoutOf("green", layoutNamed("soccer")).empty());
   EXPECT_FALSE(run->setLayoutOf("red", "/no/such/layout.yaml").empty());
-  EXPECT_EQ(run->layout().stem(), "compact");
+  EXPECT_EQ(run->layout().stem(), "soccer");
   play(*run, 0.5);
   EXPECT_NEAR(robotlink::seconds(run->world().clock().now()), 1, 0.02);
 }
