@@ -9,7 +9,6 @@
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "widgets/scene/SceneView.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneLanguage.h"
 
@@ -78,7 +77,6 @@ class SceneEditorGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading(), kWaitMs);
     // A robot on wheels would bring its own views otherwise.
     QVERIFY(desk.window.findChild<QPlainTextEdit*>(QStringLiteral("sceneText")) != nullptr);
-    QVERIFY(desk.window.findChild<widgets::SceneView*>() != nullptr);
   }
 
   void whatIsWrongIsFoundInTheTextThatIsNotSaved() {

@@ -127,7 +127,7 @@ TEST(SegmentFinder, cutsALineWhereItHasNoPoints) {
 TEST(SegmentFinder, findsNothingInFewPoints) {
   SegmentFinder finder({});
   EXPECT_TRUE(finder.find({}).empty());
-  const std::vector<LinePoint> points{{{}, {1, 0}, 0}, {{}, {1.1, 0}, 0}};
+  const std::vector<LinePoint> points{{Vector2::Zero(), {1, 0}, 0}, {Vector2::Zero(), {1.1, 0}, 0}};
   EXPECT_TRUE(finder.find(points).empty());
 }
 
