@@ -279,8 +279,8 @@ class MainWindow : public QMainWindow {
   /// Keeps the views of the scene before, and shows those with which this one was left. False: it is the same
   /// one, or none that was left.
   bool showViewsOfScene(const LoadedPlatform& loaded);
-  /// Whether what was opened is the scene that is edited, and both editor and scene are shown already: then the
-  /// window stays as it is.
+  /// Whether what was opened is the scene that is edited, and both editor and scene are shown already: then
+  /// the window stays as it is.
   bool goesOnEditing(const LoadedPlatform& loaded);
 
   Workbench& workbench_;
