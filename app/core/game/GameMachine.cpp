@@ -11,7 +11,7 @@ using robotlink::Duration;
 
 namespace {
 
-constexpr unsigned kMostGoals = 1000, kMostHalves = 10;
+constexpr unsigned kMaxGoals = 1000, kMaxHalves = 10;
 
 }  // namespace
 
@@ -65,7 +65,7 @@ robotlink::Result<void> GameMachine::enter(Phase phase) {
 }
 
 void GameMachine::score(std::size_t team) {
-  goals_[team] = std::min(goals_[team] + 1, kMostGoals);
+  goals_[team] = std::min(goals_[team] + 1, kMaxGoals);
   kickOff_ = 1 - team;
 }
 
@@ -80,14 +80,14 @@ int GameMachine::direction(std::size_t team) const {
 
 void GameMachine::transfer(simcore::StateStream& stream) {
   stream.choice(phase_, Phase::kFinished);
-  stream.upTo(half_, kMostHalves);
+  stream.upTo(half_, kMaxHalves);
   stream.require(half_ >= 1);
   transferTime(stream, ofPhase_);
   transferTime(stream, ofHalf_);
   auto kickOff = static_cast<std::uint8_t>(kickOff_);
   stream.upTo(kickOff, std::uint8_t{1});
   kickOff_ = kickOff;
-  for (unsigned& goals : goals_) stream.upTo(goals, kMostGoals);
+  for (unsigned& goals : goals_) stream.upTo(goals, kMaxGoals);
 }
 
 }  // namespace app

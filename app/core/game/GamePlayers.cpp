@@ -10,14 +10,14 @@
 namespace app {
 namespace {
 
-constexpr unsigned kMostPlayers = 1000;
+constexpr unsigned kMaxPlayers = 1000;
 
 /// 0 if there is none, or no sensible one.
 unsigned numberIn(const std::string& name) {
   const std::size_t last = name.find_last_not_of("0123456789");
   const std::string digits = last == std::string::npos ? name : name.substr(last + 1);
   const unsigned long number = digits.size() > 4 ? 0 : std::strtoul(digits.c_str(), nullptr, 10);
-  return number < kMostPlayers ? static_cast<unsigned>(number) : 0;
+  return number < kMaxPlayers ? static_cast<unsigned>(number) : 0;
 }
 
 bool isTaken(const std::vector<GamePlayer>& players, std::size_t team, unsigned number) {

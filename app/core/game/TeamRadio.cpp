@@ -16,7 +16,7 @@ namespace {
 /// Separates these random numbers from others of the seed.
 constexpr std::uint64_t kRadioStream = 0x7465616d2d726164ULL;
 /// What a station may have on the way; the oldest is given up.
-constexpr std::size_t kMostOnTheWay = 10'000;
+constexpr std::size_t kMaxOnTheWay = 10'000;
 
 std::uint64_t hashOf(const std::string& text) {
   std::uint64_t hash = 0;
@@ -69,7 +69,7 @@ void TeamRadio::send(const std::string& robot, const Message& message, Instant n
       continue;
     }
     auto& onTheWay = receivers_[to.robot].onTheWay;
-    if (onTheWay.size() >= kMostOnTheWay) onTheWay.erase(onTheWay.begin());
+    if (onTheWay.size() >= kMaxOnTheWay) onTheWay.erase(onTheWay.begin());
     onTheWay.push_back({now + robotlink::fromSeconds(settings_.delay), number, signedMessage});
   }
 }

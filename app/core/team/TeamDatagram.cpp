@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kTeamMagic = 0x4D544352;  // "RCTM"
 constexpr std::uint16_t kTeamVersion = 1;
-constexpr std::size_t kMostNameBytes = 100;
+constexpr std::size_t kMaxNameBytes = 100;
 
 auto damagedTeamMessage(const std::string& what) {
   return robotlink::failure("team.datagram", "a message of a team " + what);
@@ -42,16 +42,16 @@ bool isFiniteMessage(const robotcontrol::TeamMessage& message) {
 }
 
 bool isName(const std::string& name) {
-  return !name.empty() && name.size() <= kMostNameBytes;
+  return !name.empty() && name.size() <= kMaxNameBytes;
 }
 
 }  // namespace
 
 robotlink::Result<std::vector<std::uint8_t>> teamDatagram(const robotcontrol::TeamMessage& message) {
   const std::string text = message.SerializeAsString();
-  if (text.size() > kMostTeamBytes)
+  if (text.size() > kMaxTeamBytes)
     return damagedTeamMessage("is " + std::to_string(text.size()) + " bytes long; at most " +
-                              std::to_string(kMostTeamBytes) + " are sent");
+                              std::to_string(kMaxTeamBytes) + " are sent");
   const std::vector<std::uint8_t> rest(text.begin(), text.end());
   std::vector<std::uint8_t> datagram;
   robotlink::ByteWriter writer(datagram);
@@ -72,7 +72,7 @@ robotlink::Result<std::shared_ptr<const robotcontrol::TeamMessage>> teamMessageI
   const auto crc = reader.take<std::uint32_t>();
   if (!reader.good() || magic != kTeamMagic) return damagedTeamMessage("begins with other bytes");
   if (version != kTeamVersion) return damagedTeamMessage("has version " + std::to_string(version));
-  if (length > kMostTeamBytes || length != reader.rest().size())
+  if (length > kMaxTeamBytes || length != reader.rest().size())
     return damagedTeamMessage("has another length than it says");
   if (crc != crcOf(reader.rest())) return damagedTeamMessage("was damaged on its way");
   auto message = std::make_shared<robotcontrol::TeamMessage>();

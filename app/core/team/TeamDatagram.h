@@ -3,7 +3,7 @@
 //
 //     4 bytes  "RCTM"
 //     2 bytes  version: 1
-//     2 bytes  length of the rest behind the checksum, at most kMostTeamBytes
+//     2 bytes  length of the rest behind the checksum, at most kMaxTeamBytes
 //     4 bytes  CRC-32 of the rest (zlib's), as numbers are little-endian
 //     the rest robotcontrol.TeamMessage, serialized
 #pragma once
@@ -22,7 +22,7 @@ class TeamMessage;
 namespace app {
 
 /// The most that a message may take; with its head it fits into a packet of Ethernet.
-inline constexpr std::size_t kMostTeamBytes = 1400;
+inline constexpr std::size_t kMaxTeamBytes = 1400;
 
 /// Fails if the message is too long.
 robotlink::Result<std::vector<std::uint8_t>> teamDatagram(const robotcontrol::TeamMessage& message);

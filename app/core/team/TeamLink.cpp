@@ -17,8 +17,8 @@ namespace {
 /// began anew.
 constexpr robotlink::Duration kOvertaken = std::chrono::seconds(1);
 /// What is taken in a step, so that nobody holds it up, and of how many robots the newest is kept.
-constexpr int kMostTaken = 100;
-constexpr std::size_t kMostSenders = 100;
+constexpr int kMaxTaken = 100;
+constexpr std::size_t kMaxSenders = 100;
 
 constexpr char kUnnamedTeam[] = "team";
 
@@ -85,12 +85,12 @@ void TeamLink::send() {
 
 bool TeamLink::hear() {
   bool isNew = false;
-  for (int i = 0; i < kMostTaken; ++i) {
+  for (int i = 0; i < kMaxTaken; ++i) {
     const auto datagram = socket_->receive();
     if (!datagram) break;
     const auto message = teamMessageIn(*datagram);
     const bool isForUs = message && (*message)->team() == team_ && (*message)->sender() != robot_ &&
-                         (newest_.size() < kMostSenders || newest_.contains((*message)->sender()));
+                         (newest_.size() < kMaxSenders || newest_.contains((*message)->sender()));
     if (!isForUs) {
       ++counts_.leftOut;
       continue;

@@ -83,7 +83,7 @@ void TeamSocket::send(std::span<const std::uint8_t> datagram) {
 
 std::optional<std::vector<std::uint8_t>> TeamSocket::receive() {
   // Longer ones are cut, which is noticed by their length.
-  std::vector<std::uint8_t> datagram(kMostTeamBytes + 64);
+  std::vector<std::uint8_t> datagram(kMaxTeamBytes + 64);
   const auto count = ::recv(socket_, datagram.data(), datagram.size(), MSG_DONTWAIT);
   if (count < 0) return std::nullopt;
   datagram.resize(static_cast<std::size_t>(count));
