@@ -18,7 +18,7 @@ struct GamePlayerRow {
   unsigned number = 0;
   /// Why it is penalized; empty: it is not.
   std::string reason;
-  /// Of its penalty that are left.
+  /// The seconds of its penalty that are left.
   double seconds = 0;
 };
 

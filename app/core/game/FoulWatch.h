@@ -73,7 +73,7 @@ class FoulWatch {
 
   const GameRules& rules_;
   const robotlink::FieldDescription& field_;
-  /// By the index of the robot.
+  /// One for each robot, by its index.
   std::vector<History> histories_;
 };
 

@@ -25,7 +25,7 @@ struct GamePlayer {
   unsigned number = 1;
   /// As the scene says; may be empty.
   std::string role = {};
-  /// Of its model at the start, m.
+  /// The height of its model at the start, m.
   double height = 0;
   /// Counts the players of its team that keep no goal, in the order of their numbers, from 0.
   std::size_t fieldIndex = 0;

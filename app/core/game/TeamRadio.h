@@ -62,7 +62,7 @@ class TeamRadio {
  private:
   struct OnTheWay {
     robotlink::Instant due;
-    /// Of its sender, from 1.
+    /// The number of its sender's message, from 1.
     std::uint64_t number = 0;
     Message message;
   };
@@ -72,7 +72,7 @@ class TeamRadio {
   };
   struct Receiver {
     std::vector<OnTheWay> onTheWay;
-    /// By sender.
+    /// One for each sender, by its name.
     std::map<std::string, Heard> heard;
   };
   bool arrives(const Station& from, const Station& to, std::uint64_t number) const;
@@ -80,7 +80,7 @@ class TeamRadio {
   std::uint64_t seed_ = 0;
   RadioSettings settings_;
   std::vector<Station> stations_;
-  /// By robot.
+  /// One for each robot, by its name.
   std::map<std::string, Receiver> receivers_;
   std::map<std::string, std::uint64_t> numbers_;
   std::uint64_t sent_ = 0, lost_ = 0;

@@ -22,7 +22,7 @@ namespace app {
 /// value.
 struct TeamPrograms {
   std::map<std::string, std::filesystem::path> layouts;
-  /// By task.
+  /// The chosen solutions of robots and teams, by their names and by task.
   std::map<std::string, std::map<std::string, std::string>> solutions;
 
   bool operator==(const TeamPrograms&) const = default;

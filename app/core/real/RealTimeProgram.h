@@ -47,7 +47,7 @@ struct RealTimeOptions {
   HostedProgram::Maker instead = {};
   /// Which of the layout's programs it is, if other programs run the other processes.
   SpreadOptions spread = {};
-  /// By what it hears its team.
+  /// The link by which it hears its team.
   TeamLinkOptions team = {};
   /// Gets sentences about the other programs, from any thread; empty: they go to the listener of the
   /// platform.

@@ -258,7 +258,7 @@ class SimulatedRun {
   const Referee* referee() const { return referee_; }
   /// The game for those who watch; null without a referee.
   std::shared_ptr<const robotcontrol::GameStatus> gameStatus() const;
-  /// By which robots of a team hear each other.
+  /// The radio by which robots of a team hear each other.
   const TeamRadio& radio() const { return radio_; }
   /// The layout file of the first robot's program; empty without robots.
   std::filesystem::path layout() const;
@@ -421,7 +421,7 @@ class SimulatedRun {
   /// The umpire, if it is one.
   Referee* referee_ = nullptr;
   TeamRadio radio_;
-  /// By robot.
+  /// One for each robot, by its name.
   std::map<std::string, std::shared_ptr<GameMail>> mails_;
   /// What robots were told of the game last, and when.
   std::uint64_t publishedChanges_ = 0;

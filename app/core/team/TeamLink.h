@@ -19,7 +19,7 @@ class Platform;
 
 namespace app {
 
-/// By what a robot hears its team over UDP. A plain value.
+/// The link by which a robot hears its team over UDP. A plain value.
 struct TeamLinkOptions {
   /// At which it hears; unset: it has no such link.
   std::optional<std::uint16_t> port = {};
@@ -61,7 +61,7 @@ class TeamLink {
   const std::string robot_, team_;
   const std::shared_ptr<GameMail> mail_ = std::make_shared<GameMail>();
   std::unique_ptr<GameEnds> ends_;
-  /// By sender.
+  /// One for each sender, by its name.
   std::map<std::string, std::shared_ptr<const robotcontrol::TeamMessage>> newest_;
   Counts counts_;
 };

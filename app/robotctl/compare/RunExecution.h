@@ -20,7 +20,7 @@ namespace app {
 /// How the runs of a comparison or a tournament are executed: the options about it, and the execution. A
 /// plain value.
 struct RunExecution {
-  /// Of each run, simulated.
+  /// The simulated length of each run.
   double seconds = 60;
   std::uint64_t firstSeed = 1;
   /// The folder of results and report.

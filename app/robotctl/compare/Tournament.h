@@ -59,7 +59,7 @@ class TournamentTable {
     /// From 1.
     int number = 0;
     std::uint64_t seed = 0;
-    /// By color: the names of the teams, and their goals.
+    /// The names of the teams, and their goals, each by the color in which it played.
     std::array<std::string, 2> teams;
     std::array<int, 2> goals{};
     std::string digest;

@@ -20,7 +20,7 @@ constexpr double kGoalDoubt = 2;
 /// Cells of poses in which clusters are looked for, m and per turn.
 constexpr double kClusterCell = 0.4;
 constexpr int kHeadingCells = 12;
-/// By what fraction the fit follows an image.
+/// The fraction by which the fit follows an image.
 constexpr double kFitRate = 0.12;
 
 }  // namespace

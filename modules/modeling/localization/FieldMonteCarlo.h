@@ -25,11 +25,11 @@ class FieldMonteCarlo {
  public:
   struct Options {
     int particles = 150;
-    /// Of a landmark's bearing, rad.
+    /// The deviation of a landmark's bearing, rad.
     double bearingDeviation = 0.05;
-    /// Of a landmark's distance, as a fraction of it.
+    /// The deviation of a landmark's distance, as a fraction of it.
     double distanceDeviation = 0.1;
-    /// Of the place of a line's point, m, plus a fraction of its distance.
+    /// The deviation of the place of a line's point, m, plus a fraction of its distance.
     double lineDeviation = 0.03, lineDeviationPerMeter = 0.08;
     /// How many of an image's points of lines are used; 0: none.
     int linePoints = 12;
@@ -61,7 +61,7 @@ class FieldMonteCarlo {
 
   /// What an image shows, and what else is known at its time.
   struct Frame {
-    /// Of any clock, s.
+    /// The time on any clock, s.
     double time = 0;
     /// The pose by dead reckoning with any origin.
     robotlink::Pose2 robotInOdometry;
@@ -85,7 +85,7 @@ class FieldMonteCarlo {
  private:
   struct Particle {
     robotlink::Pose2 pose;
-    /// Of the heading.
+    /// The cosine and the sine of the heading.
     double cosine = 1, sine = 0;
     /// Relative; not normalized.
     double weight = 1;

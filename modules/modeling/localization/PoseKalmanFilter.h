@@ -24,11 +24,12 @@ namespace modules {
 class PoseKalmanFilter {
  public:
   struct Options {
-    /// Of a landmark's bearing, rad.
+    /// The deviation of a landmark's bearing, rad.
     double bearingDeviation = 0.06;
-    /// Of a landmark's distance, as a fraction of it.
+    /// The deviation of a landmark's distance, as a fraction of it.
     double distanceDeviation = 0.12;
-    /// Of the distance of a point to its line, m, plus a fraction of its distance to the robot.
+    /// The deviation of the distance of a point to its line, m, plus a fraction of its distance to the
+    /// robot.
     double lineDeviation = 0.05, lineDeviationPerMeter = 0.12;
     /// How many of an image's points of lines are used; 0: none.
     int linePoints = 6;

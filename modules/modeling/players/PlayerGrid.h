@@ -30,7 +30,7 @@ class PlayerGrid {
   /// The side of a cell, m.
   static constexpr double kCell = 0.1;
 
-  /// Of a field of this size, m; robots may stand somewhat outside.
+  /// A grid over a field of this size, m; robots may stand somewhat outside.
   PlayerGrid(double length, double width, const Options& options);
   void setOptions(const Options& options) { options_ = options; }
 

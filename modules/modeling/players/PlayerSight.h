@@ -21,7 +21,8 @@ struct PlayerSight {
 /// The part of the ground in which another robot would be seen: a sector around the robot. A plain value.
 struct SeenSector {
   robotlink::Pose2 robotInField;
-  /// Of its middle from the robot's x-axis, and half of its opening, rad; an opening of 0 shows nothing.
+  /// The angle of its middle from the robot's x-axis, and half of its opening, rad; an opening of 0 shows
+  /// nothing.
   double bearing = 0, halfOpening = 0;
   /// Meters.
   double nearest = 0.3, farthest = 0;
@@ -36,7 +37,7 @@ struct SeenSector {
 
 /// What one image says about other robots.
 struct PlayerFrame {
-  /// Of any clock, s.
+  /// The time on any clock, s.
   double time = 0;
   robotlink::Pose2 robotInField;
   /// Standard deviations of that pose, m and rad.

@@ -18,7 +18,7 @@ struct BallReport {
   /// m and m/s.
   robotlink::Vector2 position = robotlink::Vector2::Zero();
   robotlink::Vector2 velocity = robotlink::Vector2::Zero();
-  /// Of the position, m^2.
+  /// The covariance of the position, m^2.
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();
   /// Since the robot saw the ball, s.
   double age = 0;
@@ -46,7 +46,7 @@ Eigen::Matrix2d ballCovariance(const robotlink::Vector2& ballInField, double bal
 /// non-divergent estimation algorithm in the presence of unknown correlations, 1997). That is right even
 /// where reports are based on one another, as those of robots that localize by the same landmarks are.
 ///
-/// Of reports that contradict each other, the largest group of those that agree wins, by the sum of their
+/// Where reports contradict each other, the largest group of those that agree wins, by the sum of their
 /// information. Immutable; any thread.
 class TeamBallFusion {
  public:
