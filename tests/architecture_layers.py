@@ -52,7 +52,7 @@ TARGETS = {
 # "." is the target's own folder. Targets that are not here have no sub-folders.
 ROOMS = {
     "robotlink/base": ["bytes", "threads", ".", "network"],
-    "robotlink/debugging": ["drawing", ".", "program"],
+    "robotlink/debugging": ["drawing", "requests", ".", "program"],
     "robotlink/arcos": ["codec", "stream", "sick", "."],
     "robotlink/foxglove": ["protocol", "security", "transport", "server", "client"],
     "robotlink/foxglove/session": [".", "remote"],

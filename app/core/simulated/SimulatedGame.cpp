@@ -11,8 +11,8 @@
 #include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/config/FieldDescription.h"
-#include "robotlink/debugging/GameRequests.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/requests/GameRequests.h"
 #include "simcore/Scene.h"
 #include "simcore/world/WorldDescription.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/SceneEditRequests.h"
+#include "robotlink/debugging/requests/SceneEditRequests.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/WorldRequests.h"
+#include "robotlink/debugging/requests/WorldRequests.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/GameRequests.h"
+#include "robotlink/debugging/requests/GameRequests.h"
 
 #include "robotcontrol/Requests.pb.h"
 
