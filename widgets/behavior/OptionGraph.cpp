@@ -135,7 +135,9 @@ void OptionGraph::paintOption(QPainter& painter, const BehaviorModel& model, int
   const QRectF box = optionRect(option);
   const auto* active = model.activeIn(option);
   const QColor good = colorOf(Meaning::kGood, palette);
-  painter.setPen(QPen(active != nullptr ? good : palette.color(QPalette::Mid), active != nullptr ? 2 : 1));
+  // The palette's own color for frames does not show on a dark base.
+  const QColor frame = mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.4);
+  painter.setPen(QPen(active != nullptr ? good : frame, active != nullptr ? 2 : 1));
   painter.setBrush(palette.base());
   painter.drawRoundedRect(box, 5, 5);
   painter.setPen(palette.color(QPalette::Text));
