@@ -41,8 +41,9 @@ using robotlink::websocket::Listener;
 using robotlink::websocket::SessionServer;
 using Loaded = tl::expected<LoadedPlatform, robotlink::Errors>;
 
-/// Messages wait for this at most before they are passed on.
-constexpr std::chrono::milliseconds kTick{5};
+/// Messages wait for this at most before they are passed on: a frame of a walking robot's motion, so that
+/// what comes with one frame is sent together.
+constexpr std::chrono::milliseconds kTick{8};
 /// The same while there are no clients, whose first requests then wait for it.
 constexpr std::chrono::milliseconds kIdleTick{50};
 /// Different refusals that are printed, once each.

@@ -86,7 +86,7 @@ double freedomOf(std::span<const RadialSample> samples) {
     groups.push_back(sample.group);
   }
   std::ranges::sort(groups);
-  // std::ranges::unique() does not compile with clang 14 and this standard library.
+  // clang 14 does not compile std::ranges::unique with this standard library.
   const auto different = std::unique(groups.begin(), groups.end()) - groups.begin();
   return sum - static_cast<double>(different);
 }

@@ -285,7 +285,7 @@ std::vector<PixelEdge> outline(const PixelArea& area) {
 }
 
 bool contains(const PixelArea& area, int x, int y) {
-  // std::ranges::equal_range() does not compile with clang 14 and this standard library.
+  // clang 14 does not compile std::ranges::equal_range with this standard library.
   for (auto run = std::ranges::lower_bound(area, y, {}, &PixelRun::y); run != area.end() && run->y == y;
        ++run) {
     if (run->begin <= x && x < run->end) return true;

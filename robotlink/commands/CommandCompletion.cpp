@@ -103,8 +103,7 @@ Completion complete(const CommandTable& commands, const std::string& line, std::
     }
   }
   std::ranges::sort(texts);
-  const auto [first, last] = std::ranges::unique(texts);
-  texts.erase(first, last);
+  texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
   for (const std::string& text : texts) {
     if (text.starts_with(begun)) result.candidates.push_back(quotedWord(text));
   }

@@ -80,7 +80,7 @@ void addEnumeration(DescriptorProto& to, const Field& field, FieldDescriptorProt
   enumeration.set_name(described.name() + "_values");
   enumeration.mutable_options()->set_allow_alias(true);
   auto values = field.enumerators;
-  std::ranges::stable_partition(values, [](const auto& one) { return one.second == 0; });
+  std::stable_partition(values.begin(), values.end(), [](const auto& one) { return one.second == 0; });
   for (const auto& [name, number] : values) {
     auto& value = *enumeration.add_value();
     value.set_name(name);

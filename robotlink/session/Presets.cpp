@@ -127,8 +127,7 @@ std::vector<std::string> Presets::names() const {
     if (fileOf(name)) names.push_back(name);
   }
   std::ranges::sort(names);
-  const auto [first, last] = std::ranges::unique(names);
-  names.erase(first, last);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 

@@ -2,7 +2,7 @@
 #include "app/core/platform/HeadlessRun.h"
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 #include "app/core/platform/PlatformAdapter.h"
 
@@ -30,10 +30,11 @@ bool has(const HeadlessPlatform& platform, const PlatformField& option) {
 
 std::vector<HeadlessPlatform> headlessPlatforms() {
   std::vector<HeadlessPlatform> platforms;
-  for (const PlatformAdapter& adapter : platformAdapters() | std::views::reverse) {
-    if (adapter.headless == nullptr) continue;
-    platforms.push_back(adapter.headless());
-    if (platforms.back().runs == nullptr) platforms.back().runs = adapter.opens;
+  const auto& adapters = platformAdapters();
+  for (auto adapter = std::rbegin(adapters); adapter != std::rend(adapters); ++adapter) {
+    if (adapter->headless == nullptr) continue;
+    platforms.push_back(adapter->headless());
+    if (platforms.back().runs == nullptr) platforms.back().runs = adapter->opens;
   }
   return platforms;
 }

@@ -87,7 +87,8 @@ std::vector<robotcontrol::ParameterValues> ProgramOverrides::parameters() const 
     values.set_solution(request->set_parameters().solution());
     *values.mutable_value() = request->set_parameters().value();
   }
-  std::ranges::stable_partition(all, [](const auto& values) { return !values.solution().empty(); });
+  std::stable_partition(all.begin(), all.end(),
+                        [](const auto& values) { return !values.solution().empty(); });
   return all;
 }
 
