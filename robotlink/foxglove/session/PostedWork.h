@@ -28,7 +28,7 @@ class PostedWork {
   /// The reason for clients whose wish was not taken.
   static constexpr char kRefusal[] = "too much waits for an answer already: the robot's session is busy";
 
-  PostedWork() = default;
+  PostedWork() : PostedWork(Limits()) {}
   explicit PostedWork(Limits limits) : limits_(limits) {}
 
   /// Returns false, and takes it not, if too much waits. `bytes` is what it keeps in memory beside itself.
