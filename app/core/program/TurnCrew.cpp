@@ -3,8 +3,14 @@
 
 #include <algorithm>
 
+#include "robotlink/base/threads/BriefWait.h"
+
 namespace app {
 namespace {
+
+/// How long threads look for turns, and for their end, before they sleep: waking one takes as long as many a
+/// turn.
+constexpr std::chrono::microseconds kAttention{300};
 
 /// How often turns that take long are looked at.
 constexpr std::chrono::milliseconds kTurnLook{10};
@@ -19,7 +25,7 @@ TurnCrew::TurnCrew(int threads, std::function<void(std::size_t)> turn) : turn_(s
 TurnCrew::~TurnCrew() {
   {
     const std::lock_guard lock(mutex_);
-    isOver_ = true;
+    isOver_ = areWaiting_ = true;
     waiting_.clear();
   }
   wanted_.notify_all();
@@ -42,11 +48,15 @@ std::vector<std::size_t> TurnCrew::run(std::span<const std::size_t> members, con
   });
   waiting_.assign(members.begin(), members.end());
   open_ = members.size();
+  areWaiting_ = open_ > 0;
   if (members.size() == 1) {
     wanted_.notify_one();
   } else {
     wanted_.notify_all();
   }
+  lock.unlock();
+  robotlink::waitBriefly(kAttention, [this] { return open_ == 0; });
+  lock.lock();
   while (!done_.wait_for(lock, kTurnLook, [this] { return open_ == 0; })) giveUp(patience, late);
   std::ranges::sort(late, {}, [&](std::size_t member) { return std::ranges::find(members, member); });
   return late;
@@ -79,13 +89,17 @@ bool TurnCrew::waitFor(std::size_t member, std::chrono::milliseconds limit) {
 }
 
 void TurnCrew::loop(Worker& worker) {
-  std::unique_lock lock(mutex_);
+  robotlink::BriefWait wait(kAttention);
   while (true) {
+    wait.look([this] { return areWaiting_.load(); });
+    std::unique_lock lock(mutex_);
     wanted_.wait(lock, [this] { return isOver_ || !waiting_.empty(); });
+    wait.end();
     if (waiting_.empty()) return;
     worker.member = waiting_.front();
     worker.begin = ModulePatience::Clock::now();
     waiting_.pop_front();
+    areWaiting_ = !waiting_.empty();
     lock.unlock();
     turn_(*worker.member);
     lock.lock();
@@ -97,7 +111,6 @@ void TurnCrew::loop(Worker& worker) {
     done_.notify_all();
     // Whoever joins it may hold the lock.
     if (isLost) return;
-    lock.lock();
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -59,8 +60,10 @@ class TurnCrew {
   mutable std::mutex mutex_;
   std::condition_variable wanted_, done_;
   std::deque<std::size_t> waiting_;
-  /// Turns of this run that have neither ended nor been given up.
-  std::size_t open_ = 0;
+  /// Turns of this run that have neither ended nor been given up. Changed with the mutex locked, as the next.
+  std::atomic<std::size_t> open_ = 0;
+  /// Whether threads find something to do: a turn, or the end.
+  std::atomic<bool> areWaiting_ = false;
   bool isOver_ = false;
   /// A list, since threads refer to its elements.
   std::list<Worker> workers_;

@@ -25,4 +25,30 @@ bool waitBriefly(std::chrono::microseconds limit, Condition condition) {
   }
 }
 
+/// Waits of one thread, again and again: it looks for a condition before it sleeps, as long as the waits are
+/// brief. Where they are long, as between the steps of a simulation in real time, it sleeps at once.
+class BriefWait {
+ public:
+  /// For how long it looks.
+  explicit BriefWait(std::chrono::microseconds limit) : limit_(limit) {}
+
+  /// Begins a wait. Whether the condition is fulfilled; if not, the thread sleeps until it is.
+  template <typename Condition>
+  bool look(Condition condition) {
+    begin_ = std::chrono::steady_clock::now();
+    return areBrief_ && waitBriefly(limit_, condition);
+  }
+  /// Ends it, when the condition is fulfilled.
+  void end() { areBrief_ = std::chrono::steady_clock::now() - begin_ < kLong * limit_; }
+  /// Whether the next wait begins with looking.
+  bool areBrief() const { return areBrief_; }
+
+ private:
+  /// A wait that is so many times longer than the limit is long: waking the thread is a part of it.
+  static constexpr int kLong = 3;
+  std::chrono::microseconds limit_;
+  std::chrono::steady_clock::time_point begin_;
+  bool areBrief_ = true;
+};
+
 }  // namespace robotlink

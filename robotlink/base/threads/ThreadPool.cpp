@@ -73,10 +73,12 @@ void ThreadPool::run(std::size_t count, const std::function<void(std::size_t)>& 
 
 void ThreadPool::loop() {
   std::uint64_t seen = 0;
+  BriefWait wait(kAttention);
   while (true) {
-    waitBriefly(kAttention, [&] { return calls_ != seen; });
+    wait.look([&] { return calls_ != seen; });
     std::unique_lock lock(mutex_);
     called_.wait(lock, [&] { return calls_ != seen; });
+    wait.end();
     seen = calls_;
     if (isOver_) return;
     if (batch_ == nullptr) continue;
