@@ -107,6 +107,11 @@ std::span<const Pose3> Simulation::bodyPoses() const {
   return implementation_->poses;
 }
 
+std::uint64_t Simulation::posesVersion() const {
+  static_cast<void>(bodyPoses());
+  return implementation_->posesVersion;
+}
+
 std::span<const Sensor> Simulation::sensors() const {
   if (!implementation_->readingsValid) implementation_->updateReadings();
   return implementation_->ports.sensors;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,7 +11,9 @@
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/base/Image.h"
 #include "simcore/Snapshot.h"
+#include "simcore/world/ComingImage.h"
 #include "simcore/world/Continuation.h"
 #include "simcore/world/Devices.h"
 #include "simcore/world/Forces.h"
@@ -107,6 +111,8 @@ class Simulation {
   /// The poses of the bodies of renderScene(), by body index; valid until the next call of a non-const
   /// function.
   std::span<const Pose3> bodyPoses() const;
+  /// Changes whenever these poses may have changed, also within a step.
+  std::uint64_t posesVersion() const;
 
   /// The sensors with their readings of the last step. They are computed on demand, once a step.
   std::span<const Sensor> sensors() const;
@@ -126,6 +132,18 @@ class Simulation {
   /// of its present image, which its delay puts into the past. Ages beyond its exposure and readout are
   /// limited to what is remembered.
   void cameraPoses(std::size_t camera, double age, std::vector<Pose3>& poses) const;
+  /// What the image of a camera will show that is asked for at step `at`, as far as nothing but going back to
+  /// another instant or choosing other errors of the camera can change that. Unset if it can, as it always
+  /// can without a delay.
+  std::optional<ComingImage> comingImage(std::size_t camera, std::uint64_t at) const;
+  /// Renders the present image of a color camera, kYuyv, in the light of the scene, unless somebody else
+  /// makes the images; valid until the next call.
+  const robotlink::Image& cameraImage(std::size_t camera) const;
+  /// Makes the present image of a color camera; null where it cannot. It is valid until the next one.
+  using CameraImages = std::function<const robotlink::Image*(std::size_t camera)>;
+  /// Has the images that cameraImage() yields, and so those that controllers read, be made by the caller, who
+  /// knows of other light and of settings of cameras. Unset: no longer.
+  void setCameraImages(CameraImages images) { cameraImages_ = std::move(images); }
   /// The step of the present image of a camera, which its delay puts into the past.
   std::uint64_t cameraStep(std::size_t camera) const;
   /// What a camera could perceive at best, from its present image: the models of which it sees a pixel.
@@ -279,6 +297,7 @@ class Simulation {
   std::unique_ptr<Implementation> implementation_;
   /// What goBack() goes back to; null: nothing.
   std::unique_ptr<Implementation> before_;
+  CameraImages cameraImages_;
 };
 
 }  // namespace simcore

@@ -39,6 +39,12 @@ class SimulationAccess final : public ControlledWorld {
     }
     return simulation_.read(path);
   }
+  robotlink::Result<const robotlink::Image*> image(const std::string& camera) override {
+    const Port* found = simulation_.port(camera);
+    if (found == nullptr || found->kind != Port::Kind::kCamera)
+      return robotlink::failure("simulation.port", "there is no color camera '" + camera + "'", {}, {camera});
+    return &simulation_.cameraImage(found->index);
+  }
   robotlink::Result<void> write(const std::string& path, std::span<const double> values) override {
     return simulation_.write(path, values);
   }
@@ -77,6 +83,28 @@ std::uint64_t hashOfEvent(const ViewEvent& event) {
   for (const auto* vector : {&event.origin, &event.direction, &event.point})
     for (int k = 0; k < 3; ++k) mix(std::bit_cast<std::uint64_t>((*vector)[k]));
   return hash;
+}
+
+void transferShape(StateStream& stream, DrawnShape& shape) {
+  stream.choice(shape.kind, DrawnShape::Kind::kText);
+  stream.size(shape.points, ControllerOutput::kMaxPoints);
+  for (Vector3& point : shape.points) stream.vector(point);
+  stream.vector(shape.size);
+  for (std::uint8_t* channel : {&shape.color.r, &shape.color.g, &shape.color.b}) stream.raw(*channel);
+  stream.text(shape.text);
+}
+
+/// What an output shows; what it is belongs to the scene.
+void transferOutput(StateStream& stream, ControllerOutput& output) {
+  for (double& value : output.values) stream.raw(value);
+  std::string bytes(output.image.data.begin(), output.image.data.end());
+  stream.text(bytes);
+  stream.size(output.shapes, ControllerOutput::kMaxShapes);
+  for (DrawnShape& shape : output.shapes) transferShape(stream, shape);
+  if (!stream.isReading()) return;
+  if (bytes.size() != output.image.data.size()) return stream.fail();
+  output.image.data.assign(bytes.begin(), bytes.end());
+  stream.require(output.problem().empty());
 }
 
 }  // namespace
@@ -151,11 +179,16 @@ void Simulation::control() {
 void SimulationState::transferControl(StateStream& stream) {
   stream.raw(control.digest);
   stream.flag(control.isDone);
-  std::vector<std::string> states;
-  if (!stream.isReading()) states = control.controllers->states();
-  stream.size(states, kMaxControllers);
-  for (std::string& state : states) stream.text(state);
-  if (stream.isReading()) control.restored = std::move(states);
+  // The outputs are those that there are; only what they show is written.
+  Controllers::Memory memory = control.controllers->memory();
+  stream.size(memory.states, kMaxControllers);
+  for (std::string& state : memory.states) stream.text(state);
+  for (ControllerOutput& output : memory.shown) transferOutput(stream, output);
+  for (auto& [why, step] : memory.troubles) {
+    stream.text(why);
+    stream.raw(step);
+  }
+  if (stream.isReading()) control.restored = std::move(memory);
 }
 
 void Simulation::resumeControllers() {
@@ -164,8 +197,8 @@ void Simulation::resumeControllers() {
   const bool isDone = control.isDone;
   // New ones, since what an older one remembers beside its state is of another time.
   startControllers();
-  control.controllers->restoreStates(control.restored, implementation_->steps);
-  control.restored.clear();
+  control.controllers->restore(control.restored, implementation_->steps);
+  control.restored = {};
   control.digest = digest;
   control.isDone = isDone;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SimulationState: what range and image sensors measure, in several threads if there are.
+// What range and image sensors measure, in several threads if there are, and the images of cameras.
+#include "simcore/Simulation.h"
 #include "simcore/SimulationState.h"
 
 namespace simcore {
@@ -62,6 +63,20 @@ void SimulationState::setImageErrors(std::size_t sensor, const SensorErrors& err
   const ImageSensing::Noise noise{true, options.seed, steps};
   imaging->setErrors(sensor, errors, noise);
   for (const auto& other : otherImaging) other->setErrors(sensor, errors, noise);
+}
+
+const robotlink::Image& Simulation::cameraImage(std::size_t camera) const {
+  Implementation& i = *implementation_;
+  if (const robotlink::Image* made = cameraImages_ ? cameraImages_(camera) : nullptr) return *made;
+  if (!i.renderer) i.renderer = std::make_unique<CameraRenderer>(renderScene(), CameraRenderer::Options{});
+  i.optics.resize(i.ports.cameras.size());
+  const CameraSensor& sensor = i.ports.cameras[camera];
+  const ImageNoise noise{i.options.noise || i.cameraTiming[camera].chosen ? sensor.noise : 0, i.options.seed,
+                         hashOfPath(sensor.info.path), cameraStep(camera)};
+  const auto posesAt = [&](double age, std::vector<Pose3>& poses) { cameraPoses(camera, age, poses); };
+  i.optics[camera].render(*i.renderer, posesAt, {sensor.body, sensor.cameraInBody}, sensor.model,
+                          sensor.shutter, robotlink::PixelFormat::kYuyv, noise, i.cameraImage);
+  return i.cameraImage;
 }
 
 }  // namespace simcore

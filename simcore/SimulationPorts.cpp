@@ -279,14 +279,35 @@ void Simulation::cameraPoses(std::size_t camera, double age, std::vector<Pose3>&
   const std::uint64_t step = i.stepOf(i.cameraTiming[camera]);
   const double back = std::max(0.0, age) / kStepSeconds;
   const double at = std::max(static_cast<double>(i.history.oldest(step)), static_cast<double>(step) - back);
-  const auto before = static_cast<std::uint64_t>(std::max(0.0, std::floor(at)));
-  const double share = at - static_cast<double>(before);
-  const auto from = i.posesAt(before);
-  poses.assign(from.begin(), from.end());
-  if (share <= 0) return;
-  const auto to = i.posesAt(before + 1);
-  for (std::size_t body = 0; body < poses.size(); ++body)
-    poses[body] = poseBetween(from[body], to[body], share);
+  interpolatePoses(
+      at, [&i](std::uint64_t one) { return i.posesAt(one); }, poses);
+}
+
+std::optional<ComingImage> Simulation::comingImage(std::size_t camera, std::uint64_t at) const {
+  Implementation& i = *implementation_;
+  const TimedSensor& timing = i.cameraTiming[camera];
+  if (!timing.clock || !(i.options.noise || timing.chosen) || at < i.steps) return std::nullopt;
+  const ShutterModel& shutter = i.ports.cameras[camera].shutter;
+  const double open = (shutter.exposure + shutter.readout) / kStepSeconds;
+  const auto back = static_cast<std::uint64_t>(std::ceil(open));
+  const std::uint64_t oldest = i.history.oldestAt(at);
+  const std::uint64_t step = timing.clock->readable(i.options.seed, at, oldest);
+  // Models may still be placed in the present step; and the memory limits how old poses can be.
+  if (step >= i.steps || step <= oldest + back) return std::nullopt;
+  ComingImage coming{.step = step};
+  for (std::uint64_t one = step - back; one <= step; ++one) {
+    const auto poses = i.posesAt(one);
+    coming.past.emplace_back(poses.begin(), poses.end());
+  }
+  return coming;
+}
+
+void ComingImage::poses(double age, std::vector<Pose3>& poses) const {
+  const std::uint64_t first = step + 1 - past.size();
+  const double at = static_cast<double>(step) - std::max(0.0, age) / kStepSeconds;
+  interpolatePoses(
+      std::max(at, static_cast<double>(first)),
+      [&](std::uint64_t one) { return std::span<const Pose3>(past[one - first]); }, poses);
 }
 
 std::uint64_t Simulation::cameraStep(std::size_t camera) const {

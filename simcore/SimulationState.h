@@ -27,6 +27,7 @@
 #include "simcore/ranging/ImageSensing.h"
 #include "simcore/ranging/MeasureAhead.h"
 #include "simcore/ranging/RangeSensing.h"
+#include "simcore/rendering/CameraOptics.h"
 #include "simcore/rendering/CameraRenderer.h"
 #include "simcore/world/Continuation.h"
 #include "simcore/world/LeftOut.h"
@@ -105,6 +106,10 @@ struct SimulationState {
   std::optional<MeasureAhead<float>> imagesAhead;
   /// Renders what cameras truly see; made when it is needed first.
   std::unique_ptr<CameraRenderer> truth;
+  // What images are made with that nobody else makes, when they are needed first; keyed by camera.
+  std::unique_ptr<CameraRenderer> renderer;
+  std::vector<CameraOptics> optics;
+  robotlink::Image cameraImage;
   // Keyed by range sensor, image sensor and camera.
   std::vector<TimedSensor> rangeTiming, imageTiming, cameraTiming;
   PoseHistory history;
@@ -132,6 +137,8 @@ struct SimulationState {
   LeftOuts overlaps;
   // Keyed by drive.
   std::vector<WheelState> wheelStates;
+  /// How often the poses were updated.
+  std::uint64_t posesVersion = 0;
   bool readingsValid = false, posesValid = false, rangingValid = false, imagingValid = false;
   // The steps whose poses ranging and imaging have.
   std::uint64_t rangingStep = 0, imagingStep = 0;
@@ -270,6 +277,7 @@ struct SimulationState {
   void updatePoses() {
     for (std::size_t i = 0; i < physics->bodyCount(); ++i) poses[i + 1] = physics->linkInWorld(i);
     posesValid = true;
+    ++posesVersion;
   }
 
   const TouchCount* obstaclesOf(const std::string& robot) const {

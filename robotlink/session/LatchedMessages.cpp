@@ -17,8 +17,9 @@ bool isLatched(std::string_view path, std::string_view type) {
       "robotcontrol.KeyTable",         "robotcontrol.MotionTable",   "robotcontrol.ParameterValues",
       "robotcontrol.ProcessTable",     "robotcontrol.ProgramSetup",  "robotcontrol.SolutionTable",
       "robotcontrol.SteeringStatus"};
-  return path == streams::kScene || path == streams::kMap || path == streams::kObjects ||
-         path == streams::kSolids || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+  return path == streams::kScene || path.starts_with(streams::kControllerInputs) || path == streams::kMap ||
+         path == streams::kObjects || path == streams::kSolids ||
+         std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
 bool isLatched(const StreamMessage& message) {

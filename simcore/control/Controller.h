@@ -11,6 +11,7 @@
 
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Geometry.h"
+#include "robotlink/base/Image.h"
 #include "simcore/control/ControllerOutput.h"
 #include "simcore/world/Port.h"
 #include "simcore/world/ViewEvent.h"
@@ -32,9 +33,12 @@ class ControlledWorld {
   virtual std::span<const Port> ports() const = 0;
   /// Null if there is none.
   virtual const Port* port(const std::string& path) const = 0;
-  /// The values of a port, in the order of its shape, with the sensor's errors; images of cameras cannot be
-  /// read. Fails if there is no such port.
+  /// The values of a port, in the order of its shape, with the sensor's errors; the images of color cameras
+  /// are read by image(). Fails if there is no such port.
   virtual robotlink::Result<std::vector<double>> read(const std::string& path) = 0;
+  /// The present image of a color camera, kYuyv, as its robot gets it: with noise, delay, lens and shutter.
+  /// It is rendered when it is asked for, and valid until the next one. Fails if there is no such camera.
+  virtual robotlink::Result<const robotlink::Image*> image(const std::string& camera) = 0;
   /// Commands an actuator; counts from the step that follows. The program of a robot commands before it, a
   /// person who holds the actuator after it. Fails if there is none, or with another number of values.
   virtual robotlink::Result<void> write(const std::string& path, std::span<const double> values) = 0;

@@ -151,10 +151,29 @@ std::vector<std::string> Controllers::states() const {
   return states;
 }
 
-void Controllers::restoreStates(std::span<const std::string> states, std::uint64_t step) {
-  for (std::size_t i = 0; i < std::min(states.size(), all_.size()); ++i) {
+Controllers::Memory Controllers::memory() const {
+  Memory memory{.states = states()};
+  for (const ControllerOutput* output : outputs_) memory.shown.push_back(*output);
+  for (const ControllerStatus& each : status_) memory.troubles.emplace_back(each.trouble, each.troubleStep);
+  return memory;
+}
+
+void Controllers::restore(const Memory& memory, std::uint64_t step) {
+  for (std::size_t i = 0; i < std::min(memory.states.size(), all_.size()); ++i) {
     if (!all_[i]->controller) continue;
-    guard(i, step, [&] { all_[i]->controller->restore(states[i]); });
+    guard(i, step, [&] { all_[i]->controller->restore(memory.states[i]); });
+  }
+  // What they show now is that of their start, or of being restored.
+  std::size_t next = 0;
+  for (const auto& running : all_) {
+    for (ControllerOutput& output : running->outputs) {
+      if (next < memory.shown.size() && isSameOutput(output, memory.shown[next])) output = memory.shown[next];
+      ++next;
+    }
+  }
+  for (std::size_t i = 0; i < std::min(memory.troubles.size(), all_.size()); ++i) {
+    const auto& [why, since] = memory.troubles[i];
+    if (!why.empty()) switchOff(i, since, why);
   }
 }
 

@@ -6,9 +6,11 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "simcore/control/ControllerKind.h"
+#include "simcore/control/ControllerOutput.h"
 #include "simcore/world/ControllerDescription.h"
 #include "simcore/world/WorldDescription.h"
 
@@ -49,9 +51,18 @@ class Controllers {
   std::span<const ControllerStatus> status() const { return status_; }
   /// In the order of the controllers; the pointers are valid until start().
   std::span<const ControllerOutput* const> outputs() const { return outputs_; }
-  /// What all controllers remember, for snapshots of a simulation; restoreStates() takes as many.
-  std::vector<std::string> states() const;
-  void restoreStates(std::span<const std::string> states, std::uint64_t step);
+  /// What controllers are at an instant, for snapshots of a simulation.
+  struct Memory {
+    /// What each of them remembers.
+    std::vector<std::string> states = {};
+    /// What they show, in the order of outputs().
+    std::vector<ControllerOutput> shown = {};
+    /// Why and in which step each was switched off; empty while it is on.
+    std::vector<std::pair<std::string, std::uint64_t>> troubles = {};
+  };
+  Memory memory() const;
+  /// Has controllers that have just started go on by a memory of the same scene.
+  void restore(const Memory& memory, std::uint64_t step);
 
   /// A hash of all outputs; 0 if there are no controllers.
   std::uint64_t digest() const;
@@ -62,6 +73,7 @@ class Controllers {
   template <typename Call>
   void guard(std::size_t index, std::uint64_t step, Call call);
   void switchOff(std::size_t index, std::uint64_t step, const std::string& why);
+  std::vector<std::string> states() const;
   void make(std::size_t index, ControlledWorld& world);
   void checkOutputs(std::size_t index, std::uint64_t step);
 

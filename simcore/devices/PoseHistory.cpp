@@ -2,10 +2,21 @@
 #include "simcore/devices/PoseHistory.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simcore/world/StateStream.h"
 
 namespace simcore {
+namespace {
+
+/// The pose between two, `share` of the way from the first to the second.
+Pose3 poseBetween(const Pose3& from, const Pose3& to, double share) {
+  const Eigen::Quaterniond rotation =
+      Eigen::Quaterniond(from.linear()).slerp(share, Eigen::Quaterniond(to.linear()));
+  return Eigen::Translation3d((1 - share) * from.translation() + share * to.translation()) * rotation;
+}
+
+}  // namespace
 
 void PoseHistory::reachBack(std::size_t steps) {
   steps_ = std::max(steps_, std::min(steps, kMaxSteps));
@@ -52,10 +63,21 @@ std::span<const Pose3> PoseHistory::at(std::uint64_t step) const {
   return found->poses;
 }
 
-Pose3 poseBetween(const Pose3& from, const Pose3& to, double share) {
-  const Eigen::Quaterniond rotation =
-      Eigen::Quaterniond(from.linear()).slerp(share, Eigen::Quaterniond(to.linear()));
-  return Eigen::Translation3d((1 - share) * from.translation() + share * to.translation()) * rotation;
+std::uint64_t PoseHistory::oldestAt(std::uint64_t step) const {
+  // add() keeps one more than it reaches back.
+  return std::max(oldest(step), step - std::min<std::uint64_t>(step, steps_));
+}
+
+void interpolatePoses(double time, const std::function<std::span<const Pose3>(std::uint64_t step)>& posesOf,
+                      std::vector<Pose3>& poses) {
+  const auto before = static_cast<std::uint64_t>(std::max(0.0, std::floor(time)));
+  const double share = time - static_cast<double>(before);
+  const auto from = posesOf(before);
+  poses.assign(from.begin(), from.end());
+  if (share <= 0) return;
+  const auto to = posesOf(before + 1);
+  for (std::size_t body = 0; body < poses.size(); ++body)
+    poses[body] = poseBetween(from[body], to[body], share);
 }
 
 }  // namespace simcore

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,8 @@ class PoseHistory {
   void add(std::uint64_t step, std::span<const Pose3> poses);
   /// The oldest step that it has; `step` if it has none.
   std::uint64_t oldest(std::uint64_t step) const;
+  /// The oldest step that it will have at a later step, if it is not told to reach back further.
+  std::uint64_t oldestAt(std::uint64_t step) const;
   /// The poses after a step, or after the next one that it has; empty if there is none.
   std::span<const Pose3> at(std::uint64_t step) const;
 
@@ -42,7 +45,9 @@ class PoseHistory {
   std::size_t steps_ = 0;
 };
 
-/// The pose between two, `share` of the way from the first to the second.
-Pose3 poseBetween(const Pose3& from, const Pose3& to, double share);
+/// Sets `poses` to those of a time that is counted in steps, between two steps; `posesOf` yields those after
+/// a step.
+void interpolatePoses(double time, const std::function<std::span<const Pose3>(std::uint64_t step)>& posesOf,
+                      std::vector<Pose3>& poses);
 
 }  // namespace simcore

@@ -60,10 +60,12 @@ void turnFreely(dBodyID body) {
 
 }  // namespace
 
-void addFreeBody(OdeWorld& ode, dBodyID body) {
-  if (dBodyGetNumJoints(body) > 0) return;
+void addFreeBody(OdeWorld& ode, dBodyID body, bool maySleep) {
+  const bool isJointed = dBodyGetNumJoints(body) > 0;
+  if (isJointed && !maySleep) return;
   OdeFreeBody& added = ode.freeBodies.emplace_back();
   added.id = body;
+  added.isJointed = isJointed;
   dMass mass;
   dBodyGetMass(body, &mass);
   const Eigen::Matrix3d inertia = matrixOf(mass.I);
@@ -75,7 +77,7 @@ void addFreeBody(OdeWorld& ode, dBodyID body) {
 void prepareFreeBodies(OdeWorld& ode) {
   for (OdeFreeBody& body : ode.freeBodies) {
     body.contacts = 0;
-    if (dBodyIsEnabled(body.id) == 0) continue;
+    if (body.isJointed || dBodyIsEnabled(body.id) == 0) continue;
     std::copy_n(dBodyGetPosition(body.id), 3, body.position);
     std::copy_n(dBodyGetQuaternion(body.id), 4, body.rotation);
     if (!body.wobbles) continue;
@@ -94,7 +96,7 @@ void countContact(dBodyID body) {
 
 void letFreeBodiesRest(OdeWorld& ode) {
   for (const OdeFreeBody& body : ode.freeBodies) {
-    if (dBodyIsEnabled(body.id) == 0 || body.contacts < kStands ||
+    if (body.isJointed || dBodyIsEnabled(body.id) == 0 || body.contacts < kStands ||
         !isSlower(dBodyGetLinearVel(body.id), kRests) ||
         !isSlower(dBodyGetAngularVel(body.id), kRestsTurning))
       continue;

@@ -8,8 +8,9 @@ namespace simcore {
 /// From this number of contacts on, a body stands, and does not roll.
 constexpr int kStands = 3;
 
-/// Notes a body among OdeWorld::freeBodies if no joint holds it. All joints must exist.
-void addFreeBody(OdeWorld& ode, dBodyID body);
+/// Notes a body among OdeWorld::freeBodies if no joint holds it, or if its model may sleep. All joints must
+/// exist.
+void addFreeBody(OdeWorld& ode, dBodyID body, bool maySleep);
 
 /// Before a step: exerts the gyroscopic torque on bodies that wobble, and notes where all of them stand.
 ///

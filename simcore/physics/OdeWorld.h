@@ -96,9 +96,11 @@ struct OdeAsleepContact {
   double depth = 0;
 };
 
-/// The data attached to each body that no joint holds.
+/// The data attached to each body that no joint holds, and to those of models that may sleep.
 struct OdeFreeBody {
   dBodyID id = nullptr;
+  /// A joint holds it; it is only watched whether it rests.
+  bool isJointed = false;
   /// Whether its moments of inertia differ, so that it wobbles while it turns.
   bool wobbles = false;
   /// How many contacts it has in this step.
@@ -134,12 +136,13 @@ struct OdeModel {
   int follower = -1;
   /// Whether it touched anything but a floor in the last step.
   bool touchesObstacle = false;
-  /// Its only body, if the model may sleep.
-  OdeFreeBody* sleeper = nullptr;
+  /// Its bodies, if the model may sleep.
+  std::vector<OdeFreeBody*> sleepers;
   /// While it sleeps: the first of the models that fell asleep with it, because they touch.
   int group = kAwake;
   static constexpr int kAwake = -1;
   bool isAsleep() const { return group != kAwake; }
+  bool maySleep() const { return !sleepers.empty(); }
 };
 
 /// Bounds of a moving model seen from above: a circle around its first body; for one with a drive also a
@@ -186,12 +189,14 @@ struct OdeWorld {
   std::vector<OdeBody> bodies;
   /// Hinges and sliders of all moving models, in order.
   std::vector<dJointID> hinges;
-  /// Whether a motor drives each of them.
+  /// Whether a motor drives each of them, and the models that they are of.
   std::vector<bool> hingeHasMotor;
+  std::vector<int> hingeModels;
   /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
   std::deque<dJointFeedback> hingeForces;
   std::vector<OdeModel> models;
-  /// Bodies that no joint holds. A deque because ODE keeps pointers to its elements.
+  /// Bodies that no joint holds, and those that may sleep. A deque because ODE keeps pointers to its
+  /// elements.
   std::deque<OdeFreeBody> freeBodies;
   /// Whether models sleep that rest, and what these touch.
   bool sleeps = false;

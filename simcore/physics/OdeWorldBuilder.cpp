@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/physics/OdeWorldBuilder.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "simcore/physics/FollowingModels.h"
@@ -44,6 +45,7 @@ class WorldBuilder {
         addMoving(model, index, added);
       added.bodyCount = ode_.bodies.size() - added.firstBody;
       added.hingeCount = ode_.hinges.size() - added.firstHinge;
+      ode_.hingeModels.resize(ode_.hinges.size(), index);
     }
     ode_.grid.build();
     ode_.usesGrid = ode_.grid.size() >= kGridFrom;
@@ -89,8 +91,9 @@ class WorldBuilder {
     for (const JointDescription& joint : type.joints) addJoint(ode_, model, joint, added.firstBody);
     pose(model, added.firstBody);
     if (type.guided && !type.vehicle && !model.follows()) addGuide(ode_, *type.guided, added);
+    const bool sleeps = maySleep(model);
     for (std::size_t i = added.firstBody; !added.kinematic && i < ode_.bodies.size(); ++i) {
-      if (ode_.hasBody(i)) addFreeBody(ode_, ode_.bodies[i].id);
+      if (ode_.hasBody(i)) addFreeBody(ode_, ode_.bodies[i].id, sleeps);
     }
     const OdeBody& first = ode_.bodies[added.firstBody];
     OdePlace place{index};
@@ -99,7 +102,10 @@ class WorldBuilder {
     ode_.places.push_back(place);
     (added.kinematic ? ode_.hasKinematic : ode_.hasDynamic) = true;
     if (model.follows()) return addFollower(ode_, model, index);
-    if (ode_.sleeps) added.sleeper = onlyFreeBody(added);
+    for (std::size_t i = added.firstBody; sleeps && !added.kinematic && i < ode_.bodies.size(); ++i) {
+      if (ode_.hasBody(i))
+        added.sleepers.push_back(static_cast<OdeFreeBody*>(dBodyGetData(ode_.bodies[i].id)));
+    }
     for (std::size_t i = 0; added.kinematic && i < type.links.size(); ++i) {
       dBodyDisable(ode_.bodies[added.firstBody + i].id);
     }
@@ -139,12 +145,12 @@ class WorldBuilder {
     return part;
   }
 
-  /// The body of a model that has no other one, and no joint; null otherwise.
-  OdeFreeBody* onlyFreeBody(const OdeModel& model) const {
-    for (std::size_t i = model.firstBody + 1; i < ode_.bodies.size(); ++i) {
-      if (ode_.hasBody(i) || ode_.bodies[i].wheel >= 0) return nullptr;
-    }
-    return static_cast<OdeFreeBody*>(dBodyGetData(ode_.bodies[model.firstBody].id));
+  /// Whether a model may rest on others: it has no wheels and is not guided, and no joint ties it to the
+  /// world.
+  bool maySleep(const ModelInstance& model) const {
+    const ModelDescription& type = *model.type;
+    if (!ode_.sleeps || type.drive || type.vehicle || type.guided || model.follows()) return false;
+    return std::ranges::none_of(type.joints, [](const JointDescription& joint) { return joint.parent < 0; });
   }
 
   bool isKinematic(MotionMode mode) const {

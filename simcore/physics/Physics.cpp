@@ -143,7 +143,10 @@ double Physics::anchorGap(std::size_t hinge) const {
 }
 
 void Physics::setMotor(std::size_t hinge, double velocity, double maximumTorque) {
-  driveJoint(ode_->hinges[hinge], velocity, maximumTorque);
+  wakeIfDrivenOtherwise(*ode_, hinge, velocity, maximumTorque);
+  // What sleeps keeps what it is compared with.
+  if (!ode_->models[static_cast<std::size_t>(ode_->hingeModels[hinge])].isAsleep())
+    driveJoint(ode_->hinges[hinge], velocity, maximumTorque);
 }
 
 void Physics::setGuide(int model, const Vector3& velocity, const Vector3& angularVelocity, double force,

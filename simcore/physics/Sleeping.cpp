@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "simcore/physics/FreeBodies.h"
+#include "simcore/physics/OdeJoints.h"
 #include "simcore/world/StateStream.h"
 
 namespace simcore {
@@ -16,6 +17,9 @@ namespace {
 constexpr int kQuietSteps = 125;
 // How far it may move and turn in the meantime, m and rad.
 constexpr double kQuietWay = 0.0005, kQuietTurn = 0.003;
+// What sleeps is not woken by a motor that is driven otherwise only by that much: rad/s (a servo asks for it
+// if its target is 0.0002 rad elsewhere), and a share of the torque.
+constexpr double kSameSpeed = 0.02, kSameLimit = 0.01;
 
 OdeModel& modelAt(OdeWorld& ode, int model) {
   return ode.models[static_cast<std::size_t>(model)];
@@ -37,18 +41,26 @@ bool hasMoved(const OdeFreeBody& body) {
   return squared > kQuietWay * kQuietWay || std::abs(cosine) < 1 - kQuietTurn * kQuietTurn / 8;
 }
 
-/// Returns whether it has been quiet for long enough.
-bool watch(OdeFreeBody& body) {
-  if (body.contacts < kStands || dBodyIsKinematic(body.id) != 0 || hasMoved(body)) {
-    watchAnew(body);
-    return false;
-  }
-  body.quietSteps = std::min(body.quietSteps + 1, kQuietSteps);
-  return body.quietSteps == kQuietSteps;
+bool isQuiet(const OdeModel& model) {
+  return model.maySleep() && model.sleepers.front()->quietSteps == kQuietSteps;
 }
 
-bool isQuiet(const OdeModel& model) {
-  return model.sleeper != nullptr && model.sleeper->quietSteps == kQuietSteps;
+/// Returns whether it has been quiet for long enough.
+bool watch(OdeModel& model) {
+  int contacts = 0;
+  bool stays = true;
+  for (const OdeFreeBody* body : model.sleepers) {
+    contacts += body->contacts;
+    stays = stays && dBodyIsKinematic(body->id) == 0 && !hasMoved(*body);
+  }
+  stays = stays && contacts >= kStands;
+  for (OdeFreeBody* body : model.sleepers) {
+    if (stays)
+      body->quietSteps = std::min(body->quietSteps + 1, kQuietSteps);
+    else
+      watchAnew(*body);
+  }
+  return isQuiet(model);
 }
 
 /// What touches each other, of the models that could sleep.
@@ -59,7 +71,7 @@ class TouchingModels {
     std::iota(first_.begin(), first_.end(), 0);
     for (const OdePair& pair : ode.pairs) add(pair.first->model, pair.second->model);
     for (int i = 0; i < static_cast<int>(first_.size()); ++i) {
-      if (modelAt(ode_, i).sleeper != nullptr && !isQuiet(modelAt(ode_, i))) keepAwake(i);
+      if (modelAt(ode_, i).maySleep() && !isQuiet(modelAt(ode_, i))) keepAwake(i);
     }
   }
 
@@ -78,9 +90,9 @@ class TouchingModels {
   void add(int a, int b) {
     const OdeModel &first = modelAt(ode_, a), &second = modelAt(ode_, b);
     if (first.space == nullptr || second.space == nullptr) return;
-    if (first.sleeper == nullptr || second.sleeper == nullptr) {
-      if (first.sleeper != nullptr) keepAwake(a);
-      if (second.sleeper != nullptr) keepAwake(b);
+    if (!first.maySleep() || !second.maySleep()) {
+      if (first.maySleep()) keepAwake(a);
+      if (second.maySleep()) keepAwake(b);
       return;
     }
     const int groupA = of(a), groupB = of(b), low = std::min(groupA, groupB), high = std::max(groupA, groupB);
@@ -110,27 +122,49 @@ void keepContacts(OdeWorld& ode) {
 }
 
 void sleep(OdeModel& model, int group) {
-  const dBodyID body = model.sleeper->id;
   model.group = group;
-  dBodySetLinearVel(body, 0, 0, 0);
-  dBodySetAngularVel(body, 0, 0, 0);
-  dBodyDisable(body);
+  for (const OdeFreeBody* body : model.sleepers) {
+    dBodySetLinearVel(body->id, 0, 0, 0);
+    dBodySetAngularVel(body->id, 0, 0, 0);
+    dBodyDisable(body->id);
+  }
 }
 
 void wakeGroup(OdeWorld& ode, int group) {
   for (OdeModel& model : ode.models) {
     if (model.group != group) continue;
     model.group = OdeModel::kAwake;
-    dBodyEnable(model.sleeper->id);
-    watchAnew(*model.sleeper);
+    for (OdeFreeBody* body : model.sleepers) {
+      dBodyEnable(body->id);
+      watchAnew(*body);
+    }
   }
   std::erase_if(ode.asleepContacts, [&](const OdeAsleepContact& one) { return one.group == group; });
+}
+
+/// What the motors of a model are asked for: while it sleeps, that is what others are compared with.
+void transferMotors(StateStream& stream, const OdeWorld& ode, const OdeModel& model) {
+  for (std::size_t i = model.firstHinge; i < model.firstHinge + model.hingeCount; ++i) {
+    MotorSetting motor = motorOf(ode.hinges[i]);
+    stream.within(motor.speed, -1e15, 1e15);
+    stream.within(motor.limit, 0, 1e15);
+    if (stream.isReading() && stream.good()) driveJoint(ode.hinges[i], motor.speed, motor.limit);
+  }
 }
 
 }  // namespace
 
 void wake(OdeWorld& ode, OdeModel& model) {
   if (model.isAsleep()) wakeGroup(ode, model.group);
+}
+
+void wakeIfDrivenOtherwise(OdeWorld& ode, std::size_t hinge, double speed, double limit) {
+  OdeModel& model = modelAt(ode, ode.hingeModels[hinge]);
+  if (!model.isAsleep()) return;
+  const MotorSetting before = motorOf(ode.hinges[hinge]);
+  const bool isSame = std::abs(speed - before.speed) <= kSameSpeed &&
+                      std::abs(limit - before.limit) <= kSameLimit * before.limit;
+  if (!isSame) wake(ode, model);
 }
 
 bool wakeTouched(OdeWorld& ode) {
@@ -155,7 +189,7 @@ void letModelsSleep(OdeWorld& ode) {
   if (!ode.sleeps) return;
   bool anyIsQuiet = false;
   for (OdeModel& model : ode.models) {
-    if (model.sleeper != nullptr && !model.isAsleep()) anyIsQuiet |= watch(*model.sleeper);
+    if (model.maySleep() && !model.isAsleep()) anyIsQuiet |= watch(model);
   }
   if (anyIsQuiet) {
     const TouchingModels touching(ode);
@@ -176,17 +210,20 @@ void letModelsSleep(OdeWorld& ode) {
 void transferSleep(StateStream& stream, OdeWorld& ode) {
   const auto models = static_cast<int>(ode.models.size());
   for (OdeModel& model : ode.models) {
-    if (model.sleeper == nullptr) continue;
-    OdeFreeBody& body = *model.sleeper;
+    if (!model.maySleep()) continue;
     stream.raw(model.group);
     stream.require(model.group >= OdeModel::kAwake && model.group < models);
-    stream.raw(body.quietSteps);
-    stream.require(body.quietSteps >= 0 && body.quietSteps <= kQuietSteps);
-    for (int i = 0; i < 3; ++i) stream.number(body.quietPosition[i]);
-    for (int i = 0; i < 4; ++i) stream.within(body.quietRotation[i], -1.001, 1.001);
+    for (OdeFreeBody* body : model.sleepers) {
+      stream.raw(body->quietSteps);
+      stream.require(body->quietSteps >= 0 && body->quietSteps <= kQuietSteps);
+      for (int i = 0; i < 3; ++i) stream.number(body->quietPosition[i]);
+      for (int i = 0; i < 4; ++i) stream.within(body->quietRotation[i], -1.001, 1.001);
+    }
+    transferMotors(stream, ode, model);
     if (!stream.isReading()) continue;
     if (!stream.good()) model.group = OdeModel::kAwake;
-    model.isAsleep() ? dBodyDisable(body.id) : dBodyEnable(body.id);
+    for (const OdeFreeBody* body : model.sleepers)
+      model.isAsleep() ? dBodyDisable(body->id) : dBodyEnable(body->id);
   }
   stream.size(ode.asleepContacts, std::size_t{1} << 24U);
   const auto isPossible = [&](const OdeAsleepContact& one) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies that rest are not computed until something touches or moves them.
 //
-// What sleeps are models of one rigid body, together with all such models that they touch, directly or
-// through others: when each of them has stayed within fractions of a millimeter for half a second on at least
-// three points, and none touches anything else that can move. What they touch and with which forces stays as
-// it was. ODE's own auto-disabling would let a body sleep on one that moves slowly, forgets contacts, and
-// keeps counters that cannot be read for a snapshot.
+// What sleeps are models without wheels that nothing guides and no joint ties to the world, together with all
+// such models that they touch, directly or through others: when all bodies of each of them have stayed within
+// fractions of a millimeter for half a second on at least three points, and none touches anything else that
+// can move. A robot sleeps while its servos are asked for what they do already. What they touch and with
+// which forces stays as it was. ODE's own auto-disabling would let a body sleep on one that moves slowly,
+// forgets contacts, and keeps counters that cannot be read for a snapshot.
 #pragma once
 
 #include "simcore/physics/OdeWorld.h"
@@ -16,6 +17,9 @@ class StateStream;
 
 /// Wakes a model, if it sleeps, and all that fell asleep with it.
 void wake(OdeWorld& ode, OdeModel& model);
+
+/// To be called before a motor is set: wakes its model, if that sleeps and the motor is driven otherwise.
+void wakeIfDrivenOtherwise(OdeWorld& ode, std::size_t hinge, double speed, double limit);
 
 /// Wakes what is touched by a pair of this step that is awake. Returns whether anything slept; then the
 /// contacts have to be found anew.

@@ -44,12 +44,12 @@ void RadiationLight::setPoses(std::span<const Pose3> bodyInWorld) {
   shadows_ = tree_.scene();
   sources_.clear();
   for (const Lamp& lamp : scene_->lamps)
-    sources_.push_back({placeOf(lamp), lamp.attenuation, lamp.intensity, nullptr, &lamp});
+    sources_.push_back({placeOf(lamp), lamp.attenuation, lamp.intensity * lamp.color, nullptr, &lamp});
   for (const PlacedEmitter& emitter : scene_->radiation.emitters) {
     const Eigen::Vector3d position = poses_[static_cast<std::size_t>(emitter.body)] * emitter.positionInBody;
     const Lamp* lamp = emitter.lamp < 0 ? nullptr : &scene_->lamps[static_cast<std::size_t>(emitter.lamp)];
-    sources_.push_back(
-        {position.cast<float>(), static_cast<float>(emitter.attenuation), 0, &emitter.intensities, lamp});
+    sources_.push_back({position.cast<float>(), static_cast<float>(emitter.attenuation),
+                        Eigen::Vector3f::Zero(), &emitter.intensities, lamp});
   }
   arriving_.resize(sources_.size());
 }
@@ -104,7 +104,7 @@ bool RadiationLight::isVisible(const Source& source, const Eigen::Vector3f& poin
 }
 
 void RadiationLight::light(const Point& point) {
-  brightness_ = scene_->ambient;
+  brightness_.setConstant(scene_->ambient);
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Source& source = sources_[i];
     arriving_[i] = 0;
@@ -116,7 +116,7 @@ void RadiationLight::light(const Point& point) {
     arriving_[i] = share * cosine / (1 + squared * source.attenuation);
     brightness_ += arriving_[i] * source.intensity;
   }
-  brightness_ = std::min(brightness_, 1.F);
+  brightness_ /= std::max(brightness_.maxCoeff(), 1.F);
 }
 
 float RadiationLight::valueOf(const Sensed& sensed, const RenderInstance* instance, std::size_t index) const {
@@ -136,7 +136,7 @@ float RadiationLight::valueOf(const Sensed& sensed, const RenderInstance* instan
     }
   }
   if (instance == nullptr) return sensed.offset + sensed.color.dot(vectorOf(scene_->background));
-  return sensed.offset + brightness_ * sensed.color.dot(vectorOf(instance->color));
+  return sensed.offset + sensed.color.dot(brightness_.cwiseProduct(vectorOf(instance->color)));
 }
 
 void RadiationLight::shade(const RayBundle& rays, std::span<const BundleHit> hits, const Pose3& frameInWorld,

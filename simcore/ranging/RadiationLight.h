@@ -45,7 +45,9 @@ class RadiationLight {
   /// What comes from one place.
   struct Source {
     Eigen::Vector3f position;
-    float attenuation = 0, intensity = 0;
+    float attenuation = 0;
+    /// Red, green and blue.
+    Eigen::Vector3f intensity = Eigen::Vector3f::Zero();
     const std::vector<float>* intensities = nullptr;
     /// Null if it emits in all directions.
     const Lamp* lamp = nullptr;
@@ -65,7 +67,7 @@ class RadiationLight {
   /// Keyed by source, for the present point.
   std::vector<float> arriving_;
   /// How much of a color is seen at the present point, 0 to 1.
-  float brightness_ = 1;
+  Eigen::Vector3f brightness_ = Eigen::Vector3f::Ones();
   std::vector<Eigen::Vector3d> directions_;
 };
 

@@ -9,6 +9,7 @@
 #include "simcore/rendering/BodyTree.h"
 #include "simcore/rendering/DrawableMesh.h"
 #include "simcore/rendering/FrameMemory.h"
+#include "simcore/rendering/LampTints.h"
 #include "simcore/rendering/LensShading.h"
 #include "simcore/rendering/ShadowCaster.h"
 
@@ -190,7 +191,8 @@ class CameraRenderer::Implementation {
         memory_(largest(stage_->meshes, [](const MeshStreams& mesh) { return mesh.vertexGroups; }),
                 largest(stage_->meshes, [](const MeshStreams& mesh) { return mesh.triangleGroups; }),
                 sum(stage_->scene->instances, stage_->meshes), stage_->scene->lamps.size()),
-        lamps_(stage_->scene->lamps.size()) {}
+        lamps_(stage_->scene->lamps.size()),
+        tints_(stage_->scene->lamps) {}
 
   const std::shared_ptr<RenderStage>& stage() const { return stage_; }
 
@@ -212,10 +214,14 @@ class CameraRenderer::Implementation {
                      VisibilityBuffer& buffer);
   void placeLamps(const Pose3& worldInCamera);
   void lightStrip(Strip& strip, const VisibilityBuffer& buffer);
+  /// The same where not all lamps are white: the colors of the strip are those in the lamps' light.
+  void lightInColors(Strip& strip, const VisibilityBuffer& buffer, bool isLuma);
 
   const std::shared_ptr<RenderStage> stage_;
   FrameMemory memory_;
+  /// In the order of LampTints.
   std::vector<ShadeLamp> lamps_;
+  LampTints tints_;
   LightAdjustment lighting_;
   // State of the last image, for label().
   std::vector<Drawn> drawn_;
@@ -256,14 +262,15 @@ void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, c
 
 void CameraRenderer::Implementation::placeLamps(const Pose3& worldInCamera) {
   for (std::size_t i = 0; i < lamps_.size(); ++i) {
-    const Lamp& lamp = stage_->scene->lamps[i];
+    const std::size_t number = tints_.order()[i];
+    const Lamp& lamp = stage_->scene->lamps[number];
     const Eigen::Vector3f inCamera = (worldInCamera * placeOf(lamp).cast<double>()).cast<float>();
     std::copy_n(inCamera.data(), 3, lamps_[i].inCamera);
     aimSpot(lamp, worldInCamera, lamps_[i]);
-    lamps_[i].intensity = static_cast<float>(lamp.intensity * lighting_.brightness);
+    lamps_[i].intensity = static_cast<float>(peakOf(lamp) * lighting_.brightness);
     lamps_[i].attenuation = lamp.attenuation;
-    lamps_[i].cells = stage_->shadows ? stage_->shadows->cells(i) : nullptr;
-    lamps_[i].unsure = &memory_.unsure()[i];
+    lamps_[i].cells = stage_->shadows ? stage_->shadows->cells(number) : nullptr;
+    lamps_[i].unsure = &memory_.unsure()[number];
   }
 }
 
@@ -275,6 +282,18 @@ void CameraRenderer::Implementation::lightStrip(Strip& strip, const VisibilityBu
     if (pixels.count == 0) continue;
     stage_->shadows->addUnshadowed(lamp, pixels, buffer.stride, strip.light);
   }
+}
+
+void CameraRenderer::Implementation::lightInColors(Strip& strip, const VisibilityBuffer& buffer,
+                                                   bool isLuma) {
+  tints_.begin(strip, buffer);
+  for (const LampTints::Group& group : tints_.groups()) {
+    strip.lamps = &lamps_[group.first];
+    strip.lampCount = static_cast<int>(group.count);
+    lightStrip(strip, buffer);
+    tints_.add(group, strip, buffer);
+  }
+  tints_.finish(strip, buffer, isLuma);
 }
 
 void CameraRenderer::Implementation::addNoise(const ImageNoise& noise, robotlink::Image& image) const {
@@ -323,7 +342,11 @@ void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const Ca
   for (int y = 0; y < camera.height; y += strip.rows) {
     strip.firstRow = y;
     strip.rows = std::min(memory_.rowsPerStrip(), camera.height - y);
-    lightStrip(strip, buffer);
+    if (tints_.groups().empty()) {
+      lightStrip(strip, buffer);
+    } else {
+      lightInColors(strip, buffer, image.format == PixelFormat::kYuyv);
+    }
     if (lens.any()) lens.apply(strip, buffer.stride);
     for (int i = 0; i < strip.rows; ++i) {
       const int at = i * buffer.stride;

@@ -8,6 +8,11 @@
 namespace simcore {
 namespace {
 
+/// A channel of a color; 0 where it is no number.
+float shareOf(float channel) {
+  return channel > 0 ? std::min(channel, 1.F) : 0.F;
+}
+
 Lamp readLamp(const sdf::Light& light, const SdfContext& context) {
   const sdf::ElementPtr element = light.Element();
   const Pose3 pose = resolvedPose(light.SemanticPose(), "", element, context);
@@ -15,13 +20,13 @@ Lamp readLamp(const sdf::Light& light, const SdfContext& context) {
   lamp.position = pose.translation().cast<float>();
   lamp.intensity =
       static_cast<float>(context.within(light.Intensity(), 0, 100, "a light's intensity", element));
+  const auto color = light.Diffuse();
+  lamp.color = {shareOf(color.R()), shareOf(color.G()), shareOf(color.B())};
   if (light.Type() == sdf::LightType::POINT) {
     lamp.attenuation = static_cast<float>(
         context.within(light.QuadraticAttenuationFactor(), 0, 1000, "a light's attenuation", element));
     return lamp;
   }
-  const auto color = light.Diffuse();
-  lamp.intensity *= std::clamp(std::max({color.R(), color.G(), color.B()}), 0.F, 1.F);
   Vector3 direction = pose.linear() * toEigen(light.Direction());
   if (!direction.allFinite() || direction.norm() <= 0) direction = -Vector3::UnitZ();
   lamp.direction = direction.normalized().cast<float>();

@@ -51,6 +51,7 @@ struct CameraModel {
   double verticalAngle = robotlink::radians(47.8);
   LensVignetting vignetting = {};
   LensDistortion distortion = {};
+  bool operator==(const CameraModel&) const = default;
 };
 
 /// The noise added to every channel of every pixel. It is computed from counters, so the same (seed, stream,
@@ -63,6 +64,7 @@ struct ImageNoise {
   std::uint64_t stream = 0;
   /// Number of the image.
   std::uint64_t frame = 0;
+  bool operator==(const ImageNoise&) const = default;
 };
 
 }  // namespace simcore

@@ -139,6 +139,11 @@ Eigen::Vector3f placeOf(const Lamp& lamp) {
                                                : lamp.position;
 }
 
+Eigen::Vector3f tintOf(const Lamp& lamp) {
+  const float peak = lamp.color.maxCoeff();
+  return peak > 0 ? Eigen::Vector3f(lamp.color / peak) : Eigen::Vector3f::Ones();
+}
+
 float shareTowards(const Lamp& lamp, const Eigen::Vector3f& direction) {
   if (lamp.kind != Lamp::Kind::kSpot) return 1;
   constexpr float kSharpest = 1e-4F, kTiny = 1e-12F;

@@ -39,9 +39,10 @@ struct RenderInstance {
   std::string colorName = {};
 };
 
-/// A light. The irradiance of a surface that faces a point light or a spot at distance d is `intensity` / (1
-/// + d^2 * attenuation); that of a directional light, which is infinitely far away, is `intensity`
-/// everywhere.
+/// A light. The irradiance of a surface that faces a point light or a spot at distance d is `intensity` *
+/// `color` / (1 + d^2 * attenuation); that of a directional light, which is infinitely far away, is
+/// `intensity`
+/// * `color` everywhere.
 struct Lamp {
   enum class Kind : std::uint8_t { kPoint, kDirectional, kSpot };
   /// In the world, m; without meaning for a directional light.
@@ -49,6 +50,8 @@ struct Lamp {
   float intensity = 0.6F;
   /// Per square meter.
   float attenuation = 0;
+  /// Red, green and blue, 0 to 1.
+  Eigen::Vector3f color = {1, 1, 1};
   Kind kind = Kind::kPoint;
   /// Where the light goes, in the world, of unit length; without meaning for a point light.
   Eigen::Vector3f direction = {0, 0, -1};
@@ -60,6 +63,12 @@ struct Lamp {
 /// Where a lamp's light comes from: a directional one is far away against its direction, so that its rays are
 /// nearly parallel, and near enough for floats.
 Eigen::Vector3f placeOf(const Lamp& lamp);
+/// The intensity of the channel that a lamp has most of.
+inline float peakOf(const Lamp& lamp) {
+  return lamp.intensity * lamp.color.maxCoeff();
+}
+/// A lamp's color with a largest channel of 1.
+Eigen::Vector3f tintOf(const Lamp& lamp);
 /// The share of a lamp's light, 0 to 1, that goes in a direction of any length: all of it unless it is a
 /// spot.
 float shareTowards(const Lamp& lamp, const Eigen::Vector3f& direction);
@@ -68,7 +77,8 @@ float shareTowards(const Lamp& lamp, const Eigen::Vector3f& direction);
 /// per scene, then immutable and shared between threads.
 ///
 /// The color of a pixel is color * min(1, ambient + sum over lamps of visibility * irradiance * max(0,
-/// cos(angle))).
+/// cos(angle))); where colored light is too bright for one channel, all channels are dimmed by the same
+/// factor.
 struct RenderScene {
   std::vector<Mesh> meshes;
   std::vector<RenderInstance> instances;

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include "app/core/Recording.h"
@@ -11,6 +13,7 @@
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "tests/Eventually.h"
@@ -111,6 +114,32 @@ std::vector<std::string> brokenFrames(const ReadLog& log) {
 }
 
 }  // namespace
+
+TEST_F(RecordingTest, aLogShowsTheWorldAsTheSimulationDid) {
+  make(true);
+  ASSERT_TRUE(run);
+  steps(60);
+  const ReadLog log = stop();
+  std::map<std::string, std::size_t> counts;
+  for (const auto& message : log.messages) ++counts[message.path];
+  for (const char* latched : {"scene", "solids", "objects"}) EXPECT_EQ(counts[latched], 1U) << latched;
+  // 30 times a second, and measured from the step on after which somebody wants them.
+  EXPECT_EQ(counts["transforms"], 15U);
+  EXPECT_EQ(counts["forces"], 14U);
+  const auto forces =
+      std::ranges::find_if(log.messages, [](const auto& each) { return each.path == "forces"; });
+  ASSERT_NE(forces, log.messages.end());
+  const auto* value = dynamic_cast<const robotcontrol::WorldForces*>(forces->value.get());
+  ASSERT_NE(value, nullptr);
+  EXPECT_GT(value->joints_size(), 0);
+}
+
+TEST_F(RecordingTest, whoDoesNotRecordMeasuresNoForces) {
+  make(false);
+  ASSERT_TRUE(run);
+  steps(20);
+  EXPECT_TRUE(run->world().simulation().forces().contacts.empty());
+}
 
 TEST_F(RecordingTest, everyStepOfThePlatformIsAFrameAtFullRate) {
   make(true);

@@ -5,14 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <fstream>
+#include <map>
 #include <set>
 
+#include "app/core/world/SimulatedWorld.h"
 #include "app/core/world/WorldObjects.h"
+#include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "simcore/Scene.h"
 #include "simcore/world/WorldDescription.h"
 #include "tests/app/SimulatedRuns.h"
+#include "tests/logplayer/RecordedMessages.h"
 
 namespace app {
 namespace {
@@ -101,6 +107,72 @@ TEST_F(WorldPortsTest, imagesThatARobotSendsAreNotSentTwice) {
   ASSERT_TRUE(ports_.read(read));
   EXPECT_TRUE(ports_.isEmpty());
   EXPECT_TRUE(ports_.images(true).empty());
+}
+
+/// A still cart with eyes of all kinds, before a wall.
+const char kEyes[] = R"(<?xml version="1.0"?>
+<sdf version="1.9" xmlns:robotcontrol="urn:robotcontrol:sdf"><world name="w">
+  <light name="sun" type="directional"><direction>1 0 -1</direction><diffuse>0.5 0.25 1 1</diffuse></light>
+  <model name="wall"><static>true</static><pose>2 0 0 0 0 0</pose><link name="l">
+    <visual name="v"><geometry><box><size>0.2 8 8</size></box></geometry>
+      <material><diffuse>1 0 0 1</diffuse></material></visual></link></model>
+  <model name="cart"><static>true</static><link name="base">
+    <sensor name="depth" type="depth_camera"><update_rate>10</update_rate><robotcontrol:delay>0</robotcontrol:delay>
+      <camera><image><width>8</width><height>6</height></image><clip><near>0.1</near><far>5</far></clip></camera></sensor>
+    <sensor name="classes" type="segmentation_camera"><camera><image><width>8</width><height>6</height></image></camera></sensor>
+    <sensor name="insect" type="custom"><robotcontrol:facette><robotcontrol:azimuth>-0.5 0.5 5</robotcontrol:azimuth>
+      <robotcontrol:elevation>0.2 -0.2 3</robotcontrol:elevation></robotcontrol:facette></sensor>
+  </link></model>
+</world></sdf>)";
+
+TEST(SensorsOfImages, areObjectsAndAreReadAsTheOthers) {
+  const logplayer::tests::TestFolder folder;
+  const std::string file = folder / "eyes.sdf";
+  std::ofstream(file) << kEyes;
+  const auto scene = simcore::Scene::load(file);
+  ASSERT_TRUE(scene) << robotlink::describe(scene.error());
+  const auto world = std::move(SimulatedWorld::create(*scene, {}).value());
+  const auto all = worldObjects(world->simulation());
+  std::map<std::string, WorldObject> objects;
+  for (const auto& each : all->objects()) objects[each.path()] = each;
+  ASSERT_TRUE(objects.contains("cart/depth/depth"));
+  const WorldObject& depth = objects["cart/depth/depth"];
+  EXPECT_EQ(depth.kind(), WorldObject::SENSOR);
+  EXPECT_EQ(depth.parent(), "cart/link:base");
+  EXPECT_EQ(depth.port().image_stream(), "cart/depth/depth");
+  EXPECT_EQ(depth.port().shape(0), 6);
+  EXPECT_EQ(depth.port().maximum(), 5);
+  EXPECT_TRUE(std::ranges::any_of(depth.properties(), [](const auto& one) { return one.name() == "delay"; }));
+  ASSERT_TRUE(objects.contains("cart/classes/labels") && objects.contains("cart/insect"));
+  const auto& lamp = objects["light:sun"].properties();
+  const auto color = std::ranges::find(lamp, "diffuse", &robotcontrol::WorldProperty::name);
+  ASSERT_NE(color, lamp.end());
+  EXPECT_EQ(color->values(2), 1);
+  EXPECT_EQ(color->element(color->element_size() - 1), "diffuse");
+
+  WorldPorts ports(*world);
+  robotcontrol::ReadPorts read;
+  for (const char* path : {"cart/depth/depth", "cart/classes/labels", "cart/insect"}) read.add_ports(path);
+  ASSERT_TRUE(ports.read(read));
+  std::map<std::string, foxglove::RawImage> images;
+  for (const auto& message : ports.images(true))
+    images[message.path] = dynamic_cast<const foxglove::RawImage&>(*message.value);
+  ASSERT_EQ(images.size(), 3U);
+  EXPECT_EQ(images["cart/depth/depth"].encoding(), "32FC1");
+  float meters = 0;
+  std::memcpy(&meters, images["cart/depth/depth"].data().data(), sizeof(meters));
+  EXPECT_NEAR(meters, 1.9, 1e-4);
+  EXPECT_EQ(images["cart/classes/labels"].encoding(), "rgb8");
+  EXPECT_EQ(images["cart/insect"].encoding(), "rgb8");
+  EXPECT_EQ(images["cart/insect"].width(), 5U);
+  // Red stays red: other light only changes how bright.
+  const auto* pixel = reinterpret_cast<const std::uint8_t*>(images["cart/insect"].data().data());
+  EXPECT_GT(pixel[0], 50);
+  EXPECT_LT(pixel[1], 5);
+  const auto readings = ports.readings();
+  ASSERT_EQ(readings->readings_size(), 3);
+  EXPECT_EQ(readings->readings(2).port(), "cart/insect");
+  EXPECT_EQ(readings->readings(2).values_size(), 5 * 3 * 3);
 }
 
 TEST_F(WorldPortsTest, anUnknownPortIsRefusedByName) {

@@ -12,10 +12,12 @@
 #include "app/core/program/SceneMessages.h"
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/simulated/SimulatedPlatform.h"
+#include "app/core/world/WorldObjects.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/config/FieldDescription.h"
@@ -33,7 +35,7 @@ using robotlink::Errors;
 
 namespace {
 
-/// Number of steps between recorded transforms: about 30 per second.
+/// Number of steps between recorded transforms, and forces: about 30 per second.
 constexpr int kTransformsEvery = 4;
 
 }  // namespace
@@ -293,17 +295,31 @@ void SimulatedRun::stopPrograms() {
 void SimulatedRun::recordWorld() {
   if (const auto known = map())
     tap_->world({robotlink::streams::kMap, world_->clock().now(), mapMessage(*known, world_->clock().now())});
-  tap_->world({robotlink::streams::kScene, world_->clock().now(),
-               sceneMessage(world_->simulation(), world_->clock().now())});
+  const auto now = world_->clock().now();
+  const simcore::Simulation& simulation = world_->simulation();
+  tap_->world({robotlink::streams::kScene, now, sceneMessage(simulation, now)});
+  tap_->world({robotlink::streams::kSolids, now, solidsMessage(simulation, now)});
+  tap_->world({robotlink::streams::kObjects, now, worldObjects(simulation, nullptr, now)});
   stepsToTransforms_ = 0;
 }
 
 void SimulatedRun::recordStep() {
   tap_->endStep();
-  if (--stepsToTransforms_ > 0 || !tap_->wants(robotlink::streams::kTransforms)) return;
+  if (--stepsToTransforms_ > 0) return;
   stepsToTransforms_ = kTransformsEvery;
-  tap_->world({robotlink::streams::kTransforms, world_->clock().now(),
-               transformsMessage(world_->simulation(), world_->clock().now())});
+  const auto now = world_->clock().now();
+  if (tap_->wants(robotlink::streams::kTransforms))
+    tap_->world({robotlink::streams::kTransforms, now, transformsMessage(world_->simulation(), now)});
+  // They are measured from the step on after which somebody wants them.
+  if (recordsForces_)
+    tap_->world({robotlink::streams::kForces, now, forcesMessage(world_->simulation(), now)});
+  recordsForces_ = tap_->wants(robotlink::streams::kForces);
+  readForces(showsForces_);
+}
+
+void SimulatedRun::readForces(bool shown) {
+  showsForces_ = shown;
+  world_->simulation().readForces(showsForces_ || recordsForces_);
 }
 
 void SimulatedRun::reportTrouble(const robotlink::Process& process, const std::string& text) {

@@ -241,6 +241,8 @@ class SimulatedRun {
   /// The overrides that the present programs cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
 
+  /// Has the forces of contacts be measured for whoever looks at them; a recording measures them anyway.
+  void readForces(bool shown);
   SimulatedWorld& world() { return *world_; }
   const SimulatedWorld& world() const { return *world_; }
   const RunOptions& options() const { return options_; }
@@ -331,9 +333,9 @@ class SimulatedRun {
   RobotHost* find(const std::string& robot) const;
   /// Replaces all programs and their executor.
   void startPrograms(Candidates candidates);
-  /// Records map and scene.
+  /// Records map, scene, solids and objects.
   void recordWorld();
-  /// Records what a step has published, and transforms at their rate.
+  /// Records what a step has published, and transforms and forces at their rate.
   void recordStep();
   /// Ends all programs and their executor.
   void stopPrograms();
@@ -448,6 +450,8 @@ class SimulatedRun {
   std::set<std::string> endedControllers_;
   /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
+  /// For whom the forces of contacts are measured.
+  bool showsForces_ = false, recordsForces_ = false;
   /// With modules inside, and with programs in processes of their own; shared with stopSwitch_.
   std::shared_ptr<ModulePatience> patience_, ownPatience_;
   std::shared_ptr<StopSwitch> stopSwitch_;

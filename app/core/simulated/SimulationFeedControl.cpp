@@ -79,7 +79,10 @@ void SimulationFeed::publishInputs(bool newOnly) {
 
 void SimulationFeed::publishControllers() {
   const simcore::Simulation& simulation = run_->world().simulation();
-  gate_.publish({robotlink::streams::kObjects, now(), worldObjects(simulation, &external_, now())});
+  const robotlink::StreamMessage objects{robotlink::streams::kObjects, now(),
+                                         worldObjects(simulation, &external_, now())};
+  recorder_.add({objects});
+  gate_.publish(objects);
   hadControllers_ |= !external_.isEmpty() || !simulation.controllers().empty();
   if (!hadControllers_) return;
   auto states = std::make_shared<robotcontrol::ControllerStates>();

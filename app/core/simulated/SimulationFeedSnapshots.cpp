@@ -193,7 +193,7 @@ robotlink::Result<void> SimulationFeed::readForces(const robotcontrol::Request& 
 
 void SimulationFeed::chooseForces() {
   readsForces_ = demand_.forces || Clock::now() < forcesUntil_;
-  run_->world().simulation().readForces(readsForces_);
+  run_->readForces(readsForces_);
 }
 
 void SimulationFeed::publishForces() {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <utility>
 
 #include "simcore/world/SensorErrors.h"
 
@@ -17,19 +19,95 @@ void blacken(robotlink::Image& image) {
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = i % 2 == 0 ? 0 : 128;
 }
 
+/// Labels the last image of a renderer.
+void label(const TrueClasses& classes, simcore::CameraRenderer& renderer, const simcore::CameraOptics& optics,
+           int width, robotlink::Image& labels) {
+  renderer.label(classes.ofInstances(), TrueClasses::kBackground, labels);
+  optics.distortLabels(TrueClasses::kBackground, width, labels);
+  TrueClasses::ignoreMixedPairs(labels);
+}
+
 }  // namespace
+
+struct CameraWork::Studio {
+  const std::shared_ptr<const simcore::RenderScene> scene;
+  const TrueClasses classes;
+  const bool shadows;
+  std::mutex mutex;
+  /// Those that nobody uses; protected by the mutex.
+  std::vector<std::unique_ptr<simcore::CameraRenderer>> renderers;
+
+  Studio(std::shared_ptr<const simcore::RenderScene> ofScene, bool withShadows)
+      : scene(std::move(ofScene)), classes(*scene), shadows(withShadows) {}
+
+  std::unique_ptr<simcore::CameraRenderer> borrow() {
+    {
+      const std::lock_guard lock(mutex);
+      if (!renderers.empty()) {
+        auto renderer = std::move(renderers.back());
+        renderers.pop_back();
+        return renderer;
+      }
+    }
+    return std::make_unique<simcore::CameraRenderer>(scene, simcore::CameraRenderer::Options{shadows});
+  }
+  void giveBack(std::unique_ptr<simcore::CameraRenderer> renderer) {
+    const std::lock_guard lock(mutex);
+    renderers.push_back(std::move(renderer));
+  }
+};
+
+struct CameraWork::Ahead {
+  std::shared_ptr<Studio> studio;
+  std::shared_ptr<simcore::CameraOptics> optics;
+  simcore::ComingImage coming;
+  simcore::CameraOptics::Mount mount = {};
+  simcore::ShutterModel shutter = {};
+  Order order = {};
+  bool hasClasses = false;
+  robotlink::Image image = {}, classes = {};
+  enum class State : std::uint8_t { kWaits, kBegun, kDone };
+  std::atomic<State> state{State::kWaits};
+
+  /// Whoever comes first makes it.
+  void make() {
+    State expected = State::kWaits;
+    if (!state.compare_exchange_strong(expected, State::kBegun)) return;
+    auto renderer = studio->borrow();
+    renderer->setLighting(order.lighting);
+    const auto posesAt = [this](double age, std::vector<simcore::Pose3>& poses) { coming.poses(age, poses); };
+    optics->render(*renderer, posesAt, mount, order.model, shutter, robotlink::PixelFormat::kYuyv,
+                   order.noise, image);
+    if (hasClasses) label(studio->classes, *renderer, *optics, image.width, classes);
+    if (order.blackout) blacken(image);
+    studio->giveBack(std::move(renderer));
+    state = State::kDone;
+    state.notify_all();
+  }
+  /// Makes it, or waits until another thread has.
+  void finish() {
+    make();
+    for (State now = state; now != State::kDone; now = state) state.wait(now);
+  }
+  /// Nobody needs it any more; who has begun it goes on.
+  void giveUp() {
+    State expected = State::kWaits;
+    state.compare_exchange_strong(expected, State::kDone);
+  }
+};
 
 CameraWork::CameraWork(const simcore::Simulation& simulation, std::shared_ptr<robotlink::ThreadPool> pool,
                        bool shadows)
-    : simulation_(simulation),
-      pool_(std::move(pool)),
-      shadows_(shadows),
-      classes_(*simulation.renderScene()) {
+    : simulation_(simulation), pool_(std::move(pool)), shadows_(shadows) {
   restart();
 }
 
+CameraWork::~CameraWork() = default;
+
 void CameraWork::restart() {
-  classes_ = TrueClasses(*simulation_.renderScene());
+  scene_ = simulation_.renderScene();
+  for (Camera& camera : cameras_) forgetAhead(camera);
+  studio_ = std::make_shared<Studio>(scene_, shadows_);
   lanes_.clear();
   cameras_.clear();
   cameras_.resize(simulation_.cameras().size());
@@ -49,13 +127,84 @@ void CameraWork::forgetImages() {
   posed_ = kNever;
 }
 
+void CameraWork::forgetPast() {
+  forgetImages();
+  for (Camera& camera : cameras_) {
+    camera.nextAt = 0;
+    forgetAhead(camera);
+  }
+}
+
+void CameraWork::forgetAhead(Camera& camera) {
+  if (!camera.ahead) return;
+  camera.ahead->giveUp();
+  camera.ahead.reset();
+  // A thread may still use it.
+  camera.aheadOptics.reset();
+}
+
+bool CameraWork::mayAskAt(std::size_t camera, std::uint64_t step) const {
+  const Camera& one = cameras_[camera];
+  const auto period =
+      static_cast<std::uint64_t>(simulation_.cameras()[camera].period / simcore::Simulation::kStep);
+  return one.askedAt != kNever && one.askedAt < step && step - one.askedAt <= period + kStepsBetweenAsks;
+}
+
+std::optional<std::uint64_t> CameraWork::nextAsk(std::size_t camera, const IsDue& isDue) {
+  Camera& one = cameras_[camera];
+  if (!mayAskAt(camera, simulation_.steps() + 1)) return std::nullopt;
+  if (one.nextAt <= simulation_.steps()) {
+    // Cameras are asked at every second step.
+    std::uint64_t next = one.askedAt + kStepsBetweenAsks;
+    while (next <= simulation_.steps() || (mayAskAt(camera, next) && !isDue(camera, next)))
+      next += kStepsBetweenAsks;
+    one.nextAt = next;
+  }
+  return mayAskAt(camera, one.nextAt) ? std::optional(one.nextAt) : std::nullopt;
+}
+
+void CameraWork::renderAhead(const Orders& orders, const IsDue& isDue) {
+  if (lanes_.empty() || !pool_ || pool_->threads() < 2) return;
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    Camera& one = cameras_[i];
+    if (one.ahead || one.askedAt == kNever || one.askedAt > simulation_.steps()) continue;
+    const auto at = nextAsk(i, isDue);
+    auto coming = at ? simulation_.comingImage(i, *at) : std::nullopt;
+    if (!coming) continue;
+    const simcore::CameraSensor& sensor = simulation_.cameras()[i];
+    if (!one.aheadOptics) one.aheadOptics = std::make_shared<simcore::CameraOptics>();
+    one.ahead = std::make_shared<Ahead>();
+    one.ahead->studio = studio_;
+    one.ahead->optics = one.aheadOptics;
+    one.ahead->mount = {sensor.body, sensor.cameraInBody};
+    one.ahead->shutter = sensor.shutter;
+    one.ahead->order = orders(i);
+    one.ahead->order.noise.frame = coming->step;
+    one.ahead->hasClasses = one.asksClasses;
+    one.ahead->coming = *std::move(coming);
+    pool_->later([ahead = one.ahead] { ahead->make(); });
+  }
+}
+
+bool CameraWork::finishAhead(Shot& shot) {
+  Camera& one = cameras_[shot.camera];
+  const std::shared_ptr<Ahead> ahead = one.ahead;
+  if (!ahead || ahead->order != shot.order || (shot.hasClasses && !ahead->hasClasses)) {
+    forgetAhead(one);
+    return false;
+  }
+  ahead->finish();
+  one.ahead.reset();
+  std::swap(shot.image, ahead->image);
+  std::swap(shot.classes, ahead->classes);
+  ++begunAhead_;
+  return true;
+}
+
 bool CameraWork::isExpected(std::size_t camera, const IsDue& isDue) const {
   const Camera& one = cameras_[camera];
   const std::uint64_t now = simulation_.steps();
-  if (one.askedAt == kNever || one.shot.step == now || !isDue(camera)) return false;
-  const auto period =
-      static_cast<std::uint64_t>(simulation_.cameras()[camera].period / simcore::Simulation::kStep);
-  return one.askedAt < now && now - one.askedAt <= period + kStepsBetweenAsks;
+  return one.shot.step != now && mayAskAt(camera, now) && isDue(camera, now);
 }
 
 const robotlink::Image& CameraWork::image(std::size_t camera, const Orders& orders, const IsDue& isDue) {
@@ -81,7 +230,9 @@ void CameraWork::makeTogether(std::size_t camera, const Orders& orders, const Is
   const std::size_t lanes = std::min(lanes_.size(), shots.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&](std::size_t lane) {
-    for (std::size_t i = next++; i < shots.size(); i = next++) draw(*shots[i], lanes_[lane]);
+    for (std::size_t i = next++; i < shots.size(); i = next++) {
+      if (!finishAhead(*shots[i])) draw(*shots[i], lanes_[lane]);
+    }
   };
   if (lanes > 1) {
     pool_->run(lanes, work);
@@ -115,8 +266,8 @@ const robotlink::Image& CameraWork::trueClasses() {
 void CameraWork::pose() {
   // Made here, since threads may not.
   const auto poses = simulation_.bodyPoses();
-  if (posed_ == simulation_.steps()) return;
-  posed_ = simulation_.steps();
+  const std::uint64_t version = simulation_.posesVersion();
+  if (std::exchange(posed_, version) == version) return;
   lanes_[0].renderer->setPoses(poses);
   lanes_[0].renderer->place();
 }
@@ -152,9 +303,7 @@ simcore::CameraRenderer& CameraWork::expose(Shot& shot, Lane& lane) {
 void CameraWork::draw(Shot& shot, Lane& lane) {
   simcore::CameraRenderer& renderer = expose(shot, lane);
   if (shot.hasClasses) {
-    renderer.label(classes_.ofInstances(), TrueClasses::kBackground, shot.classes);
-    cameras_[shot.camera].optics.distortLabels(TrueClasses::kBackground, shot.image.width, shot.classes);
-    TrueClasses::ignoreMixedPairs(shot.classes);
+    label(studio_->classes, renderer, cameras_[shot.camera].optics, shot.image.width, shot.classes);
   }
   if (shot.order.blackout) blacken(shot.image);
 }

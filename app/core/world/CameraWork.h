@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/core/world/TrueClasses.h"
@@ -16,8 +18,10 @@
 namespace app {
 
 /// Makes the images of a simulation's cameras, those of one instant in several threads: when one is asked
-/// for, all that are due are made, as far as their cameras were asked at the last time, too. An image does
-/// not depend on which others are made, in which order, or by how many threads. One thread at a time.
+/// for, all that are due are made, as far as their cameras were asked at the last time, too. Images that a
+/// delay puts into the past are begun as soon as nothing can change them any more, by threads that have
+/// nothing else to do while the simulation goes on. An image does not depend on which others are made, in
+/// which order, when, or by how many threads. One thread at a time.
 class CameraWork {
  public:
   /// What an image is to be like.
@@ -26,20 +30,32 @@ class CameraWork {
     simcore::ImageNoise noise = {};
     simcore::LightAdjustment lighting = {};
     bool blackout = false;
+    bool operator==(const Order&) const = default;
   };
   /// Says what the present image of a camera is to be like.
   using Orders = std::function<Order(std::size_t camera)>;
-  /// Whether a camera takes an image at this step.
-  using IsDue = std::function<bool(std::size_t camera)>;
+  /// Whether a camera takes an image at a step of the simulation.
+  using IsDue = std::function<bool(std::size_t camera, std::uint64_t step)>;
 
   /// The simulation must outlive it. The pool may be null.
   CameraWork(const simcore::Simulation& simulation, std::shared_ptr<robotlink::ThreadPool> pool,
              bool shadows);
+  ~CameraWork();
 
   /// To be called when the simulation has another scene, or is reset.
   void restart();
-  /// To be called when what images are to be like has changed, or the simulation has gone back to an instant.
+  /// To be called when what images are to be like has changed.
   void forgetImages();
+  /// To be called when the simulation has gone to another instant.
+  void forgetPast();
+
+  /// To be called after each step of the simulation, and before something changes what images are to be like:
+  /// has images be begun that will be asked for.
+  void renderAhead(const Orders& orders, const IsDue& isDue);
+  /// How many images were asked for that had been begun before.
+  std::uint64_t begunAhead() const { return begunAhead_; }
+  /// Whether it is for the scene that the simulation has now; if not, restart() is due.
+  bool isUpToDate() const { return scene_ == simulation_.renderScene(); }
 
   /// The present image of a camera; valid until the next call.
   const robotlink::Image& image(std::size_t camera, const Orders& orders, const IsDue& isDue);
@@ -60,10 +76,19 @@ class CameraWork {
     std::uint64_t step = kNever;
     bool hasClasses = false;
   };
+  /// What threads share that make images while the simulation goes on, and longer than this lives.
+  struct Studio;
+  /// An image that is made before it is asked for.
+  struct Ahead;
   /// What is known of a camera.
   struct Camera {
     Shot shot = {};
     simcore::CameraOptics optics = {};
+    /// Null unless one was begun; and the lens of those, which only one at a time uses.
+    std::shared_ptr<Ahead> ahead = nullptr;
+    std::shared_ptr<simcore::CameraOptics> aheadOptics = nullptr;
+    /// The next step at which it takes an image, as far as it is known.
+    std::uint64_t nextAt = 0;
     /// When its image was asked for last, and whether its true classes were.
     std::uint64_t askedAt = kNever;
     bool asksClasses = false;
@@ -78,6 +103,14 @@ class CameraWork {
   /// Makes the image of a camera, and those of others that are expected to be asked for.
   void makeTogether(std::size_t camera, const Orders& orders, const IsDue& isDue);
   bool isExpected(std::size_t camera, const IsDue& isDue) const;
+  /// Whether somebody asks for images of a camera who may ask at a step, too.
+  bool mayAskAt(std::size_t camera, std::uint64_t step) const;
+  /// The next step at which a camera will be asked; unset if none is known.
+  std::optional<std::uint64_t> nextAsk(std::size_t camera, const IsDue& isDue);
+  /// Gives up what was begun.
+  void forgetAhead(Camera& camera);
+  /// Makes an image of what was begun for it; false if it is of no use.
+  bool finishAhead(Shot& shot);
   /// Has the renderers draw the present poses.
   void pose();
   bool seesOtherInstants(std::size_t camera, const Order& order) const;
@@ -88,13 +121,15 @@ class CameraWork {
   const simcore::Simulation& simulation_;
   const std::shared_ptr<robotlink::ThreadPool> pool_;
   const bool shadows_;
-  TrueClasses classes_;
+  std::shared_ptr<const simcore::RenderScene> scene_;
+  std::shared_ptr<Studio> studio_;
+  std::atomic<std::uint64_t> begunAhead_{0};
   /// At least one if there are cameras.
   std::vector<Lane> lanes_;
   std::vector<Camera> cameras_;
   Shot preview_;
   Shot* last_ = nullptr;
-  /// The step whose poses the renderers have.
+  /// Simulation::posesVersion() of the poses that the renderers have.
   std::uint64_t posed_ = kNever;
 };
 

@@ -96,6 +96,10 @@ SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, 
       cameraWork_(*simulation_, pool_, options.shadows),
       cameraSettings_(simulation_->cameras().size()),
       cameraErrorsChosen_(simulation_->cameras().size()) {
+  simulation_->setCameraImages([this](std::size_t camera) {
+    // In the middle of a change of the scene, it is that of another one.
+    return cameraWork_.isUpToDate() ? &preview(camera) : nullptr;
+  });
   if (options_.rewindBytes > 0) simulation_->keepForRewind(options_.rewindBytes);
 }
 
@@ -201,6 +205,7 @@ void SimulatedWorld::advance() {
       simulation_->step();
       ++costs_.steps;
     }
+    cameraWork_.renderAhead(orders(), dues());
     clock_.set(robotlink::Instant(simulation_->time() + clockAhead_));
     if (pioneers_.empty()) continue;
     const CostMeter meter(costs_.pioneers);
@@ -222,8 +227,17 @@ void SimulatedWorld::reset(std::uint64_t seed) {
   for (const auto& pioneer : pioneers_) pioneer->reset(seed);
 }
 
-bool SimulatedWorld::imageDue(std::size_t camera) const {
-  return simulation_->time() % simulation_->cameras()[camera].period < kStep;
+bool SimulatedWorld::imageDue(std::size_t camera, std::uint64_t step) const {
+  const Duration time = simcore::Simulation::kStep * static_cast<std::int64_t>(step);
+  return time % simulation_->cameras()[camera].period < kStep;
+}
+
+CameraWork::Orders SimulatedWorld::orders() const {
+  return [this](std::size_t camera) { return orderOf(camera); };
+}
+
+CameraWork::IsDue SimulatedWorld::dues() const {
+  return [this](std::size_t camera, std::uint64_t step) { return imageDue(camera, step); };
 }
 
 simcore::LightAdjustment SimulatedWorld::lightingOf(std::size_t camera) const {
@@ -236,15 +250,13 @@ simcore::LightAdjustment SimulatedWorld::lightingOf(std::size_t camera) const {
 const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
   const CostMeter meter(costs_.rendering);
   ++costs_.images;
-  const robotlink::Image& image = cameraWork_.image(
-      camera, [this](std::size_t one) { return orderOf(one); },
-      [this](std::size_t one) { return imageDue(one); });
+  const robotlink::Image& image = cameraWork_.image(camera, orders(), dues());
   mixIntoDigest(hashOf(image.data));
   return image;
 }
 
 const robotlink::Image& SimulatedWorld::preview(std::size_t camera) {
-  return cameraWork_.preview(camera, [this](std::size_t one) { return orderOf(one); });
+  return cameraWork_.preview(camera, orders());
 }
 
 CameraWork::Order SimulatedWorld::orderOf(std::size_t camera) const {

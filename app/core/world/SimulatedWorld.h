@@ -124,7 +124,7 @@ class SimulatedWorld {
   SimulatedPioneer* pioneer(const std::string& robot) const;
 
   /// Whether a camera (by its index) takes an image at this step.
-  bool imageDue(std::size_t camera) const;
+  bool imageDue(std::size_t camera) const { return imageDue(camera, simulation_->steps()); }
   /// Renders the image of a camera, YCbCr 4:2:2. Valid until the next call. With several threads, images that
   /// are due now of other cameras that were asked for when their previous one was due are made meanwhile.
   const robotlink::Image& render(std::size_t camera);
@@ -155,6 +155,9 @@ class SimulatedWorld {
     return cameraSettings_[camera];
   }
 
+  /// How many images were begun while the simulation went on; see CameraWork.
+  std::uint64_t imagesBegunAhead() const { return cameraWork_.begunAhead(); }
+
   /// A hash of the states after all steps and of all images since the start, for comparing runs.
   std::uint64_t digest() const { return digest_; }
 
@@ -165,6 +168,9 @@ class SimulatedWorld {
   simcore::LightAdjustment lightingOf(std::size_t camera) const;
   /// What an image of a camera is to be like now.
   CameraWork::Order orderOf(std::size_t camera) const;
+  bool imageDue(std::size_t camera, std::uint64_t step) const;
+  CameraWork::Orders orders() const;
+  CameraWork::IsDue dues() const;
   /// Makes the microcontrollers, or goes on with those that there are.
   robotlink::Result<void> makePioneers();
   /// Settings of a microcontroller.

@@ -306,6 +306,12 @@ class PortWriter {
       setRange(*add(sensor.info).mutable_port(), sensor.minimum, sensor.maximum);
     for (const auto& camera : simulation.cameras())
       add(camera.info).mutable_port()->set_image_stream(imageStreamOf(simulation, camera));
+    for (const auto& sensor : simulation.imageSensors()) {
+      auto& port = *add(sensor.info).mutable_port();
+      port.set_image_stream(sensor.info.path);
+      if (sensor.geometry.kind == simcore::ImageGeometry::Kind::kDepth)
+        setRange(port, sensor.geometry.nearest, sensor.geometry.farthest);
+    }
     for (const auto& servo : simulation.servos()) {
       WorldObject& object = addActuator(servo.info, servo.minimum, servo.maximum);
       addNumbers(object, "maximum_speed", {servo.maximumSpeed}, "rad/s");
@@ -378,10 +384,18 @@ class PortWriter {
       robotlink::assign(*object.mutable_pose_in_frame(), sensor->poseInLink);
     }
     using Kind = simcore::SensorDescription::Kind;
+    const bool isFacettes =
+        sensor->kind == Kind::kImage && sensor->image.kind == simcore::ImageGeometry::Kind::kFacette;
     const bool isCamera = sensor->kind == Kind::kCamera;
-    if (isCamera) {
+    if (isCamera || (sensor->kind == Kind::kImage && !isFacettes)) {
       addNumbers(object, "size", {double(sensor->width), double(sensor->height)}, "px");
       addNumbers(object, "opening_angles", {sensor->horizontalAngle, sensor->verticalAngle}, "rad");
+    }
+    if (isFacettes) {
+      const auto& image = sensor->image;
+      addNumbers(object, "size", {double(image.camera.width), double(image.camera.height)});
+      addNumbers(object, "azimuth", {image.azimuthStart, image.azimuthEnd}, "rad");
+      addNumbers(object, "elevation", {image.elevationStart, image.elevationEnd}, "rad");
     }
     if (sensor->kind == Kind::kSonar)
       addNumbers(object, "opening_angle", {sensor->range.openingAngle}, "rad");
@@ -402,14 +416,14 @@ class PortWriter {
     locate(addNumbers(object, "dropout", {sensor->errors.dropout}), {"robotcontrol:dropout"});
     auto& noise = addNumbers(object, "noise", {whiteNoise(sensor->errors)},
                              isCamera ? "" : object.port().unit().c_str());
-    const Steps steps = noiseSteps(sensor->kind);
+    const Steps steps = noiseSteps(isFacettes ? Kind::kSonar : sensor->kind);
     locate(noise, steps.empty() ? Steps{"robotcontrol:noise"} : steps);
   }
 
   /// Empty for those that describe the noise of several axes; one element of ours is for all of them.
   static Steps noiseSteps(simcore::SensorDescription::Kind kind) {
     using Kind = simcore::SensorDescription::Kind;
-    if (kind == Kind::kCamera) return {"camera", "noise", "stddev"};
+    if (kind == Kind::kCamera || kind == Kind::kImage) return {"camera", "noise", "stddev"};
     if (kind == Kind::kDistance || kind == Kind::kLaser) return {"lidar|ray", "noise", "stddev"};
     if (kind == Kind::kSonar) return {"robotcontrol:noise"};
     return {};
@@ -440,6 +454,7 @@ void addLamps(const simcore::WorldDescription& world, const std::string& file,
       for (const char* step : steps) property.add_element(step);
     };
     locate(addNumbers(object, "intensity", {static_cast<double>(lamp.intensity)}), {"intensity"});
+    locate(addNumbers(object, "diffuse", valuesOf(lamp.color.cast<double>())), {"diffuse"});
     locate(addNumbers(object, "attenuation", {static_cast<double>(lamp.attenuation)}, "1/m^2"),
            {"attenuation", "quadratic"});
     if (lamp.kind != simcore::Lamp::Kind::kPoint && i < world.lampDirections.size())

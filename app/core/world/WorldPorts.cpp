@@ -2,6 +2,10 @@
 #include "app/core/world/WorldPorts.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "app/core/world/SimulatedWorld.h"
 #include "app/core/world/WorldObjects.h"
@@ -16,13 +20,94 @@
 namespace app {
 namespace {
 
-constexpr robotlink::Duration kControllerImages = std::chrono::milliseconds(40);
+using robotlink::Rgb;
+
+/// The period of images that controllers show, and of those of sensors that have none.
+constexpr robotlink::Duration kUsualPeriod = std::chrono::milliseconds(40);
+/// Of sensors that yield more numbers only images are published.
+constexpr std::size_t kMaxNumbers = 10'000;
 
 void addReading(google::protobuf::RepeatedPtrField<robotcontrol::PortReading>& to, const std::string& port,
                 const std::vector<double>& values) {
   auto& reading = *to.Add();
   reading.set_port(port);
   for (const double value : values) reading.add_values(value);
+}
+
+/// Sets the color of each class of a scene, 0 being none.
+std::vector<Rgb> colorsOfLabels(const simcore::RenderScene& scene) {
+  std::vector<Rgb> colors(scene.labelNames.size() + 1);
+  for (std::size_t i = 0; i < scene.instances.size() && i < scene.labels.size(); ++i)
+    colors[scene.labels[i]] = scene.instances[i].color;
+  colors[0] = {};
+  return colors;
+}
+
+/// Radiation as it is seen: Y, Cb and Cr as colors, three other classes as red, green and blue, of others the
+/// first one. What is no gray value is as bright as the brightest one allows.
+robotlink::Image radiationImage(const simcore::ImageSensor& sensor, std::span<const float> values) {
+  const std::vector<std::string>& classes = sensor.geometry.classes;
+  const std::size_t channels = std::max<std::size_t>(1, classes.size()), shown = channels == 3 ? 3 : 1;
+  const auto isGray = [](const std::string& name) {
+    return name == "Y" || name == "Cb" || name == "Cr" || name == "R" || name == "G" || name == "B";
+  };
+  float scale = 1;
+  if (!std::ranges::all_of(classes, isGray)) {
+    float brightest = 0;
+    for (const float value : values)
+      brightest = std::isfinite(value) ? std::max(brightest, value) : brightest;
+    scale = brightest > 0 ? 255 / brightest : 1;
+  }
+  const auto byteOf = [scale](float value) {
+    return static_cast<std::uint8_t>(std::isfinite(value) ? std::clamp(value * scale + 0.5F, 0.F, 255.F)
+                                                          : 0.F);
+  };
+  robotlink::Image image(sensor.geometry.camera.width, sensor.geometry.camera.height,
+                         shown == 3 ? robotlink::PixelFormat::kRgb8 : robotlink::PixelFormat::kMono8);
+  const bool isChroma = classes == std::vector<std::string>{"Y", "Cb", "Cr"};
+  for (std::size_t i = 0; i * channels + channels <= values.size(); ++i) {
+    std::uint8_t* const pixel = &image.data[i * shown];
+    for (std::size_t k = 0; k < shown; ++k) pixel[k] = byteOf(values[i * channels + k]);
+    if (!isChroma) continue;
+    const Rgb color = robotlink::toRgb({pixel[0], pixel[1], pixel[2]});
+    pixel[0] = color.r;
+    pixel[1] = color.g;
+    pixel[2] = color.b;
+  }
+  return image;
+}
+
+/// What an image sensor measures now, as an image: depth in m, classes in the colors that they name.
+std::shared_ptr<foxglove::RawImage> measuredImage(const simcore::Simulation& simulation, std::size_t index,
+                                                  robotlink::Instant time) {
+  const simcore::ImageSensor& sensor = simulation.imageSensors()[index];
+  const simcore::CameraModel& camera = sensor.geometry.camera;
+  std::vector<float> values(sensor.values());
+  simulation.measureImage(index, values);
+  auto message = std::make_shared<foxglove::RawImage>();
+  using Kind = simcore::ImageGeometry::Kind;
+  if (sensor.geometry.kind == Kind::kLabels) {
+    const std::vector<Rgb> colors = colorsOfLabels(*simulation.renderScene());
+    robotlink::Image image(camera.width, camera.height, robotlink::PixelFormat::kRgb8);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Rgb color = colors[std::min(static_cast<std::size_t>(values[i]), colors.size() - 1)];
+      std::ranges::copy(std::array{color.r, color.g, color.b}, &image.data[3 * i]);
+    }
+    robotlink::assign(*message, image.view(), time, sensor.info.path);
+    return message;
+  }
+  if (sensor.geometry.kind != Kind::kDepth) {
+    robotlink::assign(*message, radiationImage(sensor, values).view(), time, sensor.info.path);
+    return message;
+  }
+  robotlink::assign(*message->mutable_timestamp(), time);
+  message->set_frame_id(sensor.info.path);
+  message->set_width(static_cast<std::uint32_t>(camera.width));
+  message->set_height(static_cast<std::uint32_t>(camera.height));
+  message->set_encoding("32FC1");
+  message->set_step(static_cast<std::uint32_t>(camera.width * static_cast<int>(sizeof(float))));
+  message->set_data(values.data(), values.size() * sizeof(float));
+  return message;
 }
 
 }  // namespace
@@ -40,6 +125,7 @@ std::vector<std::string> WorldPorts::sensorNames() const {
   for (const auto& sensor : simulation.sensors()) names.push_back(sensor.info.path);
   for (const auto& sensor : simulation.rangeSensors()) names.push_back(sensor.info.path);
   for (const auto& camera : simulation.cameras()) names.push_back(camera.info.path);
+  for (const auto& sensor : simulation.imageSensors()) names.push_back(sensor.info.path);
   for (const auto* output : simulation.outputs()) names.push_back(output->info.path);
   if (external_ == nullptr) return names;
   for (const auto* output : external_->outputs()) names.push_back(output->info.path);
@@ -122,6 +208,11 @@ std::shared_ptr<const robotcontrol::PortReadings> WorldPorts::readings() const {
     simulation.measure(i, values);
     addReading(*message->mutable_readings(), ranges[i].info.path, values);
   }
+  for (const auto& sensor : simulation.imageSensors()) {
+    if (!read_.contains(sensor.info.path) || sensor.values() > kMaxNumbers) continue;
+    addReading(*message->mutable_readings(), sensor.info.path,
+               simulation.read(sensor.info.path).value_or(std::vector<double>()));
+  }
   addOutputs(*message);
   for (const auto& [port, held] : world_.held().all())
     addReading(*message->mutable_held(), port, held.values);
@@ -138,12 +229,22 @@ std::vector<robotlink::StreamMessage> WorldPorts::images(bool all) {
     robotlink::assign(*image, world_.preview(i).view(), world_.clock().now(), path);
     images.push_back({path, world_.clock().now(), std::move(image)});
   }
+  const auto isDue = [this](robotlink::Duration period) {
+    return world_.simulation().time() % period < SimulatedWorld::kStep;
+  };
+  const auto sensors = world_.simulation().imageSensors();
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const std::string& path = sensors[i].info.path;
+    const auto period = sensors[i].period.count() > 0 ? sensors[i].period : kUsualPeriod;
+    if (!read_.contains(path) || !(all || isDue(period))) continue;
+    images.push_back(
+        {path, world_.clock().now(), measuredImage(world_.simulation(), i, world_.clock().now())});
+  }
   for (const auto* output : world_.simulation().outputs()) {
     const std::string& path = output->info.path;
     if (output->kind != simcore::ControllerOutput::Kind::kImage || !read_.contains(path)) continue;
     // As often as cameras take images.
-    const bool isDue = world_.simulation().time() % kControllerImages < SimulatedWorld::kStep;
-    if (!all && !isDue) continue;
+    if (!all && !isDue(kUsualPeriod)) continue;
     auto image = std::make_shared<foxglove::RawImage>();
     robotlink::assign(*image, output->image.view(), world_.clock().now(), path);
     images.push_back({path, world_.clock().now(), std::move(image)});

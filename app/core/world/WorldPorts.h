@@ -46,7 +46,7 @@ class WorldPorts {
   /// The readings of this instant.
   std::shared_ptr<const robotcontrol::PortReadings> readings() const;
   /// The images of cameras that are read and that no robot sends, on the paths of their ports: of those that
-  /// are due now, or of all; and images of controllers that are read.
+  /// are due now, or of all; and those of sensors of depth, classes and radiation, and of controllers.
   std::vector<robotlink::StreamMessage> images(bool all);
 
  private:

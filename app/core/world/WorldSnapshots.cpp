@@ -100,7 +100,7 @@ robotlink::Result<void> SimulatedWorld::restore(const simcore::Snapshot& snapsho
 
 void SimulatedWorld::settleAfterJump() {
   clockAhead_ = clock_.now().time_since_epoch() - simulation_->time();
-  cameraWork_.forgetImages();
+  cameraWork_.forgetPast();
   costs_.steps = simulation_->steps();
   for (const auto& pioneer : pioneers_) pioneer->worldJumped();
 }

@@ -71,17 +71,38 @@ void ThreadPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   if (batch.failure) std::rethrow_exception(batch.failure);
 }
 
+void ThreadPool::later(std::function<void()> job) {
+  if (workers_.empty()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    later_.push_back(std::move(job));
+    waiting_ = later_.size();
+  }
+  called_.notify_one();
+}
+
+void ThreadPool::doOneLater(std::unique_lock<std::mutex>& lock) {
+  const std::function<void()> job = std::move(later_.front());
+  later_.pop_front();
+  waiting_ = later_.size();
+  lock.unlock();
+  job();
+}
+
 void ThreadPool::loop() {
   std::uint64_t seen = 0;
   BriefWait wait(kAttention);
   while (true) {
-    wait.look([&] { return calls_ != seen; });
+    wait.look([&] { return calls_ != seen || waiting_ > 0; });
     std::unique_lock lock(mutex_);
-    called_.wait(lock, [&] { return calls_ != seen; });
+    called_.wait(lock, [&] { return calls_ != seen || !later_.empty(); });
     wait.end();
     seen = calls_;
     if (isOver_) return;
-    if (batch_ == nullptr) continue;
+    if (batch_ == nullptr) {
+      if (!later_.empty()) doOneLater(lock);
+      continue;
+    }
     Batch& batch = *batch_;
     ++working_;
     lock.unlock();

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <deque>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -36,6 +37,11 @@ class ThreadPool {
   /// is in progress, such as from a job, does its jobs in the calling thread.
   void run(std::size_t count, const std::function<void(std::size_t)>& job);
 
+  /// Has a job be done some time by a thread that has nothing else to do. run() neither waits for it nor for
+  /// that thread. It is not done where there is no thread but the caller's, or if the pool ends before; it
+  /// must not throw. Any thread.
+  void later(std::function<void()> job);
+
  private:
   /// The jobs of a call.
   struct Batch {
@@ -48,6 +54,8 @@ class ThreadPool {
   };
   static void work(Batch& batch);
   void loop();
+  /// Takes the first job that waits, and does it without the lock.
+  void doOneLater(std::unique_lock<std::mutex>& lock);
 
   /// Whether a call of run() is in progress.
   std::atomic<bool> isBusy_{false};
@@ -55,10 +63,13 @@ class ThreadPool {
   std::atomic<std::uint64_t> calls_{0};
   /// Threads that are working; changed with the mutex locked.
   std::atomic<int> working_{0};
+  /// How many jobs of later() wait; changed with the mutex locked.
+  std::atomic<std::size_t> waiting_{0};
   /// Protects the rest.
   std::mutex mutex_;
   std::condition_variable called_, ended_;
   Batch* batch_ = nullptr;
+  std::deque<std::function<void()>> later_;
   bool isOver_ = false;
   /// The last member, since they use the others.
   std::vector<std::thread> workers_;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/Resources.h"
@@ -163,6 +164,26 @@ TEST_F(ExternalControllersTest, inputsComeAsRarelyAsItWantsWithAllEvents) {
   ASSERT_THAT(third, SizeIs(1));
   ASSERT_EQ(inputsOf(third[0]).events_size(), 1);
   EXPECT_EQ(inputsOf(third[0]).events(0).key(), "A");
+}
+
+TEST_F(ExternalControllersTest, imagesOfCamerasComeBeforeTheInputs) {
+  const auto scene = simcore::Scene::load(robotlink::resource("scenes/field2002.sdf"));
+  ASSERT_TRUE(scene);
+  simulation_ = std::move(simcore::Simulation::create(*scene, {}).value());
+  robotcontrol::AttachController request;
+  request.set_name("remote");
+  request.add_sensors("red1/camera/image");
+  request.add_sensors("red1/headPan/position");
+  ASSERT_TRUE(external_.attach(request, *simulation_));
+  const auto messages = inputs();
+  ASSERT_THAT(messages, SizeIs(2));
+  EXPECT_EQ(messages[0].path, "sim/ports/remote/red1/camera/image");
+  const auto* image = dynamic_cast<const foxglove::RawImage*>(messages[0].value.get());
+  ASSERT_NE(image, nullptr);
+  EXPECT_EQ(image->encoding(), "yuyv");
+  EXPECT_EQ(image->data().size(), 2U * image->width() * image->height());
+  EXPECT_EQ(messages[1].path, "sim/ports/remote");
+  EXPECT_EQ(inputsOf(messages[1]).readings_size(), 1);
 }
 
 TEST_F(ExternalControllersTest, whatMakesNoSenseIsRefused) {

@@ -63,6 +63,22 @@ class Breaker final : public Controller {
   ControllerOutput& numbers_;
 };
 
+/// Shows the first pixel of what a camera sees.
+class Watcher final : public Controller {
+ public:
+  explicit Watcher(ControllerSetup& setup) : first_(setup.addValues("first", "color", {3})) {}
+  void step(ControlledWorld& world) override {
+    EXPECT_FALSE(world.image("cart/axle/position")) << "no camera";
+    const auto image = world.image("cart/eye/image");
+    if (!image) throw std::runtime_error(image.error().text);
+    const std::uint8_t* const pixel = (*image)->data.data();
+    first_.values = {double(pixel[0]), double(pixel[1]), double(pixel[3])};
+  }
+
+ private:
+  ControllerOutput& first_;
+};
+
 using Type = ControllerParameter::Type;
 const ControllerRegistration kTurner{
     ControllerKind{"test_turner",
@@ -75,6 +91,9 @@ const ControllerRegistration kTurner{
                    [](ControllerSetup& setup) { return std::make_unique<Turner>(setup); }}};
 const ControllerRegistration kBreaker{ControllerKind{
     "test_breaker", "", {}, [](ControllerSetup& setup) { return std::make_unique<Breaker>(setup); }}};
+
+const ControllerRegistration kWatcher{ControllerKind{
+    "test_watcher", "", {}, [](ControllerSetup& setup) { return std::make_unique<Watcher>(setup); }}};
 
 const std::string kWheel = R"(<link name="wheel"><pose>0 0 0.2 0 0 0</pose>
     <inertial><mass>0.2</mass><inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>0.001</izz></inertia></inertial></link>
@@ -256,6 +275,51 @@ TEST(ControllersTest, whatAControllerRemembersSurvivesAnEditedScene) {
   EXPECT_EQ(valuesAt(*simulation, "cart/test_turner/keys").front(), 1);
   runSteps(*simulation, 2);
   EXPECT_TRUE(simulation->controllers()[0].isOn());
+}
+
+TEST(ControllersTest, aSnapshotHasWhatControllersShowAndWhoIsOff) {
+  const auto make = [] {
+    return cartWith("", kWheel + turner(parameter("fails_at", "0.1")) + turner("", " as='other'"));
+  };
+  const auto simulation = make(), other = make();
+  ASSERT_TRUE(simulation && other);
+  ASSERT_TRUE(simulation->addEvent(clickFrom({1, 0, 3}, {0, 0, -1})));
+  runSteps(*simulation, 40);
+  const Snapshot snapshot = simulation->snapshot();
+  const std::uint64_t digest = simulation->digest();
+  ASSERT_TRUE(other->restore(snapshot));
+  EXPECT_EQ(other->digest(), digest) << "that has outputs and troubles";
+  EXPECT_EQ(other->snapshot().state, snapshot.state);
+  EXPECT_EQ(valuesAt(*other, "cart/other/angle"), valuesAt(*simulation, "cart/other/angle"));
+  EXPECT_EQ(valuesAt(*other, "cart/other/picture"), valuesAt(*simulation, "cart/other/picture"));
+  ASSERT_EQ(other->outputs()[7]->shapes.size(), 1U);
+  EXPECT_EQ(other->outputs()[7]->shapes[0].points, simulation->outputs()[7]->shapes[0].points);
+  EXPECT_EQ(other->controllers()[0].trouble, "the wheel is stuck");
+  EXPECT_EQ(other->controllers()[0].troubleStep, 25U);
+  runSteps(*simulation, 20);
+  ASSERT_TRUE(simulation->restore(snapshot));
+  EXPECT_EQ(simulation->digest(), digest);
+}
+
+TEST(ControllersTest, aControllerSeesTheImageOfACamera) {
+  const std::string eye =
+      "<sensor name='eye' type='camera'><camera><image><width>16</width><height>8</height></image></camera>"
+      "<pose>0.3 0 0.3 0 0 0</pose></sensor>";
+  const std::string wall = "<material><diffuse>1 0 0 1</diffuse></material>";
+  const auto simulation = cartWith(eye, kWheel + "<robotcontrol:controller name='test_watcher'/>",
+                                   solidAt("wall", "3 0 1 0 0 0", "0.1 9 9", wall));
+  ASSERT_TRUE(simulation);
+  runSteps(*simulation, 2);
+  ASSERT_TRUE(simulation->controllers()[0].isOn()) << simulation->controllers()[0].trouble;
+  const auto seen = valuesAt(*simulation, "cart/test_watcher/first");
+  EXPECT_LT(seen[1], 128) << "red has less blue";
+  EXPECT_GT(seen[2], 160) << "and more red than gray";
+  // Whoever else makes the images makes those of controllers, too.
+  robotlink::Image gray(16, 8, robotlink::PixelFormat::kYuyv);
+  std::ranges::fill(gray.data, std::uint8_t{128});
+  simulation->setCameraImages([&](std::size_t) { return &gray; });
+  runSteps(*simulation, 1);
+  EXPECT_THAT(valuesAt(*simulation, "cart/test_watcher/first"), ElementsAre(128, 128, 128));
 }
 
 TEST(ControllersTest, anUnknownControllerIsNamedWithThoseThatAreKnown) {

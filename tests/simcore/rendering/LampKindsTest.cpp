@@ -16,6 +16,9 @@ constexpr int kWidth = 160, kHeight = 120;
 class LampKinds : public testing::Test {
  protected:
   robotlink::Image seenUnder(const Lamp& lamp, bool withPlate) {
+    return seenUnder(std::vector<Lamp>{lamp}, withPlate, robotlink::PixelFormat::kRgb8);
+  }
+  robotlink::Image seenUnder(const std::vector<Lamp>& lamps, bool withPlate, robotlink::PixelFormat format) {
     auto scene = std::make_shared<RenderScene>();
     scene->meshes = {boxMesh({20, 20, 0.1F}), boxMesh({1, 1, 0.1F})};
     scene->instances.push_back(
@@ -25,25 +28,30 @@ class LampKinds : public testing::Test {
           {1, 0, Pose3(Eigen::Translation3d(0, 0, 1)), {200, 200, 200}, "plate", true});
     scene->bodies = {"world"};
     scene->ambient = 0.2F;
-    scene->lamps = {lamp};
+    scene->lamps = lamps;
     CameraRenderer renderer(scene, {true});
     renderer.setPoses(std::vector<Pose3>{Pose3::Identity()});
     robotlink::Image image;
     CameraModel camera;
     camera.width = kWidth;
     camera.height = kHeight;
-    renderer.render(camera_, camera, robotlink::PixelFormat::kRgb8, {}, image);
+    renderer.render(camera_, camera, format, {}, image);
     return image;
   }
   /// The red channel at a point of the floor.
-  int at(const robotlink::Image& image, double x, double y) const {
+  int at(const robotlink::Image& image, double x, double y) const { return colorAt(image, x, y).r; }
+  robotlink::Rgb colorAt(const robotlink::Image& image, double x, double y) const {
+    const auto [column, row] = placeOf(x, y);
+    return test::pixel(image, column, row);
+  }
+  /// The pixel that shows a point of the floor.
+  std::pair<int, int> placeOf(double x, double y) const {
     const Eigen::Vector3d inCamera = camera_.inverse() * Eigen::Vector3d(x, y, 0);
     const CameraModel camera;
     const double focalX = kWidth / 2.0 / std::tan(camera.horizontalAngle / 2);
     const double focalY = kHeight / 2.0 / std::tan(camera.verticalAngle / 2);
-    return test::pixel(image, static_cast<int>(kWidth / 2.0 - focalX * inCamera.y() / inCamera.x()),
-                       static_cast<int>(kHeight / 2.0 - focalY * inCamera.z() / inCamera.x()))
-        .r;
+    return {static_cast<int>(kWidth / 2.0 - focalX * inCamera.y() / inCamera.x()),
+            static_cast<int>(kHeight / 2.0 - focalY * inCamera.z() / inCamera.x())};
   }
   static Lamp lamp(Lamp::Kind kind, const Eigen::Vector3f& direction) {
     Lamp result;
@@ -103,6 +111,57 @@ TEST_F(LampKinds, aSpotHasShadows) {
   // The plate's edge at 0.5 m throws its shadow to 0.6 m; on this side the camera sees below it.
   EXPECT_NEAR(at(image, -0.58, 0), 40, 1);
   EXPECT_GT(at(image, -0.8, 0), 130);
+}
+
+TEST_F(LampKinds, aColoredLampGivesThingsItsColor) {
+  Lamp sun = lamp(Lamp::Kind::kDirectional, {0, 0, -1});
+  sun.color = {1, 0.5F, 0};
+  const auto image = seenUnder(sun, true);
+  // The ambient light is white.
+  const robotlink::Rgb lit = colorAt(image, 2, 1);
+  EXPECT_NEAR(lit.r, 200 * (0.2 + 0.5), 1);
+  EXPECT_NEAR(lit.g, 200 * (0.2 + 0.25), 1);
+  EXPECT_NEAR(lit.b, 200 * 0.2, 1);
+  EXPECT_NEAR(colorAt(image, -0.55, 0).b, 40, 1) << "in the shadow of the plate";
+  EXPECT_NEAR(colorAt(image, -0.55, 0).r, 40, 1);
+}
+
+TEST_F(LampKinds, lampsOfSeveralColorsAddUp) {
+  Lamp red = lamp(Lamp::Kind::kDirectional, {0, 0, -1}), blue = red, white = red;
+  red.color = {1, 0, 0};
+  red.intensity = 0.3F;
+  blue.color = {0, 0, 0.5F};
+  white.intensity = 0.1F;
+  const auto image = seenUnder({white, red, blue, red}, false, robotlink::PixelFormat::kRgb8);
+  const robotlink::Rgb seen = colorAt(image, 1, 1);
+  EXPECT_NEAR(seen.r, 200 * (0.2 + 0.1 + 0.6), 1);
+  EXPECT_NEAR(seen.g, 200 * (0.2 + 0.1), 1);
+  EXPECT_NEAR(seen.b, 200 * (0.2 + 0.1 + 0.25), 1);
+  // An image in YCbCr has the same color.
+  const auto yuyv = seenUnder({white, red, blue, red}, false, robotlink::PixelFormat::kYuyv);
+  const auto [column, row] = placeOf(1, 1);
+  const std::uint8_t* const pair = yuyv.row(row) + column / 2 * 4;
+  const robotlink::YCbCr expected = robotlink::toYCbCr(seen);
+  EXPECT_NEAR(pair[column % 2 * 2], expected.y, 1);
+  EXPECT_NEAR(pair[1], expected.cb, 1);
+  EXPECT_NEAR(pair[3], expected.cr, 1);
+}
+
+TEST_F(LampKinds, tooMuchColoredLightKeepsItsHue) {
+  Lamp sun = lamp(Lamp::Kind::kDirectional, {0, 0, -1});
+  sun.color = {1, 0.5F, 0.5F};
+  sun.intensity = 1.8F;
+  const robotlink::Rgb seen = colorAt(seenUnder(sun, false), 0, 0);
+  EXPECT_NEAR(seen.r, 200, 1);
+  EXPECT_NEAR(seen.g, 200 * (0.2 + 0.9) / 2, 1);
+  EXPECT_NEAR(seen.b, 200 * (0.2 + 0.9) / 2, 1);
+}
+
+TEST_F(LampKinds, grayLampsAreOnlyDimmer) {
+  Lamp gray = lamp(Lamp::Kind::kPoint, {0, 0, -1}), dim = gray;
+  gray.color = {0.5F, 0.5F, 0.5F};
+  dim.intensity = 0.25F;
+  EXPECT_EQ(seenUnder(gray, true), seenUnder(dim, true));
 }
 
 }  // namespace

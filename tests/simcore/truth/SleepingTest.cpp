@@ -104,6 +104,94 @@ TEST(Sleeping, whatIsJointedOrRollsOrSlidesStaysAwake) {
   EXPECT_EQ(sleepersOf(bodies.physics(), 4), 0);
 }
 
+/// A table whose four legs servos hold, and how far these have turned.
+struct Table {
+  std::unique_ptr<Simulation> simulation;
+  explicit Table(SimulationOptions options = {.seed = 1, .noise = false})
+      : simulation(simulationOf(ground() + inWorld(), options)) {}
+  static std::string inWorld() {
+    const Vector3 top(0.3, 0.2, 0.05);
+    std::string legs;
+    for (int i = 0; i < 4; ++i) {
+      const std::string name = "leg" + std::to_string(i);
+      legs += "<link name='" + name + "'><pose>" + (i < 2 ? "0.12" : "-0.12") + " " +
+              (i % 2 == 0 ? "0.08" : "-0.08") + " -0.075 0 0 0</pose>" +
+              inertial(0.1, Vector3::Constant(2e-4)) +
+              "<collision name='foot'><pose>0 0 -0.05 0 0 0</pose><geometry>" + sphere(0.02) +
+              "</geometry></collision></link><joint name='hip" + std::to_string(i) +
+              "' type='revolute'><pose>0 0 0.05 0 0 0</pose><parent>body</parent><child>" + name +
+              "</child><axis><xyz>0 1 0</xyz><limit><lower>-1</lower><upper>1</upper><effort>4</effort>"
+              "<velocity>5</velocity></limit></axis><robotcontrol:servo/></joint>";
+    }
+    return model("table", "0 0 0.146 0 0 0", inertial(1.5, momentsOfBox(1.5, top)) + solid(box(top)), legs);
+  }
+  void request(double angle) const {
+    for (int i = 0; i < 4; ++i)
+      ASSERT_TRUE(simulation->write("table/hip" + std::to_string(i) + "/request", std::vector{angle}));
+  }
+  /// Whether nothing moves in a step, to the last bit.
+  bool isAtRest() const {
+    const std::vector<Pose3> before(simulation->bodyPoses().begin(), simulation->bodyPoses().end());
+    simulation->step();
+    const auto after = simulation->bodyPoses();
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i].matrix() != after[i].matrix()) return false;
+    return true;
+  }
+};
+
+TEST(Sleeping, whatServosHoldSleepsUntilTheyAreAskedForSomethingElse) {
+  const Table table;
+  table.request(0.1);
+  advance(*table.simulation, 3);
+  ASSERT_TRUE(table.isAtRest());
+  const double load = table.simulation->servoTorque(0);
+  table.request(0.1);
+  advance(*table.simulation, 1);
+  EXPECT_TRUE(table.isAtRest()) << "they are asked for the same";
+  EXPECT_EQ(table.simulation->servoTorque(0), load) << "they hold it as before";
+  table.request(0.3);
+  advance(*table.simulation, 1);
+  EXPECT_NEAR(read(*table.simulation, "table/hip0/position"), 0.3, 0.02);
+  // Servos that go limp let it sink.
+  advance(*table.simulation, 3);
+  ASSERT_TRUE(table.isAtRest());
+  const double height = table.simulation->modelPose("table")->translation().z();
+  for (std::size_t i = 0; i < 4; ++i) table.simulation->setTorqueLimit(i, 0);
+  ASSERT_TRUE(table.simulation->push("table", {0.5, 0, 0}, {0, 0, 0}, 0.2));
+  advance(*table.simulation, 2);
+  EXPECT_LT(table.simulation->modelPose("table")->translation().z(), height - 0.01);
+}
+
+TEST(Sleeping, aSlowlyMovingServoIsFollowed) {
+  const Table table;
+  advance(*table.simulation, 2);
+  for (int i = 0; i <= 2500; ++i) {
+    table.request(0.02 * i / 2500);
+    table.simulation->step();
+    EXPECT_NEAR(read(*table.simulation, "table/hip0/position"), 0.02 * i / 2500, 0.003) << i;
+  }
+}
+
+TEST(Sleeping, aRobotThatSleepsGoesOnFromASnapshot) {
+  const Table table, other;
+  table.request(0.1);
+  advance(*table.simulation, 3);
+  ASSERT_TRUE(table.isAtRest());
+  ASSERT_TRUE(other.simulation->restore(table.simulation->snapshot()));
+  for (int i = 0; i < 400; ++i) {
+    if (i == 100) {
+      table.request(0.15);
+      other.request(0.15);
+    }
+    table.simulation->step();
+    other.simulation->step();
+    ASSERT_EQ(table.simulation->digest(), other.simulation->digest()) << i;
+    ASSERT_EQ(table.simulation->servoTorque(2), other.simulation->servoTorque(2)) << i;
+  }
+  EXPECT_EQ(table.simulation->snapshot().state, other.simulation->snapshot().state);
+}
+
 TEST(Sleeping, aSceneChoosesThatNothingSleeps) {
   Bodies bodies("<robotcontrol:sleeping>false</robotcontrol:sleeping>" + ground() + stackAt("box", 0, 1));
   bodies.run(4);

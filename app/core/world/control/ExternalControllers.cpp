@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/core/world/control/ControlMessages.h"
+#include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/Spelling.h"
@@ -33,15 +34,12 @@ bool isControllerName(const std::string& name) {
 }
 
 bool isReadable(const Port& port) {
-  return !port.isActuator() && port.kind != Port::Kind::kCamera;
+  return !port.isActuator();
 }
 
 Result<void> checkSensor(const simcore::Simulation& simulation, const std::string& path) {
   const Port* port = simulation.port(path);
   if (port != nullptr && isReadable(*port)) return {};
-  if (port != nullptr && port->kind == Port::Kind::kCamera)
-    return failure("simulation.port", "the images of " + path + " are on the stream of the camera", {},
-                   {path});
   std::vector<std::string> known;
   for (const Port& each : simulation.ports())
     if (isReadable(each)) known.push_back(each.info.path);
@@ -203,7 +201,15 @@ std::vector<robotlink::StreamMessage> ExternalControllers::inputs(const simcore:
     auto inputs = std::make_shared<robotcontrol::ControllerInputs>();
     robotlink::assign(*inputs->mutable_timestamp(), time);
     inputs->set_step(simulation.steps());
+    const std::string stream = robotlink::streams::kControllerInputs + name;
     for (const std::string& path : attached.sensors) {
+      const Port* port = simulation.port(path);
+      if (port != nullptr && port->kind == Port::Kind::kCamera) {
+        auto image = std::make_shared<foxglove::RawImage>();
+        robotlink::assign(*image, simulation.cameraImage(port->index).view(), time, path);
+        messages.push_back({stream + "/" + path, time, std::move(image)});
+        continue;
+      }
       const auto values = simulation.read(path);
       if (!values) continue;
       auto& reading = *inputs->add_readings();
@@ -215,7 +221,7 @@ std::vector<robotlink::StreamMessage> ExternalControllers::inputs(const simcore:
     attached.owes = simulation.steps();
     attached.deadline =
         now + std::chrono::duration_cast<std::chrono::steady_clock::duration>(attached.patience);
-    messages.push_back({robotlink::streams::kControllerInputs + name, time, std::move(inputs)});
+    messages.push_back({stream, time, std::move(inputs)});
   }
   return messages;
 }

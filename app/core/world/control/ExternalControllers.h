@@ -67,7 +67,8 @@ class ExternalControllers {
   std::vector<std::string> beforeStep(RealTime now, simcore::Simulation& simulation);
   /// To be called after each step, with the events that entered at it.
   void noteEvents(std::span<const simcore::ViewEvent> events);
-  /// The inputs for the step that comes, on the streams of those for whom they are due. Those in lockstep are
+  /// The inputs for the step that comes, on the streams of those for whom they are due, and before them the
+  /// images of cameras that they named, each on a stream of its own (STREAM/CAMERA). Those in lockstep are
   /// waited for from then on. `newOnly`: only of those that were attached, or began anew, since the last
   /// call.
   std::vector<robotlink::StreamMessage> inputs(const simcore::Simulation& simulation, robotlink::Instant time,

@@ -64,6 +64,38 @@ TEST(ThreadPool, anExceptionComesToTheCallerAfterAllOtherJobs) {
   EXPECT_EQ(done, 11);
 }
 
+TEST(ThreadPool, jobsForLaterAreDoneBesideOthers) {
+  std::atomic<int> later{0}, done{0};
+  ThreadPool pool(3);
+  for (int i = 0; i < 50; ++i) {
+    pool.later([&] { ++later; });
+    pool.run(4, [&](std::size_t) { ++done; });
+  }
+  EXPECT_EQ(done, 200);
+  while (later < 50) std::this_thread::yield();
+}
+
+TEST(ThreadPool, nobodyWaitsForAJobForLater) {
+  std::atomic<bool> mayEnd{false};
+  ThreadPool pool(2);
+  pool.later([&] {
+    while (!mayEnd) std::this_thread::yield();
+  });
+  std::atomic<int> done{0};
+  pool.run(8, [&](std::size_t) { ++done; });
+  EXPECT_EQ(done, 8);
+  mayEnd = true;
+}
+
+TEST(ThreadPool, aloneNothingIsDoneLater) {
+  bool done = false;
+  {
+    ThreadPool pool(1);
+    pool.later([&] { done = true; });
+  }
+  EXPECT_FALSE(done);
+}
+
 TEST(ThreadPool, theNumberOfThreadsIsBounded) {
   EXPECT_EQ(ThreadPool(-5).threads(), 1);
   EXPECT_GE(ThreadPool::cores(), 1);
