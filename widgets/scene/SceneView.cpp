@@ -406,7 +406,7 @@ void SceneView::showContextMenu(const QPoint& at) {
   menu->addMenu(modes_->surfaces())->setText(tr("Surfaces"));
   menu->addMenu(modes_->layers())->setText(tr("Layers"));
   menu->addSeparator();
-  menu->addActions({copyAction(), saveAction()});
+  menu->addActions({copyAction(), copyNumbersAction(), saveAction()});
   menu->popup(canvas_->mapToGlobal(at));
 }
 

@@ -11,6 +11,7 @@
 #include "widgets/scene/SceneObjects.h"
 #include "widgets/scene/render/MeshBuilder.h"
 #include "widgets/scene/render/MeshEdges.h"
+#include "widgets/world/SceneSelection.h"
 
 namespace widgets::test {
 
