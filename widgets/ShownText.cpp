@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/ShownText.h"
 
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QHeaderView>
+#include <QLabel>
 #include <QPlainTextEdit>
 #include <QTableView>
 #include <QTextEdit>
@@ -114,6 +118,32 @@ std::optional<QString> shownTable(const QWidget& view) {
 
 std::optional<QString> shownNumbers(const QWidget& view) {
   return tableOf(view, QLatin1Char('\t'));
+}
+
+void TabTable::add(QStringList cells) {
+  const auto breaks = [](QChar c) {
+    return c == QLatin1Char('\n') || c == QLatin1Char('\r') || c == QLatin1Char('\t');
+  };
+  for (QString& cell : cells) std::replace_if(cell.begin(), cell.end(), breaks, QLatin1Char(' '));
+  text_ += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
+}
+
+std::optional<QString> shownValues(const QWidget& view) {
+  TabTable table({QStringLiteral("name"), QStringLiteral("value")});
+  bool hasRows = false;
+  for (const QWidget* part : view.findChildren<QWidget*>()) {
+    if (part->accessibleName().isEmpty() || !part->isVisibleTo(&view)) continue;
+    QString value;
+    if (const auto* label = qobject_cast<const QLabel*>(part)) value = label->text();
+    if (const auto* box = qobject_cast<const QComboBox*>(part)) value = box->currentText();
+    if (const auto* box = qobject_cast<const QAbstractSpinBox*>(part)) value = box->text();
+    if (const auto* slider = qobject_cast<const QAbstractSlider*>(part))
+      value = QString::number(slider->value());
+    if (value.isEmpty()) continue;
+    table.add({part->accessibleName(), value});
+    hasRows = true;
+  }
+  return hasRows ? std::optional(table.text()) : std::nullopt;
 }
 
 QString csvOfTabs(const QString& table) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <optional>
 
 class QWidget;
@@ -16,6 +17,22 @@ std::optional<QString> shownTable(const QWidget& view);
 
 /// The same table with tabs between the columns. Unset if there is none.
 std::optional<QString> shownNumbers(const QWidget& view);
+
+/// A row for each value that a view shows beside tables: texts, boxes and sliders that have a name, with tabs
+/// between name and value. Unset if there is none.
+std::optional<QString> shownValues(const QWidget& view);
+
+/// A table that is made line by line, with tabs between the columns and the titles first.
+class TabTable {
+ public:
+  explicit TabTable(const QStringList& titles) { add(titles); }
+  /// Tabs and line breaks in a cell become spaces.
+  void add(QStringList cells);
+  const QString& text() const { return text_; }
+
+ private:
+  QString text_;
+};
 
 /// A table as CSV with tabs instead of commas, and without quotes; tabs and line breaks in cells become
 /// spaces.

@@ -58,7 +58,9 @@ robotlink::Result<void> View::saveTo(const QString& file) {
 }
 
 std::optional<QString> View::numbers() {
-  return shownNumbers(*this);
+  if (auto table = shownNumbers(*this)) return table;
+  if (auto text = shownText(*this)) return text;
+  return shownValues(*this);
 }
 
 QImage View::shownPicture() {

@@ -72,6 +72,8 @@ struct ViewContext {
   /// Returns the body of a kind of robot (the name of its description) in the color of its team; null if it
   /// is not known. May take some 100 ms, so its result is to be kept. Empty: none is known.
   std::function<std::shared_ptr<const RobotBody>(const std::string& kind, const QColor& team)> bodyOf = {};
+  /// Returns the name of the process layout that a robot runs; empty: it is not known. Empty: none is.
+  std::function<std::string(const std::string& robot)> layoutOf = {};
   /// Writes changes into the files of the open scene, and nothing else of them; fails, naming the file and
   /// the reason, if that is impossible. Empty: nothing can be written.
   std::function<robotlink::Result<void>(const std::vector<SceneFileEdit>& edits)> writeScene = {};
@@ -104,8 +106,8 @@ class View : public QWidget {
   /// the view has more. Opens no dialog.
   virtual robotlink::Result<void> saveTo(const QString& file);
 
-  /// What the view shows as numbers: a table with tabs between the columns and the titles first. Unset if it
-  /// shows none; by default shownNumbers().
+  /// What the view shows as numbers: a table with tabs between the columns and the titles first; by default
+  /// its table, else its lines of text, else its named values. Unset if it shows none of these.
   virtual std::optional<QString> numbers();
 
   /// What a video of the view shows: by default all of it.

@@ -88,6 +88,10 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   context_.gamepad = std::make_shared<widgets::GamepadSettings>(userFolder / "gamepad.json");
   if (context_.gamepad->problem()) startProblems_.push_back(*context_.gamepad->problem());
   offerSceneFiles();
+  context_.layoutOf = [this](const std::string& robot) {
+    const LoadedPlatform* loaded = workbench_.loaded();
+    return loaded == nullptr ? std::string() : loaded->layoutOf(robot).stem().string();
+  };
   context_.bodyOf = [this](const std::string& kind, const QColor& team) { return bodies_.of(kind, team); };
   context_.sceneLanguage =
       std::make_shared<SceneSpecification>([&workbench] { return workbench.modelFolders(); });

@@ -13,6 +13,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/ShownText.h"
 #include "widgets/behavior/HistoryStrip.h"
 #include "widgets/behavior/OptionCanvas.h"
 #include "widgets/solutions/ParameterEdits.h"
@@ -112,6 +113,19 @@ void BehaviorView::step() {
     const QString text = value ? QString::fromStdString(*value) : QString();
     setControl("control.steps", std::to_string(text.toUInt() + 1));
   });
+}
+
+std::optional<QString> BehaviorView::numbers() {
+  TabTable table({QStringLiteral("option"), QStringLiteral("state"), QStringLiteral("from s"),
+                  QStringLiteral("to s"), QStringLiteral("reason")});
+  const auto& timeline = session().timeline();
+  const double origin =
+      robotlink::seconds(timeline.shown()) - robotlink::seconds(timeline.sinceOrigin(timeline.shown()));
+  for (const OptionHistory::Row& row : history_.rows())
+    for (const OptionHistory::Segment& segment : row.segments)
+      table.add({row.option, segment.state, QString::number(segment.from - origin, 'f', 3),
+                 QString::number(segment.to - origin, 'f', 3), segment.reason});
+  return table.text();
 }
 
 void BehaviorView::tick() {

@@ -28,6 +28,8 @@ class BehaviorView final : public View {
  public:
   explicit BehaviorView(ViewContext& context, QWidget* parent = nullptr);
   void tick() override;
+  /// The states of the last minute, with when and why.
+  std::optional<QString> numbers() override;
 
  private:
   void createActions();

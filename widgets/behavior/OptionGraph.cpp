@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 #include "widgets/Theme.h"
 
@@ -15,6 +15,8 @@ namespace {
 struct OptionTexts {
   Q_DECLARE_TR_FUNCTIONS(OptionGraph)
 };
+
+constexpr double kLineRoom = 4;  // pixels between a line and a box beside it
 
 /// The longest way from the root to each option.
 std::vector<int> depths(const BehaviorModel& model) {
@@ -45,7 +47,70 @@ OptionGraph::OptionGraph(const BehaviorModel& model) {
     y += box.height() + kRowGap;
     boxes_.push_back(box);
     rows_.push_back(states);
+    columns_.push_back(depth[i]);
     bounds_ |= box.adjusted(-kMargin, -kMargin, kMargin, kMargin);
+  }
+  findGaps();
+  routeLines(model);
+}
+
+void OptionGraph::findGaps() {
+  // The boxes of a column are in the order of their heights.
+  std::map<int, double> tops;
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    double& top = tops.try_emplace(columns_[i], 0).first->second;
+    gaps_[columns_[i]].push_back({top + kLineRoom, boxes_[i].top() - kLineRoom});
+    top = boxes_[i].bottom();
+  }
+  for (const auto& [column, top] : tops)
+    gaps_[column].push_back({top + kLineRoom, std::max(top + kMargin, bounds_.bottom()) - kLineRoom});
+}
+
+double OptionGraph::passage(int column, double near) {
+  auto& gaps = gaps_.at(column);
+  const auto distance = [&](const Gap& gap) {
+    return std::abs(near - std::clamp(near, gap.top, gap.bottom));
+  };
+  Gap& gap = *std::ranges::min_element(gaps, {}, distance);
+  // Lines beside each other, as far as there is room; then the first place is used again.
+  constexpr double kBeside = 4;
+  const double room = std::max(1.0, gap.bottom - gap.top + 1);
+  const double at = std::clamp(near, gap.top, gap.bottom) - gap.top + kBeside * gap.lines++;
+  return gap.top + std::fmod(at, room);
+}
+
+QPainterPath OptionGraph::route(const BehaviorModel::Place& from, int to) {
+  const QRectF row = stateRect(from), box = optionRect(to);
+  const int begin = columns_[static_cast<std::size_t>(from.option)],
+            end = columns_[static_cast<std::size_t>(to)];
+  const QPointF start(row.right(), row.center().y()), target(box.left(), box.top() + 0.5 * kHeader);
+  QPainterPath path(start);
+  // Leaves to the right and arrives from the left; a turn needs less room than the way to another column.
+  constexpr double kTurn = 20;
+  const auto curveTo = [&](const QPointF& next, double leave, double arrive) {
+    path.cubicTo(path.currentPosition() + QPointF(leave, 0), next - QPointF(arrive, 0), next);
+  };
+  const bool isBack = end <= begin;
+  const int step = isBack ? -1 : 1;
+  bool isFirst = true;
+  for (int column = isBack ? begin : begin + 1; isBack ? column >= end : column < end; column += step) {
+    const double y = passage(column, (path.currentPosition().y() + target.y()) / 2);
+    const double left = leftOf(column), right = left + kWidth;
+    const double way = step * 0.5 * kColumnGap;
+    curveTo({isBack ? right : left, y}, isBack && isFirst ? kTurn : way, isBack && isFirst ? -kTurn : way);
+    path.lineTo(isBack ? left : right, y);
+    isFirst = false;
+  }
+  isBack ? curveTo(target, -kTurn, kTurn) : curveTo(target, 0.5 * kColumnGap, 0.5 * kColumnGap);
+  return path;
+}
+
+void OptionGraph::routeLines(const BehaviorModel& model) {
+  for (int option = 0; option < static_cast<int>(boxes_.size()); ++option) {
+    const auto& states = model.options()[static_cast<std::size_t>(option)].states;
+    for (int state = 0; state < static_cast<int>(states.size()); ++state)
+      for (const int below : states[static_cast<std::size_t>(state)].options)
+        lines_.push_back({{option, state}, below, route({option, state}, below)});
   }
 }
 
@@ -91,22 +156,15 @@ QString OptionGraph::toolTip(const BehaviorModel& model, const BehaviorModel::Pl
 
 void OptionGraph::paintActivations(QPainter& painter, const BehaviorModel& model,
                                    const QPalette& palette) const {
-  for (int i = 0; i < static_cast<int>(boxes_.size()); ++i) {
-    const auto& states = model.options()[static_cast<std::size_t>(i)].states;
-    const auto* active = model.activeIn(i);
-    for (int s = 0; s < static_cast<int>(states.size()); ++s) {
-      const QRectF row = stateRect({i, s});
-      for (const int below : states[static_cast<std::size_t>(s)].options) {
-        const QRectF box = optionRect(below);
-        const bool isActive = active != nullptr && active->state == s && model.activeIn(below) != nullptr;
-        painter.setPen(
-            QPen(colorOf(isActive ? Meaning::kGood : Meaning::kMuted, palette), isActive ? 2.5 : 1));
-        const QPointF from(row.right(), row.center().y()), to(box.left(), box.top() + 0.5 * kHeader);
-        QPainterPath path(from);
-        path.cubicTo(from + QPointF(0.5 * kColumnGap, 0), to - QPointF(0.5 * kColumnGap, 0), to);
-        painter.drawPath(path);
-      }
-    }
+  const auto isActive = [&](const Line& line) {
+    const auto* active = model.activeIn(line.from.option);
+    return active != nullptr && active->state == line.from.state && model.activeIn(line.to) != nullptr;
+  };
+  // What is active lies on top.
+  for (const bool active : {false, true}) {
+    painter.setPen(QPen(colorOf(active ? Meaning::kGood : Meaning::kMuted, palette), active ? 2.5 : 1));
+    for (const Line& line : lines_)
+      if (isActive(line) == active) painter.drawPath(line.path);
   }
 }
 

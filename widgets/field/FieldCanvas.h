@@ -45,6 +45,7 @@ class FieldCanvas final : public QWidget {
   const robotcontrol::GroundMap* map() const;
   /// Paths and goals to be painted.
   void setGoals(GoalFigures goals);
+  const GoalFigures& goals() const { return goals_; }
   /// Robots, ball and trails, and the drawings on top of them, lowest first.
   void setContents(FieldFigures figures, std::vector<WorldDrawing> drawings);
   const FieldFigures& figures() const { return figures_; }

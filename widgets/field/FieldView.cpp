@@ -17,6 +17,7 @@
 #include "widgets/BaseSilence.h"
 #include "widgets/Controls.h"
 #include "widgets/RobotChoice.h"
+#include "widgets/ShownText.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/GoalTool.h"
@@ -206,6 +207,40 @@ void FieldView::tick() {
   drag_.tick(session());
   updateWanted();
   updateStatus();
+}
+
+std::optional<QString> FieldView::numbers() {
+  TabTable table({QStringLiteral("figure"), QStringLiteral("of"), QStringLiteral("x m"),
+                  QStringLiteral("y m"), QStringLiteral("heading deg"), QStringLiteral("deviation m"),
+                  QStringLiteral("deviation deg")});
+  const auto add = [&](const char* figure, const std::string& of, double x, double y,
+                       const std::vector<double>& rest = {}) {
+    QStringList cells{QLatin1String(figure), QString::fromStdString(of), QString::number(x, 'f', 4),
+                      QString::number(y, 'f', 4)};
+    for (const double number : rest)
+      cells << (std::isnan(number) ? QString() : QString::number(number, 'f', 4));
+    table.add(cells);
+  };
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const FieldFigures& figures = canvas_->figures();
+  if (figures.ball) add("ball", kBallModel, figures.ball->x(), figures.ball->y());
+  for (const RobotBelief& one : figures.robots) {
+    if (one.truth)
+      add("robot", one.robot, one.truth->x, one.truth->y, {robotlink::degrees(one.truth->heading)});
+    if (one.estimate)
+      add("estimate", one.robot, one.estimate->x, one.estimate->y,
+          {robotlink::degrees(one.estimate->heading), one.positionDeviation,
+           robotlink::degrees(one.headingDeviation)});
+    if (one.ball) add("estimated ball", one.robot, one.ball->x(), one.ball->y(), {kNone, one.ballDeviation});
+  }
+  for (const DriveAim& aim : canvas_->goals().aims) {
+    add("goal", aim.robot, aim.goal.x, aim.goal.y,
+        {aim.anyHeading ? kNone : robotlink::degrees(aim.goal.heading)});
+    for (const robotlink::Vector2& corner : aim.path) add("path", aim.robot, corner.x(), corner.y());
+  }
+  for (const auto& [of, places] : figures.trails)
+    for (const robotlink::Vector2& place : places) add("trail", of, place.x(), place.y());
+  return table.text();
 }
 
 void FieldView::updateGround() {

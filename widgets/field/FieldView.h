@@ -34,6 +34,8 @@ class FieldView final : public PictureView {
 
   /// Shows the state of the world at the shown instant.
   void tick() override;
+  /// Where everything is: robots and ball, truly and as they are estimated, goals, paths, trails.
+  std::optional<QString> numbers() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
 

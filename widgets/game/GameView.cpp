@@ -94,10 +94,9 @@ void GameView::createViews() {
   large.setPointSizeF(1.6 * large.pointSizeF());
   large.setBold(true);
   score_->setFont(large);
-  top->addSpacing(12);
-  time_ = addLabel(top, "gameTime", tr("Half and time"));
   top->addStretch(1);
   top->addWidget(makeLabeledButton(contents_, automatic_));
+  time_ = makeNote(contents_, "gameTime", tr("Half, time and phase"));
 
   auto* phases = makeToolRow(contents_, 0);
   for (QAction* phase : phases_) phases->addWidget(makeLabeledButton(contents_, phase));
@@ -128,6 +127,7 @@ void GameView::createViews() {
   outcome_ = makeNote(contents_, "gameOutcome", tr("What came of it"));
   auto* layout = makeColumn(contents_, {6, 4, 6, 4}, 4);
   layout->addWidget(top->parentWidget());
+  layout->addWidget(time_);
   layout->addWidget(message_);
   layout->addWidget(phases->parentWidget());
   layout->addWidget(table_, 1);
@@ -212,7 +212,11 @@ void GameView::showStatus(const robotcontrol::GameStatus* status) {
   const bool isChosen = index.isValid();
   const GamePlayerRow chosen = isChosen ? players_.row(index.row()) : GamePlayerRow();
   const bool isPenalized = !chosen.reason.empty();
-  layout_->showFor(QString::fromStdString(chosen.robot), QString::fromStdString(chosen.team));
+  const std::string ofRobot =
+      isChosen || status->players().empty() ? chosen.robot : status->players(0).robot();
+  const auto& layoutOf = context().layoutOf;
+  layout_->showFor(QString::fromStdString(chosen.robot), QString::fromStdString(chosen.team),
+                   layoutOf ? QString::fromStdString(layoutOf(ofRobot)) : QString());
   penalize_->setEnabled(isChosen);
   return_->setEnabled(isPenalized);
 }

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <algorithm>
 
 #include "robotlink/commands/CommandTable.h"
 #include "widgets/Controls.h"
@@ -40,14 +41,22 @@ LayoutRow::LayoutRow(robotlink::CommandTable& commands, QWidget* parent)
   connect(forTeam_, &QAction::triggered, this, [this] { use(team_); });
 }
 
-void LayoutRow::showFor(const QString& robot, const QString& team) {
+void LayoutRow::showFor(const QString& robot, const QString& team, const QString& running) {
+  const bool isOther = robot != robot_ || running != running_;
   robot_ = robot;
   team_ = team;
+  running_ = running;
   const auto* command = commands_.find(kLayoutCommand);
   const bool isOffered = command != nullptr && command->offer;
   setVisible(isOffered);
-  if (isOffered && layouts_->count() == 0) {
+  const bool isEmpty = layouts_->count() == 0;
+  if (isOffered && isEmpty) {
     for (const std::string& layout : command->offer({})) layouts_->addItem(QString::fromStdString(layout));
+  }
+  if (isOther || isEmpty) {
+    // One of another folder is not offered.
+    if (!running.isEmpty() && layouts_->findText(running) < 0) layouts_->addItem(running);
+    layouts_->setCurrentIndex(std::max(0, layouts_->findText(running)));
   }
   forRobot_->setEnabled(layouts_->count() > 0 && !robot.isEmpty());
   forTeam_->setEnabled(layouts_->count() > 0 && !team.isEmpty());

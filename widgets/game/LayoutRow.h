@@ -20,8 +20,9 @@ class LayoutRow final : public QWidget {
   /// The commands must outlive it.
   explicit LayoutRow(robotlink::CommandTable& commands, QWidget* parent = nullptr);
 
-  /// Shows what is offered now; nothing can be chosen without a robot.
-  void showFor(const QString& robot, const QString& team);
+  /// Shows what is offered now; nothing can be chosen without a robot. `running`: the layout that it runs,
+  /// which is shown until the user chooses another one; empty: it is not known.
+  void showFor(const QString& robot, const QString& team, const QString& running);
 
  Q_SIGNALS:
   /// A command was run; the reason if it failed.
@@ -33,7 +34,7 @@ class LayoutRow final : public QWidget {
   robotlink::CommandTable& commands_;
   QComboBox* layouts_ = nullptr;
   QAction *forRobot_ = nullptr, *forTeam_ = nullptr;
-  QString robot_, team_;
+  QString robot_, team_, running_;
 };
 
 }  // namespace widgets

@@ -85,8 +85,10 @@ void PropertiesModel::show(const robotcontrol::WorldObject* object, const std::o
       row.element.assign(property.element().begin(), property.element().end());
       row.count = property.values_size();
       row.isEditable = isWritable && !row.file.empty() && row.count > 0;
-      if (const auto edit = edits_.find({row.file, row.element}); !row.file.empty() && edit != edits_.end()) {
-        row.isChanged = true;
+      for (const auto* edits : {&taken_, &edits_}) {
+        const auto edit = edits->find({row.file, row.element});
+        if (row.file.empty() || edit == edits->end()) continue;
+        row.isChanged = edits == &edits_;
         row.value = QString::fromStdString(edit->second);
       }
       rows.push_back(std::move(row));
@@ -111,6 +113,13 @@ void PropertiesModel::addEdit(SceneFileEdit edit) {
 void PropertiesModel::clearEdits() {
   edits_.clear();
   Q_EMIT editsChanged();
+}
+
+std::vector<SceneFileEdit> PropertiesModel::takeEdits() {
+  auto taken = edits();
+  for (auto& [place, value] : edits_) taken_[place] = value;
+  clearEdits();
+  return taken;
 }
 
 QVariant PropertiesModel::data(const QModelIndex& index, int role) const {

@@ -51,6 +51,10 @@ class PropertiesModel final : public RowModel<PropertyRow> {
   /// Keeps one; that of the same element before is replaced.
   void addEdit(SceneFileEdit edit);
   void clearEdits();
+  /// Returns the changes for files, which are shown as they are until forgetTaken(), but are no edits any
+  /// more.
+  std::vector<SceneFileEdit> takeEdits();
+  void forgetTaken() { taken_.clear(); }
 
   QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
@@ -70,6 +74,8 @@ class PropertiesModel final : public RowModel<PropertyRow> {
 
   /// The new texts by file and element.
   std::map<Place, std::string> edits_;
+  /// The same of those that were taken.
+  std::map<Place, std::string> taken_;
 };
 
 }  // namespace widgets

@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QTableView>
 #include <QToolButton>
 #include <algorithm>
@@ -19,7 +20,6 @@
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
 #include "widgets/sceneedit/SceneBench.h"
-#include "widgets/sceneedit/SceneEdits.h"
 #include "widgets/world/ObjectPose.h"
 #include "widgets/world/SceneSelection.h"
 
@@ -102,6 +102,7 @@ void PropertiesView::connectSignals() {
   connect(&model_, &PropertiesModel::refused, this,
           [this](const QString& reason) { showOutcome(*outcome_, reason, true); });
   connect(discard_, &QAction::triggered, this, [this] {
+    model_.forgetTaken();
     if (edits().canChange()) return report(edits().undo(), tr("Undone."));
     model_.clearEdits();
     tick();
@@ -135,7 +136,10 @@ void PropertiesView::tick() {
   const auto& store = session().store();
   const auto* message = store.latest(robotlink::streams::kObjects, session().timeline().newest());
   const robotlink::PackagePtr value = message == nullptr ? nullptr : message->value;
-  if (value != objects_) objects_ = std::dynamic_pointer_cast<const robotcontrol::WorldObjects>(value);
+  if (value != objects_) {
+    objects_ = std::dynamic_pointer_cast<const robotcontrol::WorldObjects>(value);
+    if (!edits().isBusy()) model_.forgetTaken();
+  }
   scene_.update(store, session().timeline().shown());
   const auto* shown = object();
   title_->setText(shown == nullptr ? QString() : QString::fromStdString(shown->path()));
@@ -170,7 +174,7 @@ void PropertiesView::keepPose() {
   const auto now = kept == nullptr ? std::nullopt : pose(*kept);
   if (!now) return;
   if (edits().canChange())
-    return report(edits().setPose(kept->path(), *now), tr("It begins here from now on; save to keep that."));
+    return edits().setPose(kept->path(), *now, told(tr("It begins here from now on; save to keep that.")));
   const auto initial =
       std::ranges::find(kept->properties(), "initial_pose", &robotcontrol::WorldProperty::name);
   if (initial == kept->properties().end() || initial->file().empty()) {
@@ -197,11 +201,20 @@ void PropertiesView::save() {
 }
 
 void PropertiesView::applyEdits() {
-  const auto changes = model_.edits();
-  const QString what = tr("Change %1").arg(title_->text());
-  model_.clearEdits();
-  report(edits().change(changes, what), tr("The simulation goes on with it; save to keep it."));
+  const auto changes = model_.takeEdits();
+  edits().change(changes, tr("Change %1").arg(title_->text()),
+                 told(tr("The simulation goes on with it; save to keep it.")));
   tick();
+}
+
+SceneEdits::Told PropertiesView::told(const QString& text) {
+  // The view may be closed meanwhile.
+  return [view = QPointer<PropertiesView>(this), text](const robotlink::Result<std::string>& object) {
+    const bool isDropped = !object && object.error().id == SceneEdits::kDropped;
+    if (!view || isDropped) return;
+    if (!object) view->model_.forgetTaken();
+    view->report(object.map([](const std::string&) {}), text);
+  };
 }
 
 void PropertiesView::showEdits() {

@@ -6,6 +6,7 @@
 
 #include "widgets/View.h"
 #include "widgets/objects/PropertiesModel.h"
+#include "widgets/sceneedit/SceneEdits.h"
 #include "widgets/world/SceneState.h"
 
 class QAction;
@@ -20,7 +21,6 @@ class WorldObjects;
 namespace widgets {
 
 class EmptyHint;
-class SceneEdits;
 class SceneSelection;
 
 /// The properties of the selected object of a simulated scene: its pose now, mass, size, color, friction,
@@ -54,6 +54,8 @@ class PropertiesView final : public View {
   /// Has the simulation go on with what was typed.
   void applyEdits();
   void report(const robotlink::Result<void>& done, const QString& text);
+  /// Reports that a change was made, or why not.
+  SceneEdits::Told told(const QString& text);
   SceneEdits& edits() const;
 
   SceneSelection& selection_;

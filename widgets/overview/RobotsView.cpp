@@ -10,6 +10,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/ShownText.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/overview/RobotCardDelegate.h"
 
@@ -106,6 +107,18 @@ void RobotsView::followSelection() {
   isFollowing_ = true;
   list_->setCurrentIndex(model_.index(row, 0));
   isFollowing_ = false;
+}
+
+std::optional<QString> RobotsView::numbers() {
+  TabTable table({QStringLiteral("robot"), QStringLiteral("kind"), QStringLiteral("state"),
+                  QStringLiteral("behavior"), QStringLiteral("battery"), QStringLiteral("link")});
+  for (int row = 0; row < model_.rowCount(); ++row) {
+    const RobotCard& card = model_.row(row);
+    const bool hasBattery = card.battery.state != BatteryLevel::State::kUnknown;
+    table.add({QString::fromStdString(card.robot), card.kind, card.state.text, card.behavior.text,
+               hasBattery ? card.battery.text() : QString(), card.link.text});
+  }
+  return table.text();
 }
 
 void RobotsView::tick() {

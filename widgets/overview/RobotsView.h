@@ -24,6 +24,8 @@ class RobotsView final : public View {
   explicit RobotsView(ViewContext& context, QWidget* parent = nullptr);
   ~RobotsView() override;
   void tick() override;
+  /// What the cards say, a row for each robot.
+  std::optional<QString> numbers() override;
 
  protected:
   /// Nothing is published for a view that nobody sees.

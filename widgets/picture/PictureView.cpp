@@ -2,7 +2,9 @@
 #include "widgets/picture/PictureView.h"
 
 #include <QAction>
+#include <QClipboard>
 #include <QFontDatabase>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
@@ -45,6 +47,9 @@ PictureView::PictureView(ViewContext& context, const char* name, const char* fil
   copy_ = makeAction(
       this, "copy",
       {named("Copy").constData(), tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
+  copyNumbers_ = makeAction(this, "copy",
+                            {named("CopyNumbers").constData(), tr("Copy numbers"),
+                             tr("Copies the numbers that are shown here, with tabs between the columns")});
   save_ = makeAction(this, "save",
                      {named("Save").constData(), tr("Save picture..."), tr("Saves this picture as PNG"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
@@ -55,6 +60,9 @@ PictureView::PictureView(ViewContext& context, const char* name, const char* fil
   connect(zoomIn_, &QAction::triggered, this, [this] { zoomBy_(kPictureZoomStep); });
   connect(zoomOut_, &QAction::triggered, this, [this] { zoomBy_(1 / kPictureZoomStep); });
   connect(copy_, &QAction::triggered, this, [this] { copyPicture(rendered_()); });
+  connect(copyNumbers_, &QAction::triggered, this, [this] {
+    if (const auto table = numbers()) QGuiApplication::clipboard()->setText(*table);
+  });
   connect(save_, &QAction::triggered, this, [this] { savePictureAs(this, rendered_(), file_); });
 }
 
@@ -149,7 +157,7 @@ void PictureView::place(std::initializer_list<QWidget*> above, QWidget* canvas, 
 
 void PictureView::addToContextMenu(QWidget* canvas, std::initializer_list<QAction*> others) {
   canvas->setContextMenuPolicy(Qt::ActionsContextMenu);
-  canvas->addActions({copy_, save_, export_});
+  canvas->addActions({copy_, copyNumbers_, save_, export_});
   for (QAction* action : others) canvas->addAction(action);
 }
 

@@ -26,8 +26,8 @@ class PoseMenu;
 /// these.
 ///
 /// Object names begin with the view's name: "field" gives fieldView, fieldSplitter, and the actions
-/// fieldCopy, fieldSave, fieldExport, fieldZoomIn, fieldZoomOut, fieldDrawings, fieldPose (its menu is
-/// fieldPoseMenu), fieldFit, fieldFreeze. GUI thread.
+/// fieldCopy, fieldCopyNumbers, fieldSave, fieldExport, fieldZoomIn, fieldZoomOut, fieldDrawings, fieldPose
+/// (its menu is fieldPoseMenu), fieldFit, fieldFreeze. GUI thread.
 class PictureView : public View {
   Q_OBJECT
  public:
@@ -97,6 +97,7 @@ class PictureView : public View {
   static QLabel* addFiguresLabel(QHBoxLayout* row, const char* name, const QString& text);
 
   QAction* copyAction() const { return copy_; }
+  QAction* copyNumbersAction() const { return copyNumbers_; }
   QAction* saveAction() const { return save_; }
   QAction* zoomIn() const { return zoomIn_; }
   QAction* zoomOut() const { return zoomOut_; }
@@ -111,7 +112,8 @@ class PictureView : public View {
   QString file_;
   std::function<QImage()> rendered_;
   std::function<void(double)> zoomBy_;
-  QAction *copy_ = nullptr, *save_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
+  QAction *copy_ = nullptr, *copyNumbers_ = nullptr, *save_ = nullptr, *zoomIn_ = nullptr,
+          *zoomOut_ = nullptr;
   QAction* export_ = nullptr;
   QWidget* canvas_ = nullptr;
   DrawingsModel* drawings_ = nullptr;

@@ -19,8 +19,9 @@
 namespace widgets {
 namespace {
 
-constexpr double kKeyStep = 24;      // pixels that an arrow key is worth
-constexpr int kSceneClickSlack = 4;  // pixels that a hand moves while it clicks
+constexpr double kKeyStep = 24;         // pixels that an arrow key is worth
+constexpr int kSceneClickSlack = 4;     // pixels that a hand moves while it clicks
+constexpr double kGroundHeight = 0.01;  // m; what is hit below is the ground, or lies on it
 constexpr double kSceneTurnStep = robotlink::radians(15);
 
 /// Whether a key may be meant for the scene. Those of the window stay what they are: Escape, with which
@@ -118,10 +119,20 @@ void SceneCanvas::setLabels(bool labels) {
 
 SceneFrame::Colors SceneCanvas::colors() const {
   const QColor ink = palette().color(QPalette::WindowText);
-  const QColor ghost(90, 170, 255), refused = colorOf(Meaning::kBad, palette());
-  if (isDark(palette()))
-    return {QColor(66, 76, 88), QColor(30, 34, 39), QColor(150, 165, 180), ink, Qt::white, ghost, refused};
-  return {QColor(196, 212, 226), QColor(240, 243, 246), QColor(90, 105, 120), ink, Qt::white, ghost, refused};
+  SceneFrame::Colors colors{QColor(196, 212, 226),
+                            QColor(240, 243, 246),
+                            QColor(90, 105, 120),
+                            ink,
+                            Qt::white,
+                            QColor(255, 140, 0),
+                            QColor(90, 170, 255),
+                            colorOf(Meaning::kBad, palette())};
+  if (isDark(palette())) {
+    colors.skyTop = QColor(66, 76, 88);
+    colors.skyBottom = QColor(30, 34, 39);
+    colors.grid = QColor(150, 165, 180);
+  }
+  return colors;
 }
 
 void SceneCanvas::request(bool smooth) {
@@ -201,29 +212,31 @@ void SceneCanvas::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-std::string SceneCanvas::movableAt(const QPointF& at, Qt::KeyboardModifiers modifiers,
-                                   robotlink::Vector3* point) const {
-  if (!moveAlways_ && !modifiers.testFlag(Qt::ControlModifier)) return {};
-  const auto hit = firstHit(contents_.bodies, camera_.ray(size(), at));
-  if (!hit || std::ranges::find(movable_, hit->model) == movable_.end()) return {};
-  if (point != nullptr) *point = hit->point;
-  return hit->model;
+bool SceneCanvas::canDrag(const std::optional<SceneHit>& hit, Qt::KeyboardModifiers modifiers) const {
+  if (!hit || (!moveAlways_ && !modifiers.testFlag(Qt::ControlModifier))) return false;
+  return std::ranges::find(movable_, hit->model) != movable_.end();
 }
 
-void SceneCanvas::highlight(const std::string& model) {
-  if (model == highlighted_) return;
-  highlighted_ = model;
-  model.empty() ? unsetCursor() : setCursor(Qt::OpenHandCursor);
+void SceneCanvas::highlight(const std::string& object) {
+  if (object == highlighted_) return;
+  highlighted_ = object;
   request();
 }
 
+void SceneCanvas::pointAt(const QPointF& at, Qt::KeyboardModifiers modifiers) {
+  const auto hit = hot_ == GizmoHandle::kNone ? hitAt(at) : std::nullopt;
+  canDrag(hit, modifiers) ? setCursor(Qt::OpenHandCursor) : unsetCursor();
+  // The ground is below the mouse nearly always, which says nothing.
+  const bool isGround = hit && hit->model.empty() && hit->point.z() < kGroundHeight;
+  highlight(hit && !isGround ? hit->owner() : std::string());
+}
+
 bool SceneCanvas::startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers) {
-  robotlink::Vector3 point;
-  const std::string model = movableAt(at, modifiers, &point);
-  if (model.empty()) return false;
-  dragHeight_ = point.z();
-  highlight(model);
-  Q_EMIT dragStarted(QString::fromStdString(model), point.x(), point.y());
+  const auto hit = hitAt(at);
+  if (!canDrag(hit, modifiers)) return false;
+  dragHeight_ = hit->point.z();
+  highlight(hit->model);
+  Q_EMIT dragStarted(QString::fromStdString(hit->model), hit->point.x(), hit->point.y());
   return true;
 }
 
@@ -259,7 +272,7 @@ void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
       const GizmoHandle before =
           std::exchange(hot_, gizmo_ ? gizmo_->handleAt(camera_, size(), last_) : GizmoHandle::kNone);
       if (hot_ != before) update();
-      return highlight(hot_ != GizmoHandle::kNone ? std::string() : movableAt(last_, event->modifiers()));
+      return pointAt(last_, event->modifiers());
     }
     case Mode::kOrbiting:
       camera.orbit(by);
@@ -307,7 +320,6 @@ bool SceneCanvas::cancelDrag() {
 void SceneCanvas::mouseReleaseEvent(QMouseEvent* event) {
   const Mode ended = std::exchange(mode_, Mode::kIdle);
   if (ended == Mode::kSending) return sendMouse(SceneEvent::Kind::kMouseReleased, event->localPos());
-  unsetCursor();
   readout_.clear();
   if (ended == Mode::kDragging) {
     const robotlink::Vector2 speed = speed_.at(event->timestamp());
@@ -322,14 +334,13 @@ void SceneCanvas::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::RightButton && !moved_) {
     Q_EMIT customContextMenuRequested(event->pos());
   }
-  highlighted_.clear();
-  highlight(movableAt(event->localPos(), event->modifiers()));
+  pointAt(event->localPos(), event->modifiers());
   request();
 }
 
-void SceneCanvas::setSelected(const std::string& model) {
-  if (model == selected_) return;
-  selected_ = model;
+void SceneCanvas::setSelected(const std::string& object) {
+  if (object == selected_) return;
+  selected_ = object;
   request();
 }
 
@@ -389,7 +400,9 @@ void SceneCanvas::keyPressEvent(QKeyEvent* event) {
 }
 
 void SceneCanvas::leaveEvent(QEvent*) {
-  if (mode_ == Mode::kIdle) highlight({});
+  if (mode_ != Mode::kIdle) return;
+  highlight({});
+  unsetCursor();
 }
 
 }  // namespace widgets

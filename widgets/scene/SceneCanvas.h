@@ -40,8 +40,9 @@ class SceneCanvas final : public QWidget {
   /// Whether keys and the left button are reported by eventHappened() instead of moving camera and models.
   void setSendsEvents(bool sends) { sends_ = sends; }
   bool sendsEvents() const { return sends_; }
-  /// Highlights a model while no other one is under the cursor; empty: none.
-  void setSelected(const std::string& model);
+  /// Highlights an object, with all that belongs to it, while nothing is under the cursor that a click would
+  /// select; empty: none.
+  void setSelected(const std::string& object);
   /// Shows the handles at an object; unset: none. While one is dragged its drag goes on as it began.
   void setGizmo(const std::optional<Gizmo>& gizmo);
   /// Whether a handle or a model is being dragged.
@@ -141,17 +142,17 @@ class SceneCanvas final : public QWidget {
   bool cancelDrag();
   /// Paints the handles, and the numbers beside the mouse.
   void paintHand(QPainter& painter);
-  /// Highlights a model; empty: none.
-  void highlight(const std::string& model);
+  /// Highlights an object instead of the selected one; empty: none.
+  void highlight(const std::string& object);
+  /// Highlights what a click would select here, with a hand where it can be dragged.
+  void pointAt(const QPointF& at, Qt::KeyboardModifiers modifiers);
   /// Emits eventHappened() for the left button or for a key.
   void sendMouse(SceneEvent::Kind kind, const QPointF& at);
   void sendKey(SceneEvent::Kind kind, const QKeyEvent& event);
   /// Emits modelClicked() if a model is at the point.
   void click(const QPointF& at);
-  /// The model that a drag from here would move; empty: none. `point` gets the point that is hit, in the
-  /// field's frame.
-  std::string movableAt(const QPointF& at, Qt::KeyboardModifiers modifiers,
-                        robotlink::Vector3* point = nullptr) const;
+  /// Whether a drag of what is hit would move it.
+  bool canDrag(const std::optional<SceneHit>& hit, Qt::KeyboardModifiers modifiers) const;
 
   VisibleScene contents_;
   std::vector<std::string> movable_;

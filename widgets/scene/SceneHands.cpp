@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QInputDialog>
 #include <QMenu>
+#include <QPointer>
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
@@ -15,7 +16,6 @@
 #include "widgets/scene/SceneCanvas.h"
 #include "widgets/scene/ScenePalette.h"
 #include "widgets/sceneedit/SceneBench.h"
-#include "widgets/sceneedit/SceneEdits.h"
 #include "widgets/world/ObjectPose.h"
 #include "widgets/world/SceneSelection.h"
 #include "widgets/world/SceneState.h"
@@ -142,27 +142,41 @@ std::optional<SceneHands::Target> SceneHands::target() const {
   return Target{whole->path(), *pose, whole->is_movable()};
 }
 
+QString SceneHands::notice() const {
+  constexpr int kPatience = 10;  // ticks
+  return notice_.isEmpty() && busyTicks_ > kPatience ? tr("The changed scene is being checked…") : notice_;
+}
+
+void SceneHands::settle() {
+  constexpr int kMaxTicks = 90;
+  if (!settling_ || edits().isBusy()) return;
+  const auto now = target();
+  const bool isThere = !now || now->object != settling_->object || !now->pose.isApprox(settling_->pose, 1e-6);
+  if (isThere || ++settlingTicks_ > kMaxTicks) settling_.reset();
+}
+
 void SceneHands::tick() {
+  settle();
+  busyTicks_ = edits().isBusy() ? busyTicks_ + 1 : 0;
   if (unsent_ && dragged_ && dragged_->isLive) ask(placeRequest(dragged_->object, wanted_));
   unsent_ = false;
   if (noticeTicks_ > 0 && --noticeTicks_ == 0) notice_.clear();
   const auto at = handles_->isChecked() ? target() : std::nullopt;
   const bool canMove = at && (at->isLive || edits().canChange());
   if (!canMove) return canvas_.setGizmo(std::nullopt);
-  Gizmo gizmo{dragged_ ? wanted_ : at->pose, Eigen::Matrix3d::Identity()};
+  Gizmo gizmo{dragged_ || settling_ ? wanted_ : at->pose, Eigen::Matrix3d::Identity()};
   if (ownAxes_->isChecked()) gizmo.axes = gizmo.pose.linear();
   canvas_.setGizmo(gizmo);
 }
 
 std::vector<SceneBody> SceneHands::ghosts(const std::vector<SceneBody>& bodies) const {
   std::vector<SceneBody> ghosts;
-  if (!dragged_) return ghosts;
-  const auto now = target();
-  if (!now || now->object != dragged_->object) return ghosts;
+  const auto& moved = dragged_ ? dragged_ : settling_;
+  const auto now = moved ? target() : std::nullopt;
+  if (!now || now->object != moved->object) return ghosts;
   const Pose3 move = wanted_ * now->pose.inverse();
   for (const SceneBody& body : bodies) {
-    const bool isPart = body.object && body.object->starts_with(dragged_->object + "/");
-    if (isPart || body.model == dragged_->object) ghosts.push_back({body.shape, move * body.inField, {}});
+    if (isPartOf(body, moved->object)) ghosts.push_back({body.shape, move * body.inField, {}});
   }
   return ghosts;
 }
@@ -170,6 +184,7 @@ std::vector<SceneBody> SceneHands::ghosts(const std::vector<SceneBody>& bodies) 
 // ---- Moving
 
 void SceneHands::moveGizmo(const Pose3& pose) {
+  settling_.reset();
   if (!dragged_) dragged_ = target();
   wanted_ = pose;
   unsent_ = true;
@@ -184,8 +199,10 @@ void SceneHands::endGizmo(const Pose3& pose) {
     ask(placeRequest(moved.object, pose));
     return addMove(moved.object, moved.pose, pose);
   }
-  const auto done = edits().setPose(moved.object, objectPose(pose));
-  report(done ? QString() : words(done.error()));
+  // It is shown there until the simulation goes on with it.
+  settling_ = moved;
+  settlingTicks_ = 0;
+  edits().setPose(moved.object, objectPose(pose), told([](const std::string&) {}));
 }
 
 void SceneHands::cancelGizmo() {
@@ -252,9 +269,7 @@ void SceneHands::addMove(const std::string& model, const Pose3& before, const Po
 // ---- The scene's text
 
 void SceneHands::insert(const QString& kind, double x, double y) {
-  const auto name = edits().insert(kind.toStdString(), x, y);
-  if (name) sceneSelection(context_).select(*name);
-  report(name ? QString() : words(name.error()));
+  edits().insert(kind.toStdString(), x, y, told(selecting()));
 }
 
 void SceneHands::insertInView(const QString& kind) {
@@ -267,17 +282,13 @@ void SceneHands::duplicate() {
   if (!at) return;
   Pose3 pose = at->pose;
   pose.translation() += robotlink::Vector3(kCopyShift, kCopyShift, 0);
-  const auto name = edits().copy(at->object, objectPose(pose));
-  if (name) sceneSelection(context_).select(*name);
-  report(name ? QString() : words(name.error()));
+  edits().copy(at->object, objectPose(pose), told(selecting()));
 }
 
 void SceneHands::erase() {
   const auto at = target();
   if (!at) return;
-  const auto done = edits().erase(at->object);
-  if (done) sceneSelection(context_).select({});
-  report(done ? QString() : words(done.error()));
+  edits().erase(at->object, told([this](const std::string&) { sceneSelection(context_).select({}); }));
 }
 
 void SceneHands::rename() {
@@ -289,18 +300,32 @@ void SceneHands::rename() {
       QInputDialog::getText(&canvas_, tr("Rename"), tr("New name of %1:").arg(QString::fromStdString(before)),
                             QLineEdit::Normal, QString::fromStdString(before), &accepted);
   if (!accepted) return;
-  const auto done = edits().rename(at->object, name.toStdString());
-  if (done)
-    sceneSelection(context_).select(at->object.substr(0, at->object.find(':') + 1) + name.toStdString());
-  report(done ? QString() : words(done.error()));
+  edits().rename(at->object, name.toStdString(), told(selecting()));
 }
 
 void SceneHands::write() {
   const auto at = target();
   if (!at) return;
-  const auto done = edits().setPose(at->object, objectPose(at->pose));
-  report(done ? tr("%1 begins here; save the scene to keep that").arg(QString::fromStdString(at->object))
-              : words(done.error()));
+  edits().setPose(
+      at->object, objectPose(at->pose), told([this](const std::string& object) {
+        report(tr("%1 begins here; save the scene to keep that").arg(QString::fromStdString(object)));
+      }));
+}
+
+SceneEdits::Told SceneHands::told(std::function<void(const std::string& object)> done) {
+  // The view may be closed meanwhile.
+  return [hands = QPointer<SceneHands>(this),
+          done = std::move(done)](const robotlink::Result<std::string>& object) {
+    if (!hands) return;
+    const bool isDropped = !object && object.error().id == SceneEdits::kDropped;
+    hands->report(object || isDropped ? QString() : words(object.error()));
+    if (!object) hands->settling_.reset();
+    if (object) done(*object);
+  };
+}
+
+std::function<void(const std::string&)> SceneHands::selecting() {
+  return [this](const std::string& object) { sceneSelection(context_).select(object); };
 }
 
 // ---- Menu and history

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "robotlink/base/Geometry.h"
 #include "widgets/scene/render/SceneFrame.h"
+#include "widgets/sceneedit/SceneEdits.h"
 
 class QAction;
 class QMenu;
@@ -24,7 +26,6 @@ class SimulationStatus;
 namespace widgets {
 
 class SceneCanvas;
-class SceneEdits;
 class ScenePalette;
 class SceneState;
 struct ViewContext;
@@ -53,8 +54,9 @@ class SceneHands final : public QObject {
   void fillMenu(QMenu& menu, const QPoint& at);
   /// The bodies of the object whose handle is dragged, where it is wanted.
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
-  /// Why the last thing could not be done; empty: it could. Cleared after some seconds.
-  const QString& notice() const { return notice_; }
+  /// Why the last thing could not be done, or that something takes its time; empty: there is nothing to say.
+  /// Cleared after some seconds.
+  QString notice() const;
 
   /// A model is about to be dragged on the ground; then it was, to a pose, with the velocity (m/s) of the
   /// hand: while the simulation runs, what is let go of in motion is thrown.
@@ -82,10 +84,16 @@ class SceneHands final : public QObject {
   void moveGizmo(const robotlink::Pose3& pose);
   void endGizmo(const robotlink::Pose3& pose);
   void cancelGizmo();
+  /// Ends showing what was moved in the text there once the simulation has it there, or does not.
+  void settle();
   /// Sends a request, and shows why it was refused.
   void ask(robotcontrol::Request request);
   /// Adds a step to the history that places a model.
   void addMove(const std::string& model, const robotlink::Pose3& before, const robotlink::Pose3& after);
+  /// Reports why a change was not made; `done` is called if it was. Nothing happens once this is destroyed.
+  SceneEdits::Told told(std::function<void(const std::string& object)> done);
+  /// Selects the object.
+  std::function<void(const std::string& object)> selecting();
   void insert(const QString& kind, double x, double y);
   void insertInView(const QString& kind);
   void duplicate();
@@ -112,12 +120,17 @@ class SceneHands final : public QObject {
   QAction *goToText_ = nullptr, *properties_ = nullptr, *showPalette_ = nullptr;
   /// What is dragged by a handle, since its press.
   std::optional<Target> dragged_;
+  /// What was dragged there and is fixed, until its text is changed.
+  std::optional<Target> settling_;
   robotlink::Pose3 wanted_ = robotlink::Pose3::Identity();
   bool unsent_ = false;
   /// Where the model was that is dragged on the ground.
   std::optional<robotlink::Pose3> ground_;
   QString notice_;
   int noticeTicks_ = 0;
+  int settlingTicks_ = 0;
+  /// For how long a change was not made yet.
+  int busyTicks_ = 0;
 };
 
 }  // namespace widgets

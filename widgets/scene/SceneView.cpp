@@ -280,7 +280,7 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   contents.refused = !drag_.refusal().isEmpty();
   contents.labels = SceneAssembly::labels(contents.drawings);
   addNames(beliefs, contents.labels);
-  showSelection(contents.labels);
+  showSelection(contents.bodies, contents.labels);
   std::ranges::copy(ownModels_.names(), std::back_inserter(contents.labels));
   layers_.add({session(), scene_, parts_, *modes_, assembly_, sceneSelection(context()).object()}, contents);
   return contents;
@@ -306,9 +306,16 @@ std::vector<SceneBody> SceneView::ghosts(const std::vector<SceneBody>& bodies) c
   return ghosts;
 }
 
-void SceneView::showSelection(std::vector<SceneLabel>& labels) {
+std::string SceneView::highlighted(const std::vector<SceneBody>& bodies) const {
+  for (const std::string& each : parts_.objects().lineage(sceneSelection(context()).object())) {
+    if (std::ranges::any_of(bodies, [&](const SceneBody& body) { return isPartOf(body, each); })) return each;
+  }
+  return {};
+}
+
+void SceneView::showSelection(const std::vector<SceneBody>& bodies, std::vector<SceneLabel>& labels) {
   const auto* found = worldObject(session(), sceneSelection(context()).object());
-  canvas_->setSelected(found == nullptr ? std::string() : found->model());
+  canvas_->setSelected(found == nullptr ? std::string() : highlighted(bodies));
   if (found == nullptr || std::ranges::find(session().robots(), found->path()) != session().robots().end())
     return;
   if (const auto pose = worldPose(*found, scene_))
@@ -399,7 +406,7 @@ void SceneView::showContextMenu(const QPoint& at) {
   menu->addMenu(modes_->surfaces())->setText(tr("Surfaces"));
   menu->addMenu(modes_->layers())->setText(tr("Layers"));
   menu->addSeparator();
-  menu->addActions({copyAction(), saveAction()});
+  menu->addActions({copyAction(), copyNumbersAction(), saveAction()});
   menu->popup(canvas_->mapToGlobal(at));
 }
 

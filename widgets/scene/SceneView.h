@@ -90,7 +90,9 @@ class SceneView final : public PictureView {
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
   void showState(bool faded);
   /// Highlights the selected object of the scene tree, and adds its name where it is.
-  void showSelection(std::vector<SceneLabel>& labels);
+  void showSelection(const std::vector<SceneBody>& bodies, std::vector<SceneLabel>& labels);
+  /// The selected object or, where it has no shape, the nearest one above that has.
+  std::string highlighted(const std::vector<SceneBody>& bodies) const;
   void addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const;
   /// Moves the camera along with the robot.
   void follow();

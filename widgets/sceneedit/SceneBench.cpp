@@ -30,6 +30,13 @@ std::filesystem::path wholePath(const std::filesystem::path& path) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, unknown), unknown);
 }
 
+/// Problems in the checked file itself name no file.
+void shortenPlaces(std::vector<SceneProblem>& problems, const std::filesystem::path& path) {
+  for (SceneProblem& problem : problems) {
+    if (problem.file == path.string()) problem.file.clear();
+  }
+}
+
 tl::unexpected<robotlink::Error> noFile() {
   return failure("scene.none", "no scene file is open in the editor; open one: scene.edit");
 }
@@ -42,9 +49,7 @@ SceneBench::SceneBench(ViewContext& context) : context_(context) {
     checker_ = std::make_unique<robotlink::Worker<Check, Checked>>(
         [this, language = context.sceneLanguage](const Check& check, const std::stop_token&) {
           auto problems = language->check(check.text, check.path);
-          for (SceneProblem& problem : problems) {
-            if (problem.file == check.path.string()) problem.file.clear();
-          }
+          shortenPlaces(problems, check.path);
           checker_->publish({check.file, check.revision, std::move(problems)});
         });
   }
@@ -293,11 +298,21 @@ Result<void> SceneBench::goTo(const SceneProblem& problem) {
 
 // ---- Checks
 
+void SceneBench::noteChecked(const std::filesystem::path& path, std::vector<SceneProblem> problems) {
+  SceneFile* file = find(path);
+  if (file == nullptr) return;
+  shortenPlaces(problems, path);
+  due_.erase(numbers_[file]);
+  file->setProblems(std::move(problems), file->revision());
+}
+
 void SceneBench::tickChecks() {
   if (checker_ == nullptr) return;
   if (auto checked = checker_->take()) {
     for (const auto& [file, number] : numbers_) {
-      if (number == checked->file) file->setProblems(std::move(checked->problems), checked->revision);
+      // What was found in an older text would be underlined at the wrong places; the newer one is due.
+      if (number == checked->file && checked->revision == file->revision())
+        file->setProblems(std::move(checked->problems), checked->revision);
     }
   }
   for (auto& [number, ticks] : due_) {
@@ -315,6 +330,7 @@ void SceneBench::tickChecks() {
 
 void SceneBench::tick() {
   tickChecks();
+  Q_EMIT ticked();
   tickRecovery();
 }
 

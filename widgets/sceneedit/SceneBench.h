@@ -57,6 +57,8 @@ class SceneBench final : public QObject {
   SceneFile& startAnew(const QString& text, const std::filesystem::path& path, const QString& name = {});
   /// Closes a file; unsaved changes are lost.
   void close(SceneFile& file);
+  /// The present text of a file was checked elsewhere, with these problems; it is not checked again.
+  void noteChecked(const std::filesystem::path& path, std::vector<SceneProblem> problems);
   /// Saves the current file; fails if there is none or it has no path.
   robotlink::Result<void> save();
   robotlink::Result<void> saveAs(const std::filesystem::path& path);
@@ -89,6 +91,8 @@ class SceneBench final : public QObject {
   void forget();
 
  Q_SIGNALS:
+  /// Emitted by tick().
+  void ticked();
   /// Files were opened or closed, or their titles have changed.
   void filesChanged();
   void currentChanged();

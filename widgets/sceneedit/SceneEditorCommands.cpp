@@ -61,19 +61,31 @@ Result<ObjectPose> poseNow(SceneBench& bench, const std::string& path) {
   return objectPose(*pose);
 }
 
+/// Has a change made before the next command, which may depend on it; returns what came of it.
+Result<void> finished(SceneBench& bench,
+                      const std::function<void(SceneEdits& edits, SceneEdits::Told told)>& begin) {
+  SceneEdits& edits = sceneEdits(bench.context());
+  Result<void> done;
+  begin(edits, [&done](const Result<std::string>& object) {
+    done = object ? Result<void>() : tl::unexpected(object.error());
+  });
+  edits.finish();
+  return done;
+}
+
 Result<void> copyBeside(SceneBench& bench, const std::string& object) {
   constexpr double kBeside = 0.5;  // m
   auto pose = poseNow(bench, object);
   if (!pose) return tl::unexpected(pose.error());
   (*pose)[0] += kBeside;
   (*pose)[1] += kBeside;
-  return sceneEdits(bench.context()).copy(object, *pose).map([](const std::string&) {});
+  return finished(bench, [&](SceneEdits& edits, auto told) { edits.copy(object, *pose, told); });
 }
 
 Result<void> writePose(SceneBench& bench, const std::string& object) {
   const auto pose = poseNow(bench, object);
   if (!pose) return tl::unexpected(pose.error());
-  return sceneEdits(bench.context()).setPose(object, *pose);
+  return finished(bench, [&](SceneEdits& edits, auto told) { edits.setPose(object, *pose, told); });
 }
 
 /// The objects of the files that are open.
@@ -145,21 +157,23 @@ void attachSceneEditorCommands(ViewContext& context) {
   attach("scene.copy", withObject(copyBeside), objects);
   attach("scene.write", withObject(writePose), objects);
   attach("scene.erase", withObject([](SceneBench& bench, const std::string& object) {
-           return sceneEdits(bench.context()).erase(object);
+           return finished(bench, [&](SceneEdits& edits, auto told) { edits.erase(object, told); });
          }),
          objects);
   attachAny(
       "scene.rename",
       [](SceneBench& bench, const Values& values) {
-        return sceneEdits(bench.context()).rename(sceneWord(values, 0), sceneWord(values, 1));
+        return finished(bench, [&](SceneEdits& edits, auto told) {
+          edits.rename(sceneWord(values, 0), sceneWord(values, 1), told);
+        });
       },
       objects);
   attachAny(
       "scene.insert",
       [](SceneBench& bench, const Values& values) {
-        return sceneEdits(bench.context())
-            .insert(sceneWord(values, 0), std::get<double>(values[1]), std::get<double>(values[2]))
-            .map([](const std::string&) {});
+        return finished(bench, [&](SceneEdits& edits, auto told) {
+          edits.insert(sceneWord(values, 0), std::get<double>(values[1]), std::get<double>(values[2]), told);
+        });
       },
       [](const auto& before) {
         return before.empty() ? std::vector<std::string>(kSceneObjectKinds.begin(), kSceneObjectKinds.end())

@@ -64,7 +64,9 @@ std::string poseText(const std::array<double, 6>& pose) {
   return numbers.join(QLatin1Char(' ')).toStdString();
 }
 
-SceneEdits::SceneEdits(SceneBench& bench) : QObject(&bench), bench_(bench) {}
+SceneEdits::SceneEdits(SceneBench& bench) : QObject(&bench), bench_(bench) {
+  connect(&bench, &SceneBench::ticked, this, &SceneEdits::tick);
+}
 SceneEdits::~SceneEdits() = default;
 
 void SceneEdits::setHost(std::function<Done(const Texts&)> goOn,
@@ -79,43 +81,136 @@ bool SceneEdits::canChange() const {
          running.extension() != ".map" && mayWrite_(running);
 }
 
-Result<SceneFile*> SceneEdits::scene() const {
-  if (!canChange())
-    return failure("scene.file", "no scene of a file is simulated here, so there is no text to change");
-  return bench_.ensure(bench_.runningScene());
+// ---- Changes of texts
+
+SceneEdits::Checked SceneEdits::check(const SceneLanguage& language, const Job& job) {
+  Checked checked{job.number, job.before, job.make(language, job.before)};
+  if (!checked.made) return checked;
+  for (const auto& [file, text] : checked.made->texts) {
+    if (text == job.before.at(file)) continue;
+    auto problems = language.check(text, file);
+    const auto wrong = std::ranges::find(problems, false, &SceneProblem::isWarning);
+    if (wrong != problems.end()) {
+      checked.made = failure("scene.refused", wrong->text, {wrong->file, wrong->line, 0});
+      return checked;
+    }
+    checked.problems[file] = std::move(problems);
+  }
+  return checked;
 }
 
-// ---- Texts
+void SceneEdits::drop(const Change& change) {
+  if (change.told) change.told(failure(kDropped, "it was given up before it was done"));
+}
 
-SceneEdits::Done SceneEdits::put(const std::map<SceneFile*, QString>& texts, const QString& title) {
-  std::map<std::string, QString> before, after;
-  for (const auto& [file, text] : texts) {
-    if (text == file->text()) continue;
-    for (const SceneProblem& one : bench_.context().sceneLanguage->check(text.toStdString(), file->path())) {
-      if (!one.isWarning) return failure("scene.refused", one.text, {one.file, one.line, 0});
+void SceneEdits::begin(Change change) {
+  if (!canChange()) {
+    if (change.told)
+      change.told(
+          failure("scene.file", "no scene of a file is simulated here, so there is no text to change"));
+    return;
+  }
+  const auto isReplaced = [&](const Change& other) {
+    return !other.place.empty() && other.place == change.place;
+  };
+  std::vector<Change> dropped;
+  if (checking_ && isReplaced(*checking_)) {
+    dropped.push_back(*std::move(checking_));
+    checking_.reset();
+  }
+  for (Change& other : waiting_) {
+    if (isReplaced(other)) dropped.push_back(other);
+  }
+  std::erase_if(waiting_, isReplaced);
+  waiting_.push_back(std::move(change));
+  std::ranges::for_each(dropped, &SceneEdits::drop);
+  Q_EMIT historyChanged();
+}
+
+void SceneEdits::checkNext() {
+  while (!checking_ && !waiting_.empty()) {
+    checking_ = std::move(waiting_.front());
+    waiting_.pop_front();
+    Job job{++number_, {}, checking_->make};
+    for (const auto& path : checking_->files) {
+      const auto file = bench_.ensure(path);
+      if (!file) {
+        take({number_, {}, tl::unexpected(file.error())});
+        break;
+      }
+      job.before[path] = (*file)->text().toStdString();
     }
-    before[file->path().string()] = file->text();
-    after[file->path().string()] = text;
+    if (!checking_) continue;
+    if (worker_ == nullptr) {
+      worker_ = std::make_unique<robotlink::Worker<Job, Checked>>(
+          [this, language = bench_.context().sceneLanguage](const Job& todo, const std::stop_token&) {
+            worker_->publish(check(*language, todo));
+          });
+    }
+    worker_->post(std::move(job));
+  }
+}
+
+void SceneEdits::tick() {
+  if (worker_ != nullptr) {
+    if (auto checked = worker_->take(); checked && checking_ && checked->number == number_)
+      take(*std::move(checked));
+  }
+  checkNext();
+}
+
+void SceneEdits::take(Checked checked) {
+  Change change = *std::move(checking_);
+  checking_.reset();
+  for (const auto& [path, text] : checked.before) {
+    const auto file = bench_.ensure(path);
+    if (file && (*file)->text().toStdString() != text) {
+      waiting_.push_front(std::move(change));
+      return;
+    }
+  }
+  if (checked.made) {
+    if (const auto done = put(checked, change.title); !done) checked.made = tl::unexpected(done.error());
+  }
+  Q_EMIT historyChanged();
+  if (change.told) change.told(checked.made.map([](const Made& made) { return made.object; }));
+}
+
+SceneEdits::Done SceneEdits::put(const Checked& checked, const QString& title) {
+  Texts before, after;
+  for (const auto& [path, text] : checked.made->texts) {
+    if (text == checked.before.at(path)) continue;
+    before[path] = checked.before.at(path);
+    after[path] = text;
   }
   if (after.empty()) return {};
   if (auto done = exchange(before, after); !done) return done;
+  for (const auto& [path, problems] : checked.problems) bench_.noteChecked(path, problems);
   add({title, [this, before, after] { return exchange(after, before); },
        [this, before, after] { return exchange(before, after); }});
   return {};
 }
 
-SceneEdits::Done SceneEdits::exchange(const std::map<std::string, QString>& from,
-                                      const std::map<std::string, QString>& to) {
-  std::map<std::string, SceneFile*> files;
+void SceneEdits::finish() {
+  while (isBusy()) {
+    checkNext();
+    if (worker_ != nullptr) worker_->finish();
+    tick();
+  }
+}
+
+SceneEdits::Done SceneEdits::exchange(const Texts& from, const Texts& to) {
+  std::map<std::filesystem::path, SceneFile*> files;
   for (const auto& [path, text] : from) {
     const auto file = bench_.ensure(path);
     if (!file) return tl::unexpected(file.error());
-    if ((*file)->text() != text)
+    if ((*file)->text().toStdString() != text)
       return failure("scene.history",
-                     "the text was edited by hand since; undo that in the scene editor first", {path, 0, 0});
+                     "the text was edited by hand since; undo that in the scene editor first",
+                     {path.string(), 0, 0});
     files[path] = *file;
   }
-  for (const auto& [path, text] : to) files[path]->replaceText(text);
+  for (const auto& [path, text] : to) files[path]->replaceText(QString::fromStdString(text));
   return apply();
 }
 
@@ -124,86 +219,111 @@ SceneEdits::Done SceneEdits::apply() {
   return goOn_(bench_.unsavedTexts());
 }
 
-SceneEdits::Done SceneEdits::change(const std::vector<SceneFileEdit>& edits, const QString& title) {
-  if (!canChange()) return scene().map([](SceneFile*) {});
-  std::map<SceneFile*, QString> texts;
-  for (const SceneFileEdit& edit : edits) {
-    if (!mayWrite_(edit.file))
-      return failure("scene.file", "it is no file of the open scene, so it is not changed",
-                     {edit.file, 0, 0});
-    const auto file = bench_.ensure(edit.file);
-    if (!file) return tl::unexpected(file.error());
-    const QString before = texts.contains(*file) ? texts[*file] : (*file)->text();
-    const auto text = bench_.context().sceneLanguage->withElement(before.toStdString(), edit.file,
-                                                                  edit.element, edit.value);
-    if (!text) return tl::unexpected(text.error());
-    texts[*file] = QString::fromStdString(*text);
+void SceneEdits::beginInScene(const QString& title, Make make, Told told, std::string place) {
+  begin({title, {bench_.runningScene()}, std::move(make), std::move(told), std::move(place)});
+}
+
+void SceneEdits::change(const std::vector<SceneFileEdit>& edits, const QString& title, Told told) {
+  Change change{title, {}, {}, std::move(told)};
+  std::vector<SceneFileEdit> whole = edits;
+  for (SceneFileEdit& edit : whole) {
+    const bool mayWrite = mayWrite_ && mayWrite_(edit.file);
+    const auto file = mayWrite
+                          ? bench_.ensure(edit.file)
+                          : failure("scene.file", "it is no file of the open scene, so it is not changed",
+                                    {edit.file, 0, 0});
+    if (!file) {
+      if (change.told) change.told(tl::unexpected(file.error()));
+      return;
+    }
+    change.files.push_back((*file)->path());
+    edit.file = (*file)->path().string();
+    change.place += edit.file + '\n';
+    for (const std::string& step : edit.element) change.place += step + '/';
   }
-  return put(texts, title);
+  change.make = [whole](const SceneLanguage& language, const Texts& before) -> Result<Made> {
+    Made made{{}, before};
+    for (const SceneFileEdit& edit : whole) {
+      auto text = language.withElement(made.texts.at(edit.file), edit.file, edit.element, edit.value);
+      if (!text) return tl::unexpected(text.error());
+      made.texts[edit.file] = *std::move(text);
+    }
+    return made;
+  };
+  begin(std::move(change));
 }
 
-Result<std::string> SceneEdits::insert(const std::string& kind, double x, double y) {
-  const auto file = scene();
-  if (!file) return tl::unexpected(file.error());
-  const QString name = freeObjectName((*file)->text(), QString::fromStdString(kind));
-  const auto xml = bench_.context().sceneLanguage->newObject(kind, name.toStdString(), x, y, (*file)->path());
-  if (!xml) return tl::unexpected(xml.error());
-  const QString text = withElements((*file)->text(), QString::fromStdString(*xml), nullptr);
-  if (auto done = put({{*file, text}}, tr("Add %1").arg(name)); !done) return tl::unexpected(done.error());
-  return kind == "lamp" ? "light:" + name.toStdString() : name.toStdString();
+void SceneEdits::insert(const std::string& kind, double x, double y, Told told) {
+  const auto make = [=](const SceneLanguage& language, const Texts& before) -> Result<Made> {
+    const auto& [file, text] = *before.begin();
+    const QString present = QString::fromStdString(text);
+    const std::string name = freeObjectName(present, QString::fromStdString(kind)).toStdString();
+    const auto xml = language.newObject(kind, name, x, y, file);
+    if (!xml) return tl::unexpected(xml.error());
+    return Made{kind == "lamp" ? "light:" + name : name,
+                {{file, withElements(present, QString::fromStdString(*xml), nullptr).toStdString()}}};
+  };
+  beginInScene(tr("Add %1").arg(QString::fromStdString(kind)), make, std::move(told));
 }
 
-Result<std::string> SceneEdits::copy(const std::string& object, const std::array<double, 6>& pose) {
-  const auto file = scene();
-  if (!file) return tl::unexpected(file.error());
-  const QString text = (*file)->text();
-  auto own = ownObject(text, object);
-  if (!own) return tl::unexpected(own.error());
-  own->name = freeObjectName(text, own->name);
-  const QString element = renamedObject(withIndent(text, *own), own->name);
-  const auto placed = bench_.context().sceneLanguage->withElement(
-      element.toStdString(), (*file)->path().string(), {stepTo(*own), "pose"}, poseText(pose));
-  if (!placed) return tl::unexpected(placed.error());
-  const QString changed = withElements(text, QString::fromStdString(*placed), nullptr);
-  if (auto done = put({{*file, changed}}, tr("Duplicate %1").arg(QString::fromStdString(object))); !done)
-    return tl::unexpected(done.error());
-  const bool isLight = own->element == QLatin1String("light");
-  return (isLight ? "light:" : "") + own->name.toStdString();
+void SceneEdits::copy(const std::string& object, const std::array<double, 6>& pose, Told told) {
+  const auto make = [=](const SceneLanguage& language, const Texts& before) -> Result<Made> {
+    const auto& [file, text] = *before.begin();
+    const QString present = QString::fromStdString(text);
+    auto own = ownObject(present, object);
+    if (!own) return tl::unexpected(own.error());
+    own->name = freeObjectName(present, own->name);
+    const QString element = renamedObject(withIndent(present, *own), own->name);
+    const auto placed =
+        language.withElement(element.toStdString(), file.string(), {stepTo(*own), "pose"}, poseText(pose));
+    if (!placed) return tl::unexpected(placed.error());
+    const bool isLight = own->element == QLatin1String("light");
+    return Made{(isLight ? "light:" : "") + own->name.toStdString(),
+                {{file, withElements(present, QString::fromStdString(*placed), nullptr).toStdString()}}};
+  };
+  beginInScene(tr("Duplicate %1").arg(QString::fromStdString(object)), make, std::move(told));
 }
 
-SceneEdits::Done SceneEdits::erase(const std::string& object) {
-  const auto file = scene();
-  if (!file) return tl::unexpected(file.error());
-  const auto own = ownObject((*file)->text(), object);
-  if (!own) return tl::unexpected(own.error());
-  return put({{*file, withoutObject((*file)->text(), *own)}},
-             tr("Delete %1").arg(QString::fromStdString(object)));
+void SceneEdits::erase(const std::string& object, Told told) {
+  const auto make = [object](const SceneLanguage&, const Texts& before) -> Result<Made> {
+    const auto& [file, text] = *before.begin();
+    const QString present = QString::fromStdString(text);
+    const auto own = ownObject(present, object);
+    if (!own) return tl::unexpected(own.error());
+    return Made{object, {{file, withoutObject(present, *own).toStdString()}}};
+  };
+  beginInScene(tr("Delete %1").arg(QString::fromStdString(object)), make, std::move(told));
 }
 
-SceneEdits::Done SceneEdits::rename(const std::string& object, const std::string& name) {
-  const auto file = scene();
-  if (!file) return tl::unexpected(file.error());
-  const QString text = (*file)->text();
-  const auto own = ownObject(text, object);
-  if (!own) return tl::unexpected(own.error());
-  const QString wanted = QString::fromStdString(name);
-  if (!isSceneName(name))
-    return failure("scene.name", "a name consists of letters, digits, '_' and '-'", {}, {name});
-  if (wanted == own->name) return {};
-  if (freeObjectName(text, wanted) != wanted)
-    return failure("scene.name", "there is another object " + name, {}, {name});
-  const QString element = renamedObject(text.mid(own->begin, own->end - own->begin), wanted);
-  return put({{*file, text.left(own->begin) + element + text.mid(own->end)}},
-             tr("Rename %1").arg(QString::fromStdString(object)));
+void SceneEdits::rename(const std::string& object, const std::string& name, Told told) {
+  const auto make = [=](const SceneLanguage&, const Texts& before) -> Result<Made> {
+    const auto& [file, text] = *before.begin();
+    const QString present = QString::fromStdString(text), wanted = QString::fromStdString(name);
+    const auto own = ownObject(present, object);
+    if (!own) return tl::unexpected(own.error());
+    if (!isSceneName(name))
+      return failure("scene.name", "a name consists of letters, digits, '_' and '-'", {}, {name});
+    const std::string path = object.substr(0, object.find(':') + 1) + name;
+    if (wanted == own->name) return Made{path, before};
+    if (freeObjectName(present, wanted) != wanted)
+      return failure("scene.name", "there is another object " + name, {}, {name});
+    const QString element = renamedObject(present.mid(own->begin, own->end - own->begin), wanted);
+    return Made{path, {{file, (present.left(own->begin) + element + present.mid(own->end)).toStdString()}}};
+  };
+  beginInScene(tr("Rename %1").arg(QString::fromStdString(object)), make, std::move(told));
 }
 
-SceneEdits::Done SceneEdits::setPose(const std::string& object, const std::array<double, 6>& pose) {
-  const auto file = scene();
-  if (!file) return tl::unexpected(file.error());
-  const auto own = ownObject((*file)->text(), object);
-  if (!own) return tl::unexpected(own.error());
-  return change({{(*file)->path().string(), {stepTo(*own), "pose"}, poseText(pose)}},
-                tr("Write the pose of %1").arg(QString::fromStdString(object)));
+void SceneEdits::setPose(const std::string& object, const std::array<double, 6>& pose, Told told) {
+  const auto make = [=](const SceneLanguage& language, const Texts& before) -> Result<Made> {
+    const auto& [file, text] = *before.begin();
+    const auto own = ownObject(QString::fromStdString(text), object);
+    if (!own) return tl::unexpected(own.error());
+    auto placed = language.withElement(text, file.string(), {stepTo(*own), "pose"}, poseText(pose));
+    if (!placed) return tl::unexpected(placed.error());
+    return Made{object, {{file, *std::move(placed)}}};
+  };
+  beginInScene(tr("Write the pose of %1").arg(QString::fromStdString(object)), make, std::move(told),
+               "pose of " + object);
 }
 
 bool SceneEdits::isOwn(const std::string& object) const {
@@ -254,8 +374,19 @@ SceneEdits& sceneEdits(ViewContext& context) {
   return edits != nullptr ? *edits : *new SceneEdits(bench);
 }
 
+QString SceneEdits::undoTitle() const {
+  if (!waiting_.empty()) return waiting_.back().title;
+  if (checking_) return checking_->title;
+  return undo_.empty() ? QString() : undo_.back().title;
+}
+
 SceneEdits::Done SceneEdits::undo() {
-  return walk(undo_, redo_, &Step::undo);
+  if (!isBusy()) return walk(undo_, redo_, &Step::undo);
+  const Change dropped = waiting_.empty() ? *std::move(checking_) : std::move(waiting_.back());
+  waiting_.empty() ? checking_.reset() : waiting_.pop_back();
+  drop(dropped);
+  Q_EMIT historyChanged();
+  return {};
 }
 
 SceneEdits::Done SceneEdits::redo() {

@@ -8,10 +8,14 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "robotlink/base/Error.h"
+#include "robotlink/base/Worker.h"
+#include "widgets/sceneedit/SceneLanguage.h"
 #include "widgets/world/SceneFileEdit.h"
 
 namespace robotcontrol {
@@ -29,20 +33,29 @@ struct ViewContext;
 /// - The state of the simulation, such as where a robot was dragged. Views change it by requests, and say by
 ///   addRequests() how that is undone. It is in no file.
 /// - The texts of the scene's files. The functions here change them in the scene editor, unsaved, and have
-///   the simulation go on in them. Each text is checked first; what the simulator would refuse is refused
-///   here, with its reason, and nothing changes.
+///   the simulation go on in them. Each text is checked first, in a thread of its own, which takes some 100
+///   ms, for large scenes longer; what the simulator would refuse is refused here, with its reason, and
+///   nothing changes. A text that was edited meanwhile is changed and checked anew.
+///
+/// Changes are made one after the other, in the order in which they were begun. One of the same place, such
+/// as a pose that is dragged on, replaces the one before if that is not made yet.
 ///
 /// Files are written by SceneBench::saveAll(), and by nothing here. Objects are those of the world itself,
-/// by their names: models, includes, and lights ("light:lamp"). A check takes some 100 ms, for large scenes
-/// longer. GUI thread.
+/// by their names: models, includes, and lights ("light:lamp"). GUI thread.
 class SceneEdits final : public QObject {
   Q_OBJECT
  public:
   using Texts = std::map<std::filesystem::path, std::string>;
   using Done = robotlink::Result<void>;
+  /// Called once, in the GUI thread, perhaps before the function returns that was given it: the path of the
+  /// object that was changed, or why nothing was. The error of a change that was replaced or taken back
+  /// before it was made has the id kDropped.
+  using Told = std::function<void(const robotlink::Result<std::string>& object)>;
+  static constexpr const char* kDropped = "scene.dropped";
 
-  /// Belongs to the bench.
+  /// Belongs to the bench, whose tick() makes the changes.
   explicit SceneEdits(SceneBench& bench);
+  /// Waits for the check in progress.
   ~SceneEdits() override;
 
   /// `goOn` has the simulation go on with texts that count instead of files; `mayWrite` says whether a file
@@ -52,31 +65,37 @@ class SceneEdits final : public QObject {
   /// Whether the running scene has a text that can be changed.
   bool canChange() const;
 
-  /// Changes elements; `title` says in a few words what for.
-  Done change(const std::vector<SceneFileEdit>& edits, const QString& title);
-  /// Adds an object on the ground; returns its name. `kind`: see SceneLanguage::newObject().
-  robotlink::Result<std::string> insert(const std::string& kind, double x, double y);
-  /// Adds a copy of an object at another pose (x y z roll pitch heading; m, rad); returns its name.
-  robotlink::Result<std::string> copy(const std::string& object, const std::array<double, 6>& pose);
-  Done erase(const std::string& object);
-  Done rename(const std::string& object, const std::string& name);
+  /// Changes elements; `title` says in a few words what for. The path that is told is empty.
+  void change(const std::vector<SceneFileEdit>& edits, const QString& title, Told told = {});
+  /// Adds an object on the ground. `kind`: see SceneLanguage::newObject().
+  void insert(const std::string& kind, double x, double y, Told told = {});
+  /// Adds a copy of an object at another pose (x y z roll pitch heading; m, rad).
+  void copy(const std::string& object, const std::array<double, 6>& pose, Told told = {});
+  void erase(const std::string& object, Told told = {});
+  void rename(const std::string& object, const std::string& name, Told told = {});
   /// Writes where an object is into the text.
-  Done setPose(const std::string& object, const std::array<double, 6>& pose);
+  void setPose(const std::string& object, const std::array<double, 6>& pose, Told told = {});
   /// Whether an object is one of the world's own, so that it can be copied, erased and renamed.
   bool isOwn(const std::string& object) const;
   /// Has the simulation go on in the texts as they are in the editor.
   Done apply();
 
+  /// Whether a change is not made yet.
+  bool isBusy() const { return checking_.has_value() || !waiting_.empty(); }
+  /// Blocks until all changes are made, for commands, whose next one may depend on them.
+  void finish();
+
   /// Something was done to the state of the simulation: `redo` was requested, and `undo` takes it back. What
   /// is refused then is reported by the bench.
   void addRequests(const QString& title, const robotcontrol::Request& undo,
                    const robotcontrol::Request& redo);
-  bool canUndo() const { return !undo_.empty(); }
+  bool canUndo() const { return isBusy() || !undo_.empty(); }
   bool canRedo() const { return !redo_.empty(); }
   /// What undo() and redo() would be about; empty: nothing.
-  QString undoTitle() const { return undo_.empty() ? QString() : undo_.back().title; }
+  QString undoTitle() const;
   QString redoTitle() const { return redo_.empty() ? QString() : redo_.back().title; }
-  /// Fail if there is nothing, or if the text was edited by hand since; then the history stays as it is.
+  /// Drops the last change that is not made yet; else takes back the last one that was. Fails if there is
+  /// nothing, or if the text was edited by hand since; then the history stays as it is.
   Done undo();
   Done redo();
 
@@ -90,20 +109,61 @@ class SceneEdits final : public QObject {
     QString title;
     std::function<Done()> undo, redo;
   };
+  /// Texts as a change makes them of others, and the object that it is about.
+  struct Made {
+    std::string object;
+    Texts texts;
+  };
+  using Make = std::function<robotlink::Result<Made>(const SceneLanguage& language, const Texts& before)>;
+  struct Change {
+    QString title;
+    /// The files whose texts it makes others of.
+    std::vector<std::filesystem::path> files;
+    /// Called in the worker's thread.
+    Make make;
+    Told told;
+    /// Names the place; empty: no other change replaces it.
+    std::string place = {};
+  };
+  struct Job {
+    std::uint64_t number = 0;
+    Texts before;
+    Make make;
+  };
+  struct Checked {
+    std::uint64_t number = 0;
+    Texts before;
+    robotlink::Result<Made> made;
+    std::map<std::filesystem::path, std::vector<SceneProblem>> problems = {};
+  };
+  static Checked check(const SceneLanguage& language, const Job& job);
+  void begin(Change change);
+  /// Begins a change of the text of the running scene.
+  void beginInScene(const QString& title, Make make, Told told, std::string place = {});
+  void tick();
+  /// Has the first change checked that waits, unless one is being checked.
+  void checkNext();
+  void take(Checked checked);
+  /// Has a change that was checked take effect.
+  Done put(const Checked& checked, const QString& title);
+  static void drop(const Change& change);
   void add(Step step);
   std::function<Done()> requesting(const robotcontrol::Request& request);
-  /// The text of the running scene; fails where none can be changed.
-  robotlink::Result<SceneFile*> scene() const;
-  /// Checks new texts, puts them in the editor, and has the simulation go on.
-  Done put(const std::map<SceneFile*, QString>& texts, const QString& title);
   /// Puts texts in place of others if these are still there.
-  Done exchange(const std::map<std::string, QString>& from, const std::map<std::string, QString>& to);
+  Done exchange(const Texts& from, const Texts& to);
   Done walk(std::deque<Step>& from, std::deque<Step>& to, std::function<Done()> Step::*act);
 
   SceneBench& bench_;
   std::function<Done(const Texts&)> goOn_;
   std::function<bool(const std::filesystem::path&)> mayWrite_;
   std::deque<Step> undo_, redo_;
+  /// Changes that are not checked yet, and the one that is.
+  std::deque<Change> waiting_;
+  std::optional<Change> checking_;
+  /// The number of that one; results of others are outdated.
+  std::uint64_t number_ = 0;
+  /// The last member, since its thread uses what the language has. Null before the first change.
+  std::unique_ptr<robotlink::Worker<Job, Checked>> worker_;
 };
 
 /// Those of a window, created on the first call.

@@ -18,6 +18,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/ShownText.h"
 #include "widgets/log/LogBars.h"
 #include "widgets/log/ReplayKeys.h"
 #include "widgets/log/TimeMarks.h"
@@ -259,6 +260,36 @@ void TimeLineView::addBookmark(int band, Instant time) {
   showBands();
   canvas_->chooseBookmark(band, id);
   canvas_->editBookmark(band, id);
+}
+
+std::optional<QString> TimeLineView::numbers() {
+  TabTable table(
+      {QStringLiteral("log"), QStringLiteral("time s"), QStringLiteral("what"), QStringLiteral("value")});
+  const TimeLineLook& look = canvas_->look();
+  const auto add = [&](const QString& log, robotlink::Duration time, const QString& what,
+                       const QString& value) {
+    table.add({log, QString::number(robotlink::seconds(time), 'f', 6), what, value});
+  };
+  for (const TimeLineBand& band : canvas_->bands()) {
+    const auto since = [&](robotlink::Instant time) { return time + band.offset - look.origin; };
+    for (const logplayer::Bookmark& mark : band.bookmarks)
+      add(band.title, since(mark.time), QStringLiteral("bookmark"), QString::fromStdString(mark.text));
+    if (const auto* said = saidOf(band)) {
+      for (const LogEntry& entry : *said)
+        add(band.title, since(entry.time), entry.robot + QLatin1Char('/') + entry.source, entry.text);
+    }
+    const double from = robotlink::seconds(look.scale.from),
+                 to = robotlink::seconds(look.scale.time(look.size.width()));
+    for (const TimeLineTrack& track : band.tracks) {
+      if (track.series == nullptr) continue;
+      for (std::size_t i = track.series->firstFrom(from); i < track.series->firstAfter(to); ++i) {
+        const auto [time, value] = (*track.series)[i];
+        add(band.title, robotlink::Instant(robotlink::fromSeconds(time)) - look.origin, track.source,
+            QString::number(value, 'g', 9));
+      }
+    }
+  }
+  return table.text();
 }
 
 void TimeLineView::tickHidden() {

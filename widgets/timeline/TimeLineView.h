@@ -40,6 +40,8 @@ class TimeLineView final : public View, public HiddenTick {
   /// Shows the logs, the play head and the progress of a job.
   void tick() override;
   void tickHidden() override;
+  /// What is shown of all logs and robots: bookmarks, warnings and errors, and the curves' points in sight.
+  std::optional<QString> numbers() override;
   /// Shows a value as a curve: "red1/models/ball: position.x".
   robotlink::Result<void> addTrack(const QString& source) { return tracks_.add(source); }
   /// False: there is no such curve.

@@ -126,6 +126,39 @@ class BehaviorViewTest : public QObject {
     QVERIFY(!OptionGraph::toolTip(model, {1, 0}).contains(QStringLiteral("kicked")));
   }
 
+  void noLineIsHiddenByABox() {
+    // root: a state for each option below; a and b: each of the next, and back to the root; c: none.
+    BehaviorGraph graph;
+    graph.set_solution("soccer");
+    const char* const names[]{"root", "a", "b", "c", "d", "e"};
+    for (int i = 0; i < 6; ++i) {
+      auto& option = *graph.add_options();
+      option.set_name(names[i]);
+      for (int to = 0; to < 6; ++to) {
+        if (to == i || (i > 2 && to < 5)) continue;
+        auto& state = *option.add_states();
+        state.set_name(std::string("to ") + names[to]);
+        if (to > i || to == 0) state.add_options(names[to]);
+      }
+    }
+    BehaviorModel model;
+    model.setGraph(&graph);
+    const OptionGraph picture(model);
+    QVERIFY(picture.lines().size() > 10);
+    for (const OptionGraph::Line& line : picture.lines()) {
+      QCOMPARE(line.path.elementAt(0).x, picture.stateRect(line.from).right());
+      QCOMPARE(line.path.currentPosition().x(), picture.optionRect(line.to).left());
+      for (int i = 1; i < 200; ++i) {
+        const QPointF at = line.path.pointAtPercent(i / 200.0);
+        for (int option = 0; option < 6; ++option)
+          QVERIFY2(
+              !picture.optionRect(option).adjusted(1, 1, -1, -1).contains(at),
+              qPrintable(QStringLiteral("%1 to %2 in %3").arg(line.from.option).arg(line.to).arg(option)));
+        QVERIFY(picture.bounds().contains(at));
+      }
+    }
+  }
+
   void theViewShowsWhatIsActiveAndEnablesForcingOfSelectedStates() {
     Bench bench;
     auto view = bench.open<BehaviorView>();

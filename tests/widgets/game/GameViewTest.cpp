@@ -171,6 +171,54 @@ class GameViewTest : public QObject {
     QCOMPARE(asked, (std::vector<std::string>{"parallel blue1", "parallel blue"}));
   }
 
+  void theLayoutThatRunsIsShownUntilAnotherOneIsChosen() {
+    GameBench bench;
+    bench.commands.add({.name = "layout.open", .help = "Opens a layout", .offer = [](const auto&) {
+                          return std::vector<std::string>{"compact", "parallel", "soccer"};
+                        }});
+    std::string ofBlue = "parallel";
+    bench.context.layoutOf = [&](const std::string& robot) { return robot == "blue1" ? ofBlue : "soccer"; };
+    auto view = bench.open<GameView>();
+    auto& box = child<QComboBox>(*view, "gameLayout");
+    QCOMPARE(box.currentText(), QStringLiteral("soccer"));
+    auto& table = child<QTableView>(*view, "gamePlayers");
+    table.setCurrentIndex(table.model()->index(1, 0));
+    bench.tick(*view);
+    QCOMPARE(box.currentText(), QStringLiteral("parallel"));
+    box.setCurrentText(QStringLiteral("compact"));
+    bench.tick(*view);
+    QCOMPARE(box.currentText(), QStringLiteral("compact"));
+    ofBlue = "my-own";
+    bench.tick(*view);
+    QCOMPARE(box.currentText(), QStringLiteral("my-own"));
+  }
+
+  void aLongerTextIsNotCut() {
+    GameBench bench;
+    auto view = bench.open<GameView>();
+    view->resize(300, 500);
+    view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view.get()));
+    auto status = gameStatus();
+    for (const auto phase : {GameState::SET, GameState::INITIAL, GameState::PLAYING}) {
+      status.mutable_state()->set_phase(phase);
+      status.mutable_state()->mutable_teams(0)->set_goals(phase == GameState::SET ? 0 : 12);
+      bench.push("game", status, 1 + phase);
+      bench.advance();
+      bench.tick(*view);
+      for (const char* name : {"gameTime", "gameScore", "gameMessage"}) {
+        const auto& label = child<QLabel>(*view, name);
+        const auto fits = [&] {
+          const QRect room = label.contentsRect();
+          const QRect text = label.fontMetrics().boundingRect(
+              QRect(0, 0, room.width(), 1000), label.wordWrap() ? Qt::TextWordWrap : 0, label.text());
+          return text.width() <= room.width() && text.height() <= room.height();
+        };
+        QTRY_VERIFY2(fits(), name);
+      }
+    }
+  }
+
   void aRefusalIsShown() {
     GameBench bench;
     bench.refusal = "the game is over";

@@ -11,6 +11,7 @@
 #include "widgets/scene/SceneObjects.h"
 #include "widgets/scene/render/MeshBuilder.h"
 #include "widgets/scene/render/MeshEdges.h"
+#include "widgets/world/SceneSelection.h"
 
 namespace widgets::test {
 
@@ -296,6 +297,26 @@ class SceneModesTest : public QObject {
     const QByteArray table = written("scene.csv");
     QVERIFY(table.startsWith("object,x m,y m") && table.contains("\ncrate,0.0000,0.0000,0.3000,"));
     QVERIFY(written("scene.txt").contains("\ncrate\t0.0000\t"));
+  }
+
+  void whatIsFixedIsOutlinedUnderTheMouseAndWhereItIsSelected() {
+    ModesScene s;
+    const auto outlined = [&] { return s.step() ? s.orange() : -1; };
+    QCOMPARE(outlined(), 0);
+    moveMouse(*s.canvas, s.at(ModesScene::kTop));
+    QVERIFY(outlined() > 100);
+    moveMouse(*s.canvas, s.at({1.2, -0.6, 0}));
+    QCOMPARE(outlined(), 0);
+    // A joint has no shape; its link has.
+    sceneSelection(s.world.context).select("crate/joint:swing");
+    const int box = outlined();
+    QVERIFY(box > 100);
+    sceneSelection(s.world.context).select("crate/link:core");
+    const int ball = outlined();
+    QVERIFY2(ball >= 0 && ball < box / 4, "the box hides it");
+    sceneSelection(s.world.context).select("floor");
+    QVERIFY(outlined() > 20);
+    QCOMPARE(s.canvas->cursor().shape(), Qt::ArrowCursor);
   }
 
   void damagedLooksAreLeftOut() {

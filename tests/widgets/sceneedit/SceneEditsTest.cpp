@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/sceneedit/SceneEdits.h"
 
+#include <atomic>
+#include <semaphore>
+#include <type_traits>
+
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "tests/widgets/Bench.h"
@@ -30,10 +34,25 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text.replace(at, from.size(), to);
 }
 
+/// Checks no changed text before it is let.
+class SlowLanguage final : public ToyLanguage {
+ public:
+  std::vector<SceneProblem> check(const std::string& text, const std::filesystem::path& file) const override {
+    if (text == kHall) return {};
+    ++begun;
+    gate.acquire();
+    return ToyLanguage::check(text, file);
+  }
+  /// How many checks were begun.
+  mutable std::atomic<int> begun = 0;
+  mutable std::counting_semaphore<> gate{0};
+};
+
 /// A window in which a scene is simulated that can be changed.
 struct HallBench : Bench {
-  HallBench() : file(folder.write("hall.sdf", kHall)) {
-    context.sceneLanguage = std::make_shared<ToyLanguage>();
+  explicit HallBench(std::shared_ptr<const SceneLanguage> language = std::make_shared<ToyLanguage>())
+      : file(folder.write("hall.sdf", kHall)) {
+    context.sceneLanguage = std::move(language);
     robotcontrol::SimulationStatus status;
     status.set_scene(file.string());
     push("simulation", status, 2);
@@ -46,6 +65,36 @@ struct HallBench : Bench {
         [this](const std::filesystem::path& path) { return path.parent_path() == file.parent_path(); });
   }
   SceneEdits& edits() { return sceneEdits(context); }
+  /// Begins a change and waits until it is made: the object, or the reason against it.
+  template <typename... Arguments>
+  std::string made(void (SceneEdits::*change)(Arguments..., SceneEdits::Told),
+                   const std::type_identity_t<Arguments>&... arguments) {
+    std::string outcome = "nothing was told";
+    (edits().*change)(arguments..., telling(outcome));
+    edits().finish();
+    return outcome;
+  }
+  static SceneEdits::Told telling(std::string& outcome) {
+    return [&outcome](const robotlink::Result<std::string>& object) {
+      outcome = object ? *object : object.error().text;
+    };
+  }
+  using Pose = std::array<double, 6>;
+  std::string setPose(const std::string& object, const Pose& pose) {
+    return made<const std::string&, const Pose&>(&SceneEdits::setPose, object, pose);
+  }
+  std::string insert(const std::string& kind, double x, double y) {
+    return made<const std::string&, double, double>(&SceneEdits::insert, kind, x, y);
+  }
+  std::string copy(const std::string& object, const Pose& pose) {
+    return made<const std::string&, const Pose&>(&SceneEdits::copy, object, pose);
+  }
+  std::string rename(const std::string& object, const std::string& name) {
+    return made<const std::string&, const std::string&>(&SceneEdits::rename, object, name);
+  }
+  std::string erase(const std::string& object) {
+    return made<const std::string&>(&SceneEdits::erase, object);
+  }
   /// The text with which the simulation went on last.
   std::string running() const { return texts.empty() ? std::string() : texts.back().begin()->second; }
   std::string saved() const { return robotlink::readFile(file).value_or(""); }
@@ -68,7 +117,7 @@ class SceneEditsTest : public QObject {
  private Q_SLOTS:
   void aPoseIsWrittenIntoTheTextAndNothingElse() {
     HallBench b;
-    QCOMPARE(reason(b.edits().setPose("desk", {2, 0.5, 0, 0, 0, 1})), std::string());
+    QCOMPARE(b.setPose("desk", {2, 0.5, 0, 0, 0, 1}), std::string("desk"));
     QCOMPARE(b.running(), with(kHall, "1 0 0 0 0 0", "2 0.5 0 0 0 1"));
     QCOMPARE(b.saved(), kHall);
     QVERIFY(sceneBench(b.context).hasUnsaved());
@@ -78,20 +127,19 @@ class SceneEditsTest : public QObject {
 
   void objectsAreAddedCopiedRenamedAndErased() {
     HallBench b;
-    const auto added = b.edits().insert("box", 3, 4);
-    QCOMPARE(added.value_or(""), std::string("box"));
+    QCOMPARE(b.insert("box", 3, 4), std::string("box"));
     QVERIFY(b.running().find("<model name=\"box\"><pose>3 4 0 0 0 0</pose></model>\n  </world>") !=
             std::string::npos);
-    QCOMPARE(b.edits().insert("box", 0, 0).value_or(""), std::string("box2"));
-    QCOMPARE(b.edits().copy("desk", {5, 5, 0, 0, 0, 0}).value_or(""), std::string("desk2"));
+    QCOMPARE(b.insert("box", 0, 0), std::string("box2"));
+    QCOMPARE(b.copy("desk", {5, 5, 0, 0, 0, 0}), std::string("desk2"));
     QVERIFY(b.running().find("<model name=\"desk2\"><pose>5 5 0 0 0 0</pose></model>") != std::string::npos);
-    QCOMPARE(b.edits().copy("rover", {5, 6, 0, 0, 0, 0}).value_or(""), std::string("rover2"));
+    QCOMPARE(b.copy("rover", {5, 6, 0, 0, 0, 0}), std::string("rover2"));
     QVERIFY(b.running().find("<name>rover2</name>") != std::string::npos);
-    QCOMPARE(b.edits().copy("light:lamp", {1, 1, 3, 0, 0, 0}).value_or(""), std::string("light:lamp2"));
-    QCOMPARE(reason(b.edits().rename("desk", "table")), std::string());
+    QCOMPARE(b.copy("light:lamp", {1, 1, 3, 0, 0, 0}), std::string("light:lamp2"));
+    QCOMPARE(b.rename("desk", "table"), std::string("table"));
     QVERIFY(b.running().find("<model name=\"table\"><pose>1 0") != std::string::npos);
     for (const char* object : {"table", "desk2", "rover2", "light:lamp2", "box", "box2"})
-      QCOMPARE(reason(b.edits().erase(object)), std::string());
+      QCOMPARE(b.erase(object), std::string(object));
     QCOMPARE(b.running(), with(kHall, "    <model name=\"desk\"><pose>1 0 0 0 0 0</pose></model>\n", ""));
   }
 
@@ -99,9 +147,9 @@ class SceneEditsTest : public QObject {
     HallBench b;
     QVERIFY(!b.edits().canUndo());
     QVERIFY(!b.edits().undo().has_value());
-    QVERIFY(b.edits().setPose("desk", {2, 0, 0, 0, 0, 0}).has_value());
+    QCOMPARE(b.setPose("desk", {2, 0, 0, 0, 0, 0}), std::string("desk"));
     const std::string moved = b.running();
-    QVERIFY(b.edits().erase("rover").has_value());
+    QCOMPARE(b.erase("rover"), std::string("rover"));
     const std::string erased = b.running();
     QVERIFY(b.edits().undoTitle().contains(QStringLiteral("rover")));
     QVERIFY(b.edits().undo().has_value());
@@ -120,7 +168,7 @@ class SceneEditsTest : public QObject {
     back.mutable_place_model()->set_model("rover");
     back.mutable_place_model()->set_height(2);
     b.edits().addRequests(QStringLiteral("Move rover"), back, there);
-    QVERIFY(b.edits().setPose("desk", {2, 0, 0, 0, 0, 0}).has_value());
+    QCOMPARE(b.setPose("desk", {2, 0, 0, 0, 0, 0}), std::string("desk"));
     QVERIFY(b.edits().undo().has_value());
     QVERIFY(b.requests.empty());
     QVERIFY(b.edits().undo().has_value());
@@ -131,7 +179,7 @@ class SceneEditsTest : public QObject {
 
   void whatWasEditedByHandSinceIsNotLost() {
     HallBench b;
-    QVERIFY(b.edits().setPose("desk", {2, 0, 0, 0, 0, 0}).has_value());
+    QCOMPARE(b.setPose("desk", {2, 0, 0, 0, 0, 0}), std::string("desk"));
     SceneFile& file = *sceneBench(b.context).current();
     file.replaceText(file.text() + QStringLiteral("<!-- mine -->"));
     QVERIFY(reason(b.edits().undo()).find("by hand") != std::string::npos);
@@ -141,26 +189,105 @@ class SceneEditsTest : public QObject {
 
   void whatTheSimulatorRefusesChangesNothing() {
     HallBench b;
-    QCOMPARE(reason(b.edits().rename("desk", "wrong")), std::string("this is wrong"));
+    QCOMPARE(b.rename("desk", "wrong"), std::string("this is wrong"));
     QVERIFY(b.texts.empty() && !b.edits().canUndo());
     QVERIFY(!sceneBench(b.context).hasUnsaved());
   }
 
   void namesObjectsAndFilesThatCannotBeAreExplained() {
     HallBench b;
-    QVERIFY(reason(b.edits().rename("desk", "a b")).find("letters") != std::string::npos);
-    QVERIFY(reason(b.edits().rename("desk", "rover")).find("another") != std::string::npos);
-    QVERIFY(reason(b.edits().erase("nobody")).find("nobody") != std::string::npos);
-    QVERIFY(reason(b.edits().insert("nothing", 0, 0)).find("kind") != std::string::npos);
-    QVERIFY(reason(b.edits().change({{"/etc/passwd", {"model", "pose"}, "0"}}, {})).find("no file of") !=
-            std::string::npos);
+    QVERIFY(b.rename("desk", "a b").find("letters") != std::string::npos);
+    QVERIFY(b.rename("desk", "rover").find("another") != std::string::npos);
+    QVERIFY(b.erase("nobody").find("nobody") != std::string::npos);
+    QVERIFY(b.insert("nothing", 0, 0).find("kind") != std::string::npos);
+    std::string outcome;
+    b.edits().change({{"/etc/passwd", {"model", "pose"}, "0"}}, {}, HallBench::telling(outcome));
+    QVERIFY(outcome.find("no file of") != std::string::npos);
     QVERIFY(b.texts.empty());
   }
 
   void withoutASceneHereNothingCanBeChanged() {
     Bench bench;
     QVERIFY(!sceneEdits(bench.context).canChange());
-    QVERIFY(!sceneEdits(bench.context).insert("box", 0, 0).has_value());
+    std::string outcome;
+    sceneEdits(bench.context).insert("box", 0, 0, HallBench::telling(outcome));
+    QVERIFY(outcome.find("no scene of a file") != std::string::npos);
+    QVERIFY(!sceneEdits(bench.context).isBusy());
+  }
+
+  void aCheckDoesNotStopTheWindow() {
+    const auto language = std::make_shared<SlowLanguage>();
+    HallBench b(language);
+    std::string outcome;
+    b.edits().erase("desk", HallBench::telling(outcome));
+    sceneBench(b.context).tick();
+    QTRY_COMPARE(language->begun.load(), 1);
+    sceneBench(b.context).tick();
+    QVERIFY(b.edits().isBusy() && outcome.empty() && b.texts.empty());
+    language->gate.release(10);
+    QTRY_VERIFY((sceneBench(b.context).tick(), !b.edits().isBusy()));
+    QCOMPARE(outcome, std::string("desk"));
+    QVERIFY(b.running().find("desk\"") == std::string::npos);
+    QVERIFY2(sceneBench(b.context).current()->isChecked(), "the text is not checked twice");
+  }
+
+  void ofChangesOfOnePlaceTheLastOneCounts() {
+    const auto language = std::make_shared<SlowLanguage>();
+    HallBench b(language);
+    std::array<std::string, 4> outcomes;
+    const auto move = [&](int i) {
+      b.edits().setPose("desk", {double(i), 0, 0, 0, 0, 0}, HallBench::telling(outcomes[std::size_t(i)]));
+    };
+    move(0);
+    sceneBench(b.context).tick();
+    QTRY_COMPARE(language->begun.load(), 1);
+    for (int i = 1; i < 4; ++i) move(i);
+    for (const int dropped : {0, 1, 2}) QVERIFY(outcomes[std::size_t(dropped)].find("given up") == 3);
+    language->gate.release(10);
+    b.edits().finish();
+    QCOMPARE(outcomes[3], std::string("desk"));
+    QCOMPARE(language->begun.load(), 2);
+    QCOMPARE(b.texts.size(), std::size_t{1});
+    QVERIFY(b.running().find("<pose>3 0 0 0 0 0</pose>") != std::string::npos);
+    QVERIFY(b.edits().undo().has_value());
+    QVERIFY2(!b.edits().canUndo(), "that was one step");
+  }
+
+  void whatIsTypedDuringACheckIsKept() {
+    const auto language = std::make_shared<SlowLanguage>();
+    HallBench b(language);
+    std::string outcome;
+    b.edits().erase("rover", HallBench::telling(outcome));
+    sceneBench(b.context).tick();
+    QTRY_COMPARE(language->begun.load(), 1);
+    SceneFile& file = *sceneBench(b.context).current();
+    file.replaceText(file.text().replace(QLatin1String("a desk"), QLatin1String("my desk")));
+    language->gate.release(10);
+    b.edits().finish();
+    QCOMPARE(outcome, std::string("rover"));
+    QCOMPARE(language->begun.load(), 2);
+    QVERIFY(b.running().find("my desk") != std::string::npos);
+    QVERIFY(b.running().find("rover") == std::string::npos);
+  }
+
+  void whatIsBeingCheckedIsTakenBackByUndo() {
+    const auto language = std::make_shared<SlowLanguage>();
+    HallBench b(language);
+    std::string first, second;
+    b.edits().erase("desk", HallBench::telling(first));
+    b.edits().erase("rover", HallBench::telling(second));
+    sceneBench(b.context).tick();
+    QTRY_COMPARE(language->begun.load(), 1);
+    QVERIFY(b.edits().undoTitle().contains(QStringLiteral("rover")));
+    QVERIFY(b.edits().undo().has_value());
+    QVERIFY(second.find("given up") == 3 && first.empty());
+    QVERIFY(b.edits().undo().has_value());
+    QVERIFY(first.find("given up") == 3 && !b.edits().isBusy() && !b.edits().canUndo());
+    language->gate.release(10);
+    b.edits().finish();
+    sceneBench(b.context).tick();
+    QVERIFY(b.texts.empty());
+    QVERIFY(!sceneBench(b.context).hasUnsaved());
   }
 };
 

@@ -10,7 +10,7 @@ namespace widgets::test {
 
 /// A small language of scene files: sdf > world > model > link > mass, include > uri. A text with "wrong" in
 /// a line has an error there, one with "foreign" a warning. Models are files beside the scene: NAME.sdf.
-class ToyLanguage final : public SceneLanguage {
+class ToyLanguage : public SceneLanguage {
  public:
   std::vector<SceneElement> children(const Path& path) const override {
     const auto found = elements().find(path.empty() ? "" : path.back());

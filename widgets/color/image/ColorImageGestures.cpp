@@ -116,7 +116,7 @@ void ColorImageView::openMenu(bool segmented, const QPoint& pixel, const QPoint&
     addClassChoices(*menu->addMenu(tr("The whole spot is")),
                     colortool::spotArea(colors->classes->view(), pixel.x(), pixel.y()), "spot", false);
   menu->addSeparator();
-  menu->addActions({copyAction(), saveAction()});
+  menu->addActions({copyAction(), copyNumbersAction(), saveAction()});
   menu->popup(global);
 }
 

@@ -357,6 +357,31 @@ void ColorImageView::updateStatus() {
   zoom_->setText(frame ? tr("%1 %").arg(qRound(left_->zoom() * 100)) : QString());
 }
 
+std::optional<QString> ColorImageView::numbers() {
+  const ColorFramePtr& frame = bench_.frame();
+  if (!frame) return std::nullopt;
+  const LearnedColors* colors = bench_.colors();
+  const bool hasClasses = colors != nullptr && colors->frame == frame;
+  QString table = QStringLiteral("x\ty\tY\tCb\tCr");
+  table += hasClasses ? QStringLiteral("\tclass\n") : QStringLiteral("\n");
+  const robotlink::ImageView image = seen();
+  constexpr int kCharactersOfRow = 32;
+  table.reserve(kCharactersOfRow * image.width * image.height);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const robotlink::YCbCr color = robotlink::pixelYCbCr(image, x, y);
+      for (const int number : {x, y, int{color.y}, int{color.cb}, int{color.cr}})
+        table += QString::number(number) + QLatin1Char('\t');
+      if (hasClasses)
+        table += QString::fromStdString(colors->samples.classes.name(colors->table->classOf(color)));
+      else
+        table.chop(1);
+      table += QLatin1Char('\n');
+    }
+  }
+  return table;
+}
+
 QString ColorImageView::marginText(std::size_t cell) const {
   const LearnedColors* colors = bench_.colors();
   if (colors == nullptr || !colors->margins) return {};

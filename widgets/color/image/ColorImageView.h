@@ -36,6 +36,8 @@ class ColorImageView final : public PictureView {
 
   /// Gives the bench the image of the timeline, unless a gesture is in progress, and updates the footer.
   void tick() override;
+  /// Both pictures: a row for each pixel, with its color as the table sees it, and its class.
+  std::optional<QString> numbers() override;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

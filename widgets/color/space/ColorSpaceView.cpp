@@ -13,6 +13,7 @@
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/ShownText.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/space/ColorSpaceCanvas.h"
 #include "widgets/color/space/ColorSpacePanel.h"
@@ -183,6 +184,36 @@ void ColorSpaceView::updateContents() {
   clear_->setEnabled(bench_.hasSelection());
   updateHint();
   updateSelection();
+}
+
+std::optional<QString> ColorSpaceView::numbers() {
+  if (contents_ == nullptr) return std::nullopt;
+  const ColorSpaceLook shown = look();
+  QStringList titles{QStringLiteral("of")};
+  for (const char* channel : colortool::channelNames(shown.space)) titles << QLatin1String(channel);
+  TabTable table(titles << QStringLiteral("pixels") << QStringLiteral("class"));
+  const auto& classes = contents_->samples.classes;
+  const auto add = [&](const char* of, robotlink::YCbCr color, const QString& pixels, int colorClass) {
+    QStringList cells{QLatin1String(of)};
+    for (const float channel : colortool::channelsIn(shown.space, colortool::valueOf(color)))
+      cells << QString::number(channel, 'f', 4);
+    const bool hasClass = colorClass > 0 && colorClass < static_cast<int>(classes.size());
+    table.add(cells << pixels << (hasClass ? QString::fromStdString(classes.name(colorClass)) : QString()));
+  };
+  const auto* learned = contents_->table.get();
+  if (shown.pixels && contents_->frame != nullptr) {
+    for (const CloudPoint& point : CloudMaker().cloudOf(contents_->pixels())->points)
+      add("image", point.color, QString::number(point.pixels),
+          learned == nullptr ? 0 : learned->classOf(point.color));
+  }
+  if (shown.table && learned != nullptr) {
+    const auto middle = [](std::size_t part) { return static_cast<std::uint8_t>((part & 63U) * 4 + 2); };
+    const auto& cells = learned->cells();
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+      if (cells[cell] != 0)
+        add("table", {middle(cell >> 12U), middle(cell >> 6U), middle(cell)}, {}, cells[cell]);
+  }
+  return table.text();
 }
 
 void ColorSpaceView::updateHint() {

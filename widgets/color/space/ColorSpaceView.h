@@ -28,6 +28,9 @@ class ColorSpaceView final : public PictureView {
 
   /// Updates the canvas if something changed.
   void tick() override;
+  /// The colors of the image that are shown, a row for each with its place in the space, how many pixels have
+  /// it, and its class.
+  std::optional<QString> numbers() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
 

@@ -63,6 +63,8 @@ struct RendererState {
   /// What is solid in bodies that are seen through, the farthest first.
   void drawSeenThrough(const SceneFrame& frame);
   void drawSolids(const SceneFrame& frame);
+  /// The edges of what is highlighted and cannot be moved.
+  void drawOutlines(const SceneFrame& frame);
   /// Forgets the depth of everything drawn before.
   void drawMarkers(const SceneFrame& frame);
   /// Draws the surfaces of bodies that are lit.

@@ -51,6 +51,14 @@ struct SceneBody {
   }
 };
 
+/// Whether a body belongs to an object of the scene, or is part of its model.
+inline bool isPartOf(const SceneBody& body, const std::string& object) {
+  if (object.empty()) return false;
+  if (body.model == object) return true;
+  return body.object && body.object->starts_with(object) &&
+         (body.object->size() == object.size() || (*body.object)[object.size()] == '/');
+}
+
 /// A text at a place, painted over the finished picture.
 struct SceneLabel {
   robotlink::Vector3 inField = robotlink::Vector3::Zero();
@@ -97,6 +105,8 @@ struct SceneFrame {
     /// Contrasts with the sky.
     QColor ink;
     QColor highlight;
+    /// The edges of what is highlighted and cannot be moved, on surfaces of any color.
+    QColor outline;
     QColor ghost, refused;
   };
 
@@ -108,7 +118,8 @@ struct SceneFrame {
   Colors colors;
   bool grid = true;
   VisibleScene contents;
-  /// Name of a model; empty: none.
+  /// The path of an object, with all that belongs to it; empty: none. What can be moved is tinted, the rest
+  /// gets an outline: floors and walls keep their colors.
   std::string highlighted;
   /// Whether the picture is drawn with several samples per pixel, which takes more than three times as long
   /// in software; else the edges of the finished picture are smoothed.

@@ -79,6 +79,7 @@ QImage SceneRenderer::render(const SceneFrame& frame) {
   state_->drawDrawings(frame);
   state_->drawSeenThrough(frame);
   state_->drawSolids(frame);
+  state_->drawOutlines(frame);
   state_->drawGhosts(frame);
   state_->drawMarkers(frame);
   state_->forgetUnused();

@@ -38,7 +38,7 @@ bool isLit(Surface surface) {
 }
 
 bool isHighlighted(const SceneFrame& frame, const SceneBody& body) {
-  return !body.model.empty() && body.model == frame.highlighted;
+  return !body.model.empty() && isPartOf(body, frame.highlighted);
 }
 
 Vector4f tintOf(const QColor& color, float share) {
@@ -188,6 +188,22 @@ void RendererState::drawSolids(const SceneFrame& frame) {
   draw(kHiddenSolid);
   glEnable(GL_DEPTH_TEST);
   draw(1);
+  glDepthMask(GL_TRUE);
+}
+
+void RendererState::drawOutlines(const SceneFrame& frame) {
+  BodyList bodies;
+  for (const SceneBody& body : frame.contents.bodies)
+    if (body.model.empty() && isPartOf(body, frame.highlighted)) bodies.push_back(&body);
+  if (bodies.empty()) return;
+  setDefaults(programs.edge, frame);
+  programs.edge.set("nearer", kEdgeNearer);
+  programs.edge.set("tint", tintOf(frame.colors.outline, 1));
+  glDepthMask(GL_FALSE);
+  for (const SceneBody* body : bodies) {
+    programs.edge.set("model", modelMatrix(*body));
+    uploaded(body->shape).opaque.drawEdges(body->shape->opaque);
+  }
   glDepthMask(GL_TRUE);
 }
 
