@@ -99,11 +99,11 @@ class TaskRunner::Context final : public SolutionContext {
 };
 
 struct TaskRunner::Shadow {
-  Shadow(const TaskRunner& runner, const SolutionDescription& solution)
-      : description(solution),
+  Shadow(const TaskRunner& runner, const SolutionDescription& described)
+      : description(described),
         debug("", runner.environment_.clock, {}),
         inputs(runner.unseenInputs()),
-        context(runner, inputs, solution, debug, Context::Use::kShadow) {}
+        context(runner, inputs, described, debug, Context::Use::kShadow) {}
 
   const SolutionDescription& description;
   ModeCounter mode;
