@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-EXCUSES = re.compile(r"\bnpm\b|\bnode\b|GNAT|gnatmake|network|Xvfb|xdotool|AVX2", re.IGNORECASE)
+EXCUSES = re.compile(r"\bnpm\b|\bnode\b|GNAT|gnatmake|network|Xvfb|xdotool|AVX2|slurmctld", re.IGNORECASE)
 PROGRAM = re.compile(r'^\d+/\d+ Testing: (.+)$', re.MULTILINE)
 # How GoogleTest, QtTest and unittest tell that they skip something: with the reason before, after, and after its name.
 SKIPPED = [

@@ -16,6 +16,7 @@
 #include "robotlink/arcos/GripperState.h"
 #include "robotlink/arcos/codec/Command.h"
 #include "robotlink/base/Spelling.h"
+#include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/GridConversions.h"
 #include "robotlink/packages/MapPackages.h"
@@ -91,6 +92,20 @@ Result<void> setKey(OpenPlatform& open, const Values& values) {
   request.mutable_set_key()->set_name(text(values, 0));
   *request.mutable_set_key()->mutable_mode() = *mode;
   return askRobots(open, text(values, 2), request);
+}
+
+Result<void> setShadow(OpenPlatform& open, const Values& values) {
+  using robotcontrol::KeyMode;
+  Request request;
+  request.mutable_set_key()->set_name(robotlink::shadowKey(text(values, 0), text(values, 1)));
+  request.mutable_set_key()->mutable_mode()->set_kind(flag(values, 2) ? KeyMode::ALWAYS : KeyMode::OFF);
+  return askRobots(open, text(values, 3), request);
+}
+
+/// What completes the name of a task, and that of one of its solutions.
+std::vector<std::string> tasksOrSolutions(OpenPlatform& open, const std::vector<std::string>& before) {
+  return before.empty() ? robotlink::taskNames(open.session())
+                        : robotlink::solutionNames(open.session(), before.front());
 }
 
 Result<void> setPackage(OpenPlatform& open, const Values& values) {
@@ -195,9 +210,13 @@ void addForProgram(CommandTable& commands, OpenPlatform& open) {
         return askRobots(open, text(values, 2), request);
       },
       [&open](const auto& before) {
-        if (before.size() > 1) return robotsOrAll(open);
-        return before.empty() ? robotlink::taskNames(open.session())
-                              : robotlink::solutionNames(open.session(), before.front());
+        return before.size() > 1 ? robotsOrAll(open) : tasksOrSolutions(open, before);
+      });
+  commands.attach(
+      "robot.shadow", [&open](const Values& values) { return setShadow(open, values); },
+      [&open](const auto& before) {
+        if (before.size() > 2) return robotsOrAll(open);
+        return before.size() == 2 ? std::vector<std::string>() : tasksOrSolutions(open, before);
       });
   commands.attach(
       "robot.host", [&open](const Values& values) { return chooseHost(open, values); },

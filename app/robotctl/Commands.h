@@ -18,6 +18,7 @@ namespace app {
 void addSimCommand(CLI::App& app, int& status);
 void addCompareCommand(CLI::App& app, int& status);
 void addTournamentCommand(CLI::App& app, int& status);
+void addTuneCommand(CLI::App& app, int& status);
 void addSceneCommand(CLI::App& app, int& status);
 void addLayoutCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);

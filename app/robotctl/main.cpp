@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   addSimCommand(app, status);
   addCompareCommand(app, status);
   addTournamentCommand(app, status);
+  addTuneCommand(app, status);
   addSceneCommand(app, status);
   addLayoutCommand(app, status);
   addLogCommand(app, status);

@@ -187,6 +187,13 @@ Rows robotRows() {
       {"robot.solution",
        "Switches the solution of a task of the program of the selected robot, of another one, or of all",
        {{"task", Type::kText, "its name"}, {"solution", Type::kText, "its name"}, whose}},
+      {"robot.shadow",
+       "Runs a solution beside the one that is used for its task, or ends that; what it publishes is below "
+       "shadow/",
+       {{"task", Type::kText, "its name"},
+        {"solution", Type::kText, "its name"},
+        {"on", Type::kBool, "true runs it, false ends it", true},
+        whose}},
       {"robot.package",
        "Puts a value in place of a package that the program of the selected robot, of another one or of all "
        "offers",

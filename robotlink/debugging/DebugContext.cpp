@@ -123,6 +123,25 @@ void DebugContext::beginFrame(Instant now, std::uint64_t number) {
   frame_->number = number;
 }
 
+Instant DebugContext::frameTime() const {
+  return frame_->now;
+}
+
+void DebugContext::take(DebugContext& other, const std::string& prefix, const std::string& author) {
+  for (SharedDebugMessage& message : other.frame_->messages) {
+    if (const auto* text = message.as<foxglove::Log>(); text != nullptr && message.path == streams::kLog) {
+      auto signedText = std::make_shared<foxglove::Log>(*text);
+      signedText->set_name(text->name() + " (" + author + ")");
+      message.content = std::move(signedText);
+    } else {
+      message.path.insert(0, prefix);
+    }
+    frame_->messages.push_back(std::move(message));
+  }
+  other.frame_->messages.clear();
+  other.frame_->begun.clear();
+}
+
 void DebugContext::endFrame() {
   auto& info = add<robotcontrol::FrameInfo>(streams::kFrames + process_);
   assign(*info.mutable_timestamp(), frame_->now);

@@ -89,6 +89,11 @@ class DebugContext {
   robotcontrol::KeyMode mode(int key) const;
   /// Sets the timestamp and number of the messages that follow.
   void beginFrame(Instant now, std::uint64_t number);
+  /// The time of the current frame.
+  Instant frameTime() const;
+  /// Moves the messages that another context has in the present frame to this one, their paths behind a
+  /// prefix. Texts stay on the stream of all texts, where `author` follows their source in parentheses.
+  void take(DebugContext& other, const std::string& prefix, const std::string& author);
   /// Completes the frame with its FrameInfo and enqueues its messages.
   void endFrame();
   /// Adds a message with the time of the frame and an empty content, which the caller fills in.

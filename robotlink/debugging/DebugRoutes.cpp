@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "robotlink/debugging/Streams.h"
+
 namespace robotlink {
 namespace {
 
@@ -17,6 +19,22 @@ std::string packageKey(const std::string& package) {
 
 std::string packageOfKey(const std::string& key) {
   return key.starts_with(kPackagePrefix) ? key.substr(kPackagePrefix.size()) : std::string();
+}
+
+std::string shadowKey(const std::string& task, const std::string& solution) {
+  return streams::kShadow + task + '/' + solution;
+}
+
+std::optional<ShadowName> shadowOfKey(const std::string& key) {
+  if (!key.starts_with(streams::kShadow)) return std::nullopt;
+  const std::string name = key.substr(std::string_view(streams::kShadow).size());
+  const auto slash = name.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  return ShadowName{name.substr(0, slash), name.substr(slash + 1)};
+}
+
+std::string shadowPrefix(const std::string& solution) {
+  return streams::kShadow + solution + '/';
 }
 
 std::string DebugRoutes::processOf(const std::string& task) const {

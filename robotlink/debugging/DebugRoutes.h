@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,19 @@ DebugRoutes debugRoutes(const Layout& layout, const TaskCatalog& catalog, const 
 std::string packageKey(const std::string& package);
 /// The package that a key requests; empty if the key is not for a package.
 std::string packageOfKey(const std::string& key);
+
+/// A solution that runs beside the active one of its task, on the same inputs, and is not used.
+struct ShadowName {
+  std::string task;
+  std::string solution;
+  bool operator==(const ShadowName&) const = default;
+};
+/// The debug key by which a solution runs in the shadow of the active one: "shadow/ball-model/kalman".
+std::string shadowKey(const std::string& task, const std::string& solution);
+/// What a key lets run in the shadow; nothing if the key is not for that.
+std::optional<ShadowName> shadowOfKey(const std::string& key);
+/// The prefix of the paths of what a solution publishes in the shadow, "shadow/kalman/"; the path on which it
+/// would publish it otherwise follows.
+std::string shadowPrefix(const std::string& solution);
 
 }  // namespace robotlink

@@ -229,6 +229,32 @@ tl::expected<void, Errors> readParameterText(const std::string& text, const std:
   return {};
 }
 
+void clearControls(Message& message) {
+  constexpr char kControlType[] = "robotcontrol.BehaviorControl";
+  const auto& reflection = *message.GetReflection();
+  std::vector<const FieldDescriptor*> fields;
+  reflection.ListFields(message, &fields);
+  for (const FieldDescriptor* field : fields) {
+    if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE || field->is_repeated()) continue;
+    if (field->message_type()->full_name() == kControlType) {
+      reflection.ClearField(&message, field);
+    } else {
+      clearControls(*reflection.MutableMessage(&message, field));
+    }
+  }
+}
+
+namespace {
+
+std::unique_ptr<Message> withoutControls(const Message& message) {
+  std::unique_ptr<Message> copy(message.New());
+  copy->CopyFrom(message);
+  clearControls(*copy);
+  return copy;
+}
+
+}  // namespace
+
 tl::expected<std::string, Errors> editedParameterText(const std::string& text, const std::string& file,
                                                       const Message& before, const Message& after) {
   Places places;
@@ -236,7 +262,7 @@ tl::expected<std::string, Errors> editedParameterText(const std::string& text, c
   if (auto isRead = readParameterText(text, file, *there, &places); !isRead)
     return tl::unexpected(isRead.error());
   TextEdits edits(text);
-  editMessage(edits, places, *there, before, after, nullptr);
+  editMessage(edits, places, *there, *withoutControls(before), *withoutControls(after), nullptr);
   const std::string edited = edits.applied();
   if (readParameterText(edited, file, *result) && pb::util::MessageDifferencer::Equals(*there, *result))
     return edited;
@@ -248,7 +274,7 @@ tl::expected<std::string, Errors> editedParameterText(const std::string& text, c
 }
 
 std::string parameterText(const Message& message) {
-  return print(message, false);
+  return print(*withoutControls(message), false);
 }
 
 }  // namespace robotlink

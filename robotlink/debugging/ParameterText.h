@@ -7,8 +7,12 @@
 
 #include "robotlink/base/Error.h"
 
-// Parameter files, which are messages in protobuf's text format.
+// Parameter files, which are messages in protobuf's text format. What controls a solution while it is debugged
+// (messages of the type robotcontrol.BehaviorControl) is never written to one.
 namespace robotlink {
+
+/// Clears what controls a solution while it is debugged, in a message and those in it.
+void clearControls(google::protobuf::Message& message);
 
 /// Reads the text of a parameter file, which is named in errors only, into `message`; `places` gets where its
 /// fields are. Fails with all errors, each with its line and column.

@@ -10,6 +10,7 @@
 #include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/DebugKey.h"
 #include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/Solution.h"
 #include "robotlink/debugging/requests/GameRequests.h"
 #include "robotlink/debugging/requests/SceneEditRequests.h"
 #include "robotlink/debugging/requests/WorldRequests.h"
@@ -29,13 +30,15 @@ constexpr int kMaxJointTargets = 100;
 
 std::string wrongKey(const Request& request) {
   using robotcontrol::KeyMode;
-  const robotcontrol::SetKey& key = request.set_key();
+  const auto& key = request.set_key();
   const KeyMode& mode = key.mode();
   if (!KeyMode::Kind_IsValid(mode.kind())) return "there is no such mode of a debug key";
   const bool needsNumber = mode.kind() == KeyMode::EVERY_N || mode.kind() == KeyMode::EVERY_MS;
   if (needsNumber && mode.n() == 0) return "this mode of a debug key needs a number above 0";
   if (!packageOfKey(key.name()).empty() || DebugKey::find(key.name()) >= 0) return "";
   std::vector<std::string> all;
+  for (const auto& each : SolutionRegistry::all()) all.push_back(shadowKey(each.task, each.name));
+  if (std::ranges::find(all, key.name()) != all.end()) return "";
   for (const DebugKey::Entry& entry : DebugKey::all()) all.push_back(entry.name);
   const std::string near = nearest(key.name(), all);
   return "there is no debug key '" + key.name() + "'" +
@@ -272,9 +275,10 @@ std::string fileOfRecording(const Request& request) {
 
 // ---- Whether it removes what was chosen before
 
-/// Off is the default; and "n times" is over when the program ends.
+/// Off is the default, but of shadows, which a layout may have; and "n times" is over when the program ends.
 bool keyEnds(const Request& request) {
   const auto kind = request.set_key().mode().kind();
+  if (kind == robotcontrol::KeyMode::OFF && shadowOfKey(request.set_key().name())) return false;
   return kind == robotcontrol::KeyMode::OFF || kind == robotcontrol::KeyMode::N_TIMES;
 }
 bool tableIsBuiltIn(const Request& request) {

@@ -111,7 +111,10 @@ tl::expected<SolutionParameters, Errors> SolutionParameters::load(const Solution
 }
 
 void SolutionParameters::markSaved() {
-  if (message_) defaults_ = message_->SerializeAsString();
+  if (!message_) return;
+  const auto saved = copyOf(*message_);
+  clearControls(*saved);
+  defaults_ = saved->SerializeAsString();
 }
 
 void SolutionParameters::apply(const pb::Message& wanted) {

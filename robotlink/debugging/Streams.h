@@ -35,6 +35,8 @@ inline constexpr char kHosting[] = "hosting";    ///< HostingStatus
 inline constexpr char kRequests[] = "requests";  ///< Request, as it was enqueued
 /// + package: the logged version of a package that is recomputed from a log
 inline constexpr char kLogged[] = "logged/";
+/// + solution/ + path: what a solution publishes that runs in the shadow of the active one
+inline constexpr char kShadow[] = "shadow/";
 
 // Streams of the whole world, without a robot's name.
 inline constexpr char kScene[] = "scene";              ///< foxglove.SceneUpdate

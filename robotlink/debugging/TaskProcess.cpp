@@ -25,14 +25,6 @@ namespace {
 // The only real time in a process, for measuring its tasks.
 using Stopwatch = std::chrono::steady_clock;
 
-void addTime(robotcontrol::StopwatchTimes& times, const std::string& task, const std::string& solution,
-             Stopwatch::time_point since) {
-  auto& entry = *times.add_entries();
-  entry.set_task(task);
-  entry.set_solution(solution);
-  entry.set_seconds(std::chrono::duration<double>(Stopwatch::now() - since).count());
-}
-
 tl::unexpected<Error> refused(std::string id, std::string text) {
   return failure(std::move(id), std::move(text));
 }
@@ -52,6 +44,7 @@ struct TaskProcess::Implementation {
   }
 
   Errors build(const Clock& clock);
+  void startShadows();
   Blocking blockingOutput(const std::string& package) const;
   void connectPackages();
   bool isOfTask(const LayoutLink& link) const;
@@ -68,6 +61,7 @@ struct TaskProcess::Implementation {
 
   void setKey(int key, const robotcontrol::KeyMode& mode);
   Result<void> select(const std::string& task, const std::string& solution);
+  Result<void> setShadow(const ShadowName& shadow, const robotcontrol::KeyMode& mode);
   Result<TaskRunner*> selectable(const std::string& task, const std::string& solution) const;
   Result<void> publishParameters(const std::string& task, const std::string& solution);
   void answer(const Request& request, const Result<void>& result);
@@ -151,7 +145,19 @@ Errors TaskProcess::Implementation::build(const Clock& clock) {
       errors.push_back(selected.error());
     }
   }
+  if (errors.empty()) startShadows();
   return errors;
+}
+
+/// What cannot run here, such as an oracle without a simulator, is left out: nobody uses it.
+void TaskProcess::Implementation::startShadows() {
+  robotcontrol::KeyMode always;
+  always.set_kind(robotcontrol::KeyMode::ALWAYS);
+  for (const Layout::Task& shadow : setup.layout.shadows) {
+    if (runner(shadow.task) == nullptr) continue;
+    if (const auto started = setShadow({shadow.task, shadow.solution}, always); !started)
+      debug.text(Level::kWarning, shadow.task, "no shadow: " + started.error().text);
+  }
 }
 
 Blocking TaskProcess::Implementation::blockingOutput(const std::string& package) const {
@@ -201,6 +207,8 @@ void TaskProcess::setKeys(const std::map<std::string, robotcontrol::KeyMode>& mo
   for (const auto& [name, mode] : modes) {
     if (const std::string package = packageOfKey(name); !package.empty()) {
       implementation_->board.show(package, mode);
+    } else if (const auto shadow = shadowOfKey(name)) {
+      if (implementation_->runner(shadow->task) != nullptr) (void)implementation_->setShadow(*shadow, mode);
     } else {
       implementation_->setKey(DebugKey::find(name), mode);
     }
@@ -264,12 +272,8 @@ void TaskProcess::Implementation::runTasks() {
   {
     const PackageBoard::Watch watch(board, times);
     const auto start = Stopwatch::now();
-    for (const auto& task : tasks) {
-      const auto taskStart = Stopwatch::now();
-      task->execute();
-      addTime(times, task->task(), task->active(), taskStart);
-    }
-    addTime(times, "", "", start);
+    for (const auto& task : tasks) task->execute(&times);
+    times.add_entries()->set_seconds(std::chrono::duration<double>(Stopwatch::now() - start).count());
   }
   times.set_clock_stands(process.clock().now() == process.frameTime());
   assign(*times.mutable_timestamp(), process.frameTime());
@@ -281,6 +285,7 @@ void TaskProcess::Implementation::noticeExpiredKeys() {
   std::erase_if(limitedKeys,
                 [this](int key) { return debug.mode(key).kind() != robotcontrol::KeyMode::N_TIMES; });
   if (limitedKeys.size() != limited || board.takeModeChange()) keysChanged = true;
+  for (const auto& task : tasks) keysChanged |= task->takeShadowEnd();
 }
 
 void TaskProcess::Implementation::sendTables() {
@@ -343,11 +348,21 @@ void TaskProcess::Implementation::setKey(const Request& request) {
     if (board.show(package, details.mode())) return answer(request, {});
     return answer(request, refused("key.unknown", "process " + process.name() + " does not show " + package));
   }
+  if (const auto shadow = shadowOfKey(details.name()))
+    return answer(request, setShadow(*shadow, details.mode()));
   setKey(DebugKey::find(details.name()), details.mode());
+}
+
+Result<void> TaskProcess::Implementation::setShadow(const ShadowName& shadow,
+                                                    const robotcontrol::KeyMode& mode) {
+  const auto found = selectable(shadow.task, shadow.solution);
+  if (!found && mode.kind() != robotcontrol::KeyMode::OFF) return tl::unexpected(found.error());
+  return found ? (*found)->setShadow(shadow.solution, mode) : Result<void>();
 }
 
 void TaskProcess::Implementation::setKey(int key, const robotcontrol::KeyMode& mode) {
   debug.setMode(key, mode);
+  for (const auto& task : tasks) task->setKey(key, mode);
   std::erase(limitedKeys, key);
   if (debug.mode(key).kind() == robotcontrol::KeyMode::N_TIMES) limitedKeys.push_back(key);
 }

@@ -8,6 +8,25 @@ namespace robotlink {
 
 const StopwatchKey kTimingKey{"timing/tasks", "How long each task took, in real time"};
 
+namespace {
+
+/// Adds the keys by which solutions of a task run in the shadow of the active one. They have no stream of
+/// their own, as a shadow publishes on many.
+void fillShadowKeys(const TaskRunner& task, robotcontrol::KeyTable& to) {
+  if (task.solutions().size() < 2) return;
+  for (const SolutionDescription* solution : task.solutions()) {
+    auto& key = *to.add_keys();
+    key.set_name(shadowKey(task.task(), solution->name));
+    key.set_help("Runs " + solution->name + " of " + task.task() +
+                 " in the shadow of the active solution: on the same inputs, without being used");
+    key.add_solutions(task.task() + "/" + solution->name);
+    *key.mutable_mode() = task.shadowMode(solution->name);
+    key.set_in_use(true);
+  }
+}
+
+}  // namespace
+
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
                   robotcontrol::KeyTable& to, const std::map<std::string, std::string>& chosen) {
   // Keyed by index.
@@ -31,6 +50,7 @@ void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const Deb
     *key.mutable_mode() = debug.mode(index);
     *to.add_keys() = std::move(key);
   }
+  for (const auto& task : tasks) fillShadowKeys(*task, to);
   for (const PackageBoard::Entry* entry : board.shown()) {
     fillPackageKey(entry->name, entry->mode.mode(), *to.add_keys());
   }

@@ -28,6 +28,7 @@ class Checker {
     checkDebugProcesses();
     for (const Layout::Process& process : layout_.processes) checkProcess(process);
     checkTasks();
+    for (const Layout::Task& shadow : layout_.shadows) checkTask(shadow);
     checkOutputs();
     for (const Place& place : index_.places()) checkDefaultSolution(place);
     for (const Layout::Process& process : layout_.processes) {

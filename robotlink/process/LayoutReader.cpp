@@ -93,6 +93,18 @@ Layout::Program readProgram(const YamlNode& node) {
   return program;
 }
 
+Layout::Task readShadow(const YamlNode& node) {
+  Layout::Task shadow;
+  shadow.where = node.where();
+  const auto text = node.as<std::string>();
+  const auto slash = text.find('/');
+  shadow.task = text.substr(0, slash);
+  if (slash != std::string::npos) shadow.solution = text.substr(slash + 1);
+  if (slash == std::string::npos && !text.empty())
+    node.fail("layout.shadow-form", "each shadow is one line: '- task/solution'");
+  return shadow;
+}
+
 tl::expected<Layout, Errors> read(Result<YamlReader> reader, const std::string& file) {
   if (!reader) return tl::unexpected(Errors{reader.error()});
   const YamlNode root = reader->root();
@@ -108,6 +120,8 @@ tl::expected<Layout, Errors> read(Result<YamlReader> reader, const std::string& 
   for (const YamlNode& node : root.child("processes").items()) layout.processes.push_back(readProcess(node));
   const YamlNode programs = root.optionalChild("programs");
   for (const YamlNode& node : programs.items()) layout.programs.push_back(readProgram(node));
+  const YamlNode shadows = root.optionalChild("shadows");
+  for (const YamlNode& node : shadows.items()) layout.shadows.push_back(readShadow(node));
   if (auto finished = reader->finish(); !finished) return tl::unexpected(finished.error());
   return layout;
 }

@@ -13,9 +13,14 @@ using robotcontrol::FrameInfo;
 using robotcontrol::KeyMode;
 using robotcontrol::KeyTable;
 
+/// The robot whose program publishes "red1" or, in the shadow of a solution, "red1/shadow/kalman".
+std::string ownerOf(const std::string& robot) {
+  return robot.substr(0, robot.find(std::string("/") + streams::kShadow));
+}
+
 // The key table of that time; before the first table, the first one.
 const KeyTable* keyTableAt(const StreamStore& store, const std::string& robot, Instant time) {
-  const std::string path = robot + "/" + streams::kKeys;
+  const std::string path = ownerOf(robot) + "/" + streams::kKeys;
   if (const auto* table = store.latestAs<KeyTable>(path, time)) return table;
   const auto* stream = store.find(path);
   if (!stream || stream->messages.empty()) return nullptr;
@@ -50,7 +55,7 @@ bool isFrameOf(const StreamMessage& drawing, const StreamMessage* frame) {
 
 bool isOfLatestFrame(const StreamStore& store, const std::string& robot, const StreamMessage& drawing,
                      Instant time) {
-  const std::string prefix = robot + "/" + streams::kFrames;
+  const std::string prefix = ownerOf(robot) + "/" + streams::kFrames;
   if (!drawing.process.empty()) return isFrameOf(drawing, store.latest(prefix + drawing.process, time));
   const auto frames = store.streams(prefix);
   return frames.empty() || std::any_of(frames.begin(), frames.end(), [&](const StreamStore::Stream* stream) {
@@ -63,6 +68,18 @@ std::string drawingPrefix(const std::string& robot, DrawingKind kind) {
                        : kind == DrawingKind::kField ? streams::kFieldDrawings
                                                      : streams::kRobotDrawings;
   return robot + "/" + stream;
+}
+
+std::vector<std::string> withShadows(const StreamStore& store, const std::string& robot) {
+  std::vector<std::string> all{robot};
+  const std::string prefix = robot + '/' + streams::kShadow;
+  for (const auto* stream : store.streams(prefix)) {
+    const auto drawings = stream->path.find("/drawings/", prefix.size());
+    if (drawings == std::string::npos) continue;
+    std::string shadow = stream->path.substr(0, drawings);
+    if (shadow != all.back()) all.push_back(std::move(shadow));
+  }
+  return all;
 }
 
 std::vector<const StreamMessage*> currentDrawings(const StreamStore& store, const std::string& robot,

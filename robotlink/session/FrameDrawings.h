@@ -17,7 +17,11 @@ enum class DrawingKind {
 
 /// The prefix of the paths of a robot's drawings of a kind, "red1/drawings/image/"; the name of the debug key
 /// follows.
+/// What solutions draw in the shadow of the active ones is that of another robot: "red1/shadow/kalman".
 std::string drawingPrefix(const std::string& robot, DrawingKind kind);
+
+/// A robot and those of its shadows that have ever drawn: "red1", "red1/shadow/kalman".
+std::vector<std::string> withShadows(const StreamStore& store, const std::string& robot);
 
 /// The drawings to show at a time, sorted by name; the drawings of a frame appear and disappear together.
 ///

@@ -28,9 +28,12 @@ std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const s
     const QLatin1String folder(kind.folder);
     const auto isOfKind = [&](const QString& id) { return id.startsWith(folder); };
     if (std::none_of(ids.begin(), ids.end(), isOfKind)) continue;
-    const std::size_t prefix = robotlink::drawingPrefix(robot, kind.kind).size();
-    for (const auto* message : robotlink::currentDrawings(session.store(), robot, kind.kind, shown)) {
-      byId[kind.folder + message->path.substr(prefix)] = message;
+    for (const std::string& drawer : robotlink::withShadows(session.store(), robot)) {
+      const std::size_t prefix = robotlink::drawingPrefix(drawer, kind.kind).size();
+      // "shadow/kalman/", or empty.
+      const std::string shadow = drawer == robot ? "" : drawer.substr(robot.size() + 1) + '/';
+      for (const auto* message : robotlink::currentDrawings(session.store(), drawer, kind.kind, shown))
+        byId[kind.folder + shadow + message->path.substr(prefix)] = message;
     }
   }
   std::vector<CurrentDrawing> drawings;

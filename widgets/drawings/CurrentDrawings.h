@@ -16,7 +16,8 @@ namespace widgets {
 
 /// A drawing that a robot's program published and that is visible at the shown instant.
 struct CurrentDrawing {
-  /// Name without the robot, as DrawingsModel has it: "image/ball-percept/circle".
+  /// Name without the robot, as DrawingsModel has it: "image/ball-percept/circle", or
+  /// "image/shadow/region/ball-percept/circle" of a solution that runs in the shadow of another.
   QString id;
   std::string robot;
   /// The drawing: foxglove.ImageAnnotations or foxglove.SceneUpdate.

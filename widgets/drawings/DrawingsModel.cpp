@@ -17,12 +17,25 @@
 namespace widgets {
 namespace {
 
-/// Returns "image/ball-percept/circle" for "red1/drawings/image/ball-percept/circle"; empty if it is no
+/// Returns "image/ball-percept/circle" for "red1/drawings/image/ball-percept/circle", and
+/// "image/shadow/region/ball-percept/circle" for "red1/shadow/region/drawings/..."; empty if it is no
 /// drawing.
 QString drawingId(const std::string& path) {
   static constexpr std::string_view kFolder = "/drawings/";
   const auto at = path.find(kFolder);
-  return at == std::string::npos ? QString() : QString::fromStdString(path.substr(at + kFolder.size()));
+  if (at == std::string::npos) return {};
+  std::string id = path.substr(at + kFolder.size());
+  const auto shadow = path.rfind(std::string("/") + robotlink::streams::kShadow, at);
+  if (shadow != std::string::npos)
+    id.insert(std::min(id.find('/'), id.size()), path.substr(shadow, at - shadow));
+  return QString::fromStdString(id);
+}
+
+/// The debug key of a drawing: that of a shadow's is the same as that of the active solution's.
+std::string keyOfDrawing(const QString& id) {
+  const QString name = id.section(QLatin1Char('/'), 1);
+  const bool isOfShadow = name.startsWith(QLatin1String(robotlink::streams::kShadow));
+  return (isOfShadow ? name.section(QLatin1Char('/'), 2) : name).toStdString();
 }
 
 }  // namespace
@@ -117,7 +130,7 @@ void DrawingsModel::switchKey(int row, bool on) {
   chosen.refusal.clear();
   robotcontrol::Request request;
   request.set_robot(robot_);
-  request.mutable_set_key()->set_name(chosen.id.section(QLatin1Char('/'), 1).toStdString());
+  request.mutable_set_key()->set_name(keyOfDrawing(chosen.id));
   request.mutable_set_key()->mutable_mode()->set_kind(on ? robotcontrol::KeyMode::ALWAYS
                                                          : robotcontrol::KeyMode::OFF);
   session_->request(std::move(request),

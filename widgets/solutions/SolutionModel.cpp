@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/session/StreamStore.h"
 #include "widgets/Theme.h"
 
@@ -55,6 +56,21 @@ std::vector<TaskEntry> tasksOf(const std::vector<const robotlink::StreamMessage*
   return tasks;
 }
 
+std::set<TaskSolution> shadowsOf(const std::vector<const robotlink::StreamMessage*>& tables) {
+  std::set<TaskSolution> shadows;
+  for (const auto* message : tables) {
+    if (message == nullptr) continue;
+    const auto* table = dynamic_cast<const robotcontrol::KeyTable*>(message->value.get());
+    if (table == nullptr) continue;
+    for (const auto& key : table->keys()) {
+      const auto shadow = robotlink::shadowOfKey(key.name());
+      if (shadow && key.mode().kind() != robotcontrol::KeyMode::OFF)
+        shadows.emplace(shadow->task, shadow->solution);
+    }
+  }
+  return shadows;
+}
+
 void SolutionModel::setTasks(std::vector<TaskEntry> tasks) {
   for (const TaskEntry& task : tasks) {
     firstActive_.emplace(task.name, task.active);
@@ -73,7 +89,19 @@ void SolutionModel::setTasks(std::vector<TaskEntry> tasks) {
   for (const TaskEntry& task : tasks_) taskChanged(task.name);
 }
 
+void SolutionModel::setShadows(std::set<TaskSolution> shadows) {
+  shadows_ = std::move(shadows);
+  pendingShadows_.clear();
+  for (const TaskEntry& task : tasks_) taskChanged(task.name);
+}
+
+void SolutionModel::refuseShadow(const TaskSolution& shadow) {
+  pendingShadows_.erase(shadow);
+  taskChanged(shadow.first);
+}
+
 void SolutionModel::forget() {
+  pendingShadows_.clear();
   pending_.clear();
   refusals_.clear();
 }
@@ -136,6 +164,14 @@ SolutionModel::Choice SolutionModel::choiceOf(const TaskEntry& task,
   return solution.unavailable.isEmpty() ? Choice::kFree : Choice::kUnavailable;
 }
 
+QVariant SolutionModel::shadowOf(const TaskEntry& task, const TaskEntry::Solution& solution) const {
+  if (task.solutions.size() < 2 || !solution.unavailable.isEmpty()) return {};
+  const TaskSolution shadow{task.name, solution.name};
+  const auto pending = pendingShadows_.find(shadow);
+  const bool on = pending != pendingShadows_.end() ? pending->second : shadows_.contains(shadow);
+  return on ? Qt::Checked : Qt::Unchecked;
+}
+
 QString SolutionModel::stateOf(const TaskEntry& task, const TaskEntry::Solution& solution) const {
   const auto refusal = refusals_.find(task.name);
   if (refusal != refusals_.end() && refusal->second.solution == solution.name) {
@@ -171,6 +207,7 @@ QVariant SolutionModel::taskData(const TaskEntry& task, int column, int role) co
   if (role != Qt::DisplayRole) return {};
   if (column == kName) return QString::fromStdString(task.name);
   if (column == kProcess) return QString::fromStdString(task.process);
+  if (column == kShadow) return {};
   const auto pending = pending_.find(task.name);
   const QString active = task.active.empty() ? tr("nothing") : QString::fromStdString(task.active);
   return pending == pending_.end() ? active
@@ -181,6 +218,12 @@ QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Sol
                                      int role) const {
   const auto refusal = refusals_.find(task.name);
   const bool refused = refusal != refusals_.end() && refusal->second.solution == solution.name;
+  if (column == kShadow && role == Qt::CheckStateRole) return shadowOf(task, solution);
+  if (column == kShadow && role == Qt::ToolTipRole && shadowOf(task, solution).isValid())
+    return tr("Runs %1 beside the active solution, on the same inputs and without being used. What it "
+              "publishes "
+              "is below shadow/%1; its time is in the view Timing.")
+        .arg(QString::fromStdString(solution.name));
   switch (role) {
     case kTaskRole:
       return QString::fromStdString(task.name);
@@ -220,8 +263,25 @@ QVariant SolutionModel::data(const QModelIndex& index, int role) const {
   return solutionData(task, task.solutions[static_cast<std::size_t>(index.row())], index.column(), role);
 }
 
+bool SolutionModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::CheckStateRole || !data(index, role).isValid()) return false;
+  const TaskEntry& task = tasks_[index.internalId() - 1];
+  const std::string& solution = task.solutions[static_cast<std::size_t>(index.row())].name;
+  const bool on = value.toInt() == Qt::Checked;
+  pendingShadows_[{task.name, solution}] = on;
+  Q_EMIT dataChanged(index, index, {role});
+  Q_EMIT shadowRequested(task.name, solution, on);
+  return true;
+}
+
+Qt::ItemFlags SolutionModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractItemModel::flags(index);
+  return data(index, Qt::CheckStateRole).isValid() ? flags | Qt::ItemIsUserCheckable : flags;
+}
+
 QVariant SolutionModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  if (section == kShadow) return tr("Shadow");
   return section == kName ? tr("Task and solutions") : section == kProcess ? tr("Process") : tr("State");
 }
 

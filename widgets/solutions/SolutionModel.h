@@ -4,7 +4,9 @@
 #include <QAbstractItemModel>
 #include <QStringList>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace robotlink {
@@ -42,14 +44,22 @@ struct TaskEntry {
 /// The tasks in all messages that are SolutionTables, in the order of the tables; null messages are skipped.
 std::vector<TaskEntry> tasksOf(const std::vector<const robotlink::StreamMessage*>& tables);
 
+/// A task and one of its solutions.
+using TaskSolution = std::pair<std::string, std::string>;
+
+/// The solutions that run in the shadow of the active ones, according to all messages that are KeyTables;
+/// null messages are skipped.
+std::set<TaskSolution> shadowsOf(const std::vector<const robotlink::StreamMessage*>& tables);
+
 /// Tasks as rows with their solutions below them. A solution that was requested is shown as pending until a
 /// table confirms it; a refusal and its reason are shown at the solution until the task gets another request.
 /// GUI thread.
 class SolutionModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
-  /// Name, process (tasks only), and state.
-  enum Column { kName, kProcess, kState, kColumns };
+  /// Name, a check box for running in the shadow (solutions that can be chosen), process (tasks only), and
+  /// state.
+  enum Column { kName, kShadow, kProcess, kState, kColumns };
   enum Role {
     /// The task's name, for its solutions as well (QString).
     kTaskRole = Qt::UserRole + 1,
@@ -71,6 +81,10 @@ class SolutionModel final : public QAbstractItemModel {
   const std::vector<TaskEntry>& tasks() const { return tasks_; }
   /// Forgets what was requested and refused; to be called before the tasks of another robot are set.
   void forget();
+  /// Replaces what runs in the shadow; what was requested counts until then.
+  void setShadows(std::set<TaskSolution> shadows);
+  /// The request for a shadow was refused.
+  void refuseShadow(const TaskSolution& shadow);
   /// The solution was requested.
   void setPending(const std::string& task, const std::string& solution);
   /// The request was refused.
@@ -84,7 +98,14 @@ class SolutionModel final : public QAbstractItemModel {
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  /// Checks or unchecks the box of a solution, which requests its shadow.
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ Q_SIGNALS:
+  /// The user wants a solution to run in the shadow of the active one, or no longer.
+  void shadowRequested(const std::string& task, const std::string& solution, bool on);
 
  private:
   QVariant taskData(const TaskEntry& task, int column, int role) const;
@@ -93,6 +114,8 @@ class SolutionModel final : public QAbstractItemModel {
   /// What a solution reads and publishes, a line each; empty if the robot does not say.
   static QString packagesOf(const TaskEntry::Solution& solution);
   Choice choiceOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
+  /// Whether the box of a solution is checked; invalid for one without a box.
+  QVariant shadowOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   /// Text of the column kState.
   QString stateOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   /// Announces changed data of a task and its solutions.
@@ -104,6 +127,9 @@ class SolutionModel final : public QAbstractItemModel {
     QString reason;
   };
   std::vector<TaskEntry> tasks_;
+  std::set<TaskSolution> shadows_;
+  /// What was requested for shadows since they were set.
+  std::map<TaskSolution, bool> pendingShadows_;
   /// Requested solutions, by task.
   std::map<std::string, std::string> pending_;
   /// Keyed by task.

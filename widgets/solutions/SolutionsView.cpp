@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/debugging/Streams.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
@@ -57,7 +58,7 @@ void SolutionsView::createViews() {
   tree_->setIndentation(14);
   tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
   tree_->addAction(inAllRobots_);
-  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kText});
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kTitledNumber, ColumnKind::kName, ColumnKind::kText});
   hint_ = new EmptyHint(tree_);
   hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
   parameters_ = new ParameterPanel(session(), this);
@@ -76,7 +77,10 @@ void SolutionsView::createViews() {
 
 void SolutionsView::connectSignals() {
   tree_->installEventFilter(this);
-  connect(tree_, &QTreeView::clicked, this, &SolutionsView::choose);
+  connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    if (index.column() != SolutionModel::kShadow) choose(index);
+  });
+  connect(&model_, &SolutionModel::shadowRequested, this, &SolutionsView::requestShadow);
   connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &SolutionsView::showCurrent);
   connect(defaults_, &QAction::triggered, this, &SolutionsView::selectDefaults);
@@ -107,6 +111,12 @@ void SolutionsView::tick() {
       tree_->resizeColumnToContents(SolutionModel::kProcess);
       showCurrent(tree_->currentIndex());
     }
+  }
+  const auto keys =
+      latestTable(session().store(), robot, robotlink::streams::kKeys, session().timeline().newest());
+  if (auto keyValues = valuesOf(keys); keyValues != shownKeys_ || model_.rowCount() == 0) {
+    shownKeys_ = std::move(keyValues);
+    model_.setShadows(shadowsOf(keys));
   }
   showHint();
   defaults_->setEnabled(model_.rowCount() > 0);
@@ -152,6 +162,23 @@ void SolutionsView::select(const std::string& task, const std::string& solution)
         if (accepted) return showOutcome(*state_, tr("%1 was accepted").arg(name), false);
         if (robot == robot_) model_.refuse(task, solution, reason);
         showOutcome(*state_, tr("%1 was refused: %2").arg(name, reason), true);
+      });
+}
+
+void SolutionsView::requestShadow(const std::string& task, const std::string& solution, bool on) {
+  robotcontrol::Request request;
+  request.mutable_set_key()->set_name(robotlink::shadowKey(task, solution));
+  request.mutable_set_key()->mutable_mode()->set_kind(on ? robotcontrol::KeyMode::ALWAYS
+                                                         : robotcontrol::KeyMode::OFF);
+  ask(session(), robot_, std::move(request), this,
+      [this, robot = robot_, task, solution, on](bool accepted, const QString& reason) {
+        const QString name = QString::fromStdString(task + " / " + solution);
+        if (!accepted) {
+          if (robot == robot_) model_.refuseShadow({task, solution});
+          return showOutcome(*state_, tr("%1 was refused: %2").arg(name, reason), true);
+        }
+        showOutcome(*state_, on ? tr("%1 runs in the shadow").arg(name) : tr("%1 no longer runs").arg(name),
+                    false);
       });
 }
 

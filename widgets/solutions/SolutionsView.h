@@ -15,7 +15,8 @@ class EmptyHint;
 class ParameterPanel;
 
 /// The tasks of the selected robot and the solutions that exist for them. A click on a solution, or Space,
-/// requests a switch to it; a solution that cannot be chosen shows the reason. The panel below edits the
+/// requests a switch to it; a solution that cannot be chosen shows the reason. A check box lets a solution
+/// run in the shadow of the active one. The panel below edits the
 /// parameters of the current solution.
 ///
 /// Registered as "solutions". GUI thread.
@@ -40,6 +41,8 @@ class SolutionsView final : public View {
   void choose(const QModelIndex& index);
   /// Requests a solution and shows the outcome.
   void select(const std::string& task, const std::string& solution);
+  /// Requests that a solution runs in the shadow of the active one, or no longer, and shows the outcome.
+  void requestShadow(const std::string& task, const std::string& solution, bool on);
   /// Requests the current solution from all robots, this one included.
   void selectInAllRobots();
   /// Requests the layout's default solution for every task that runs another one.
@@ -62,6 +65,8 @@ class SolutionsView final : public View {
   std::string robot_;
   /// Addresses of the tables that the tree shows, to detect new ones.
   std::vector<const void*> shown_;
+  /// The same of the tables of keys.
+  std::vector<const void*> shownKeys_;
 };
 
 }  // namespace widgets

@@ -63,7 +63,8 @@ bool isOwn(const std::string& path, const std::string& type) {
       path == robotlink::streams::kTransforms)
     return true;
   const std::string rest = path.substr(path.find('/') + 1);
-  return rest.starts_with("drawings/") || robotlink::typeOfPackage(rest) != nullptr;
+  return rest.starts_with(robotlink::streams::kShadow) || rest.starts_with("drawings/") ||
+         robotlink::typeOfPackage(rest) != nullptr;
 }
 
 }  // namespace

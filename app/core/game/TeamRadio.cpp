@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/core/game/GameTime.h"
 #include "robotcontrol/Game.pb.h"
 #include "robotlink/base/Random.h"
 #include "robotlink/packages/Conversions.h"
@@ -94,6 +95,54 @@ TeamRadio::Messages TeamRadio::receive(const std::string& robot, Instant now) {
   robotlink::assign(*messages->mutable_timestamp(), now);
   for (const auto& [sender, heard] : receiver.heard) *messages->add_messages() = *heard.message;
   return messages;
+}
+
+namespace {
+
+constexpr std::size_t kMaxStations = 1000;
+
+void transferMessage(simcore::StateStream& stream, TeamRadio::Message& message) {
+  std::string bytes = message ? message->SerializeAsString() : std::string();
+  stream.text(bytes);
+  if (!stream.isReading()) return;
+  auto read = std::make_shared<robotcontrol::TeamMessage>();
+  if (!read->ParseFromString(bytes)) return stream.fail();
+  message = std::move(read);
+}
+
+/// A map by names; `element` writes or reads a value.
+template <typename Value, typename Element>
+void transferMap(simcore::StateStream& stream, std::map<std::string, Value>& map, const Element& element) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  stream.size(names, kMaxStations);
+  if (stream.isReading()) map.clear();
+  for (std::string& name : names) {
+    stream.text(name);
+    element(map[name]);
+  }
+}
+
+}  // namespace
+
+void TeamRadio::transfer(simcore::StateStream& stream, Instant now) {
+  stream.raw(sent_);
+  stream.raw(lost_);
+  transferMap(stream, numbers_, [&](std::uint64_t& number) { stream.raw(number); });
+  transferMap(stream, receivers_, [&](Receiver& receiver) {
+    stream.size(receiver.onTheWay, kMaxOnTheWay);
+    for (OnTheWay& one : receiver.onTheWay) {
+      robotlink::Duration rest = std::max(robotlink::Duration(), one.due - now);
+      transferTime(stream, rest);
+      one.due = now + rest;
+      stream.raw(one.number);
+      transferMessage(stream, one.message);
+    }
+    transferMap(stream, receiver.heard, [&](Heard& heard) {
+      stream.raw(heard.number);
+      transferMessage(stream, heard.message);
+    });
+  });
 }
 
 }  // namespace app

@@ -18,6 +18,10 @@ class TeamMessages;
 class TeamRadioSettings;
 }  // namespace robotcontrol
 
+namespace simcore {
+class StateStream;
+}
+
 namespace app {
 
 /// The simulated radio by which robots of a team hear each other: what one sends arrives at the others of its
@@ -54,6 +58,10 @@ class TeamRadio {
   /// What a robot has received by now, the newest of each other robot of its team, if there is something new
   /// since the last call; otherwise null. Instants do not decrease.
   Messages receive(const std::string& robot, robotlink::Instant now);
+
+  /// Writes or reads what was sent, what is on the way, and what was heard. How long a message is still on
+  /// its way counts from `now`, as instants go on where a world goes back.
+  void transfer(simcore::StateStream& stream, robotlink::Instant now);
 
   /// The messages that were sent to somebody, and those of them that did not arrive, since the start.
   std::uint64_t sent() const { return sent_; }

@@ -69,6 +69,8 @@ bool LoggedPaths::decide(const std::string& path) const {
   for (const char* prefix : {streams::kFrames, streams::kStopwatches, "tables/keys/", "tables/solutions/"}) {
     if (const std::string process = below(path, prefix); !process.empty()) return runs(process);
   }
+  if (const std::string shadowed = below(path, streams::kShadow); !shadowed.empty())
+    return decide(shadowed.substr(std::min(shadowed.find('/') + 1, shadowed.size())));
   const std::string parameters = below(path, streams::kParameters);
   return !parameters.empty() && tasks_.contains(parameters.substr(0, parameters.find('/')));
 }

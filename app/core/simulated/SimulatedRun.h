@@ -390,6 +390,8 @@ class SimulatedRun {
   /// What decides, beside requests, what a run does: a "name: value" in a line each.
   std::string settings() const;
   void beginJournal();
+  /// Puts what the radio has on the way to where it was.
+  void restoreRadio(const simcore::Snapshot& snapshot);
   /// The run cannot be repeated from here on; `what` is a clause: "the layout was changed".
   void spoilJournal(const std::string& what);
   robotlink::Result<RunJournal> journalToRepeat(const simcore::Snapshot& snapshot) const;

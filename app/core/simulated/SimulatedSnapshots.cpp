@@ -17,7 +17,7 @@ using robotlink::Result;
 
 namespace {
 
-constexpr char kGamePart[] = "game", kJournalPart[] = "journal";
+constexpr char kGamePart[] = "game", kRadioPart[] = "radio", kJournalPart[] = "journal";
 /// Steps of the simulation in one of the run.
 constexpr std::uint64_t kStepsTogether = SimulatedWorld::kStep / simcore::Simulation::kStep;
 
@@ -87,6 +87,9 @@ simcore::Snapshot SimulatedRun::snapshot() const {
     simcore::StateStream stream(snapshot.parts[kGamePart]);
     umpire_->transfer(stream);
   }
+  simcore::StateStream radio(snapshot.parts[kRadioPart]);
+  // Writing changes nothing.
+  TeamRadio(radio_).transfer(radio, world_->clock().now());
   snapshot.parts[kJournalPart] = journal_.encode();
   return snapshot;
 }
@@ -96,6 +99,7 @@ Result<void> SimulatedRun::restore(const simcore::Snapshot& snapshot) {
   if (auto restored = world_->restore(snapshot); !restored) return restored;
   again_.reset();
   spoilJournal(isFresh ? "it began with a snapshot" : "the world was put to a snapshot without the programs");
+  restoreRadio(snapshot);
   if (!umpire_) return {};
   umpire_->worldJumped();
   const auto part = snapshot.parts.find(kGamePart);
@@ -111,6 +115,22 @@ Result<void> SimulatedRun::restore(const simcore::Snapshot& snapshot) {
   simcore::StateStream back(before, simcore::StateStream::Trust::kOwn);
   umpire_->transfer(back);
   return {};
+}
+
+/// What cannot be read leaves the radio as it is.
+void SimulatedRun::restoreRadio(const simcore::Snapshot& snapshot) {
+  const auto part = snapshot.parts.find(kRadioPart);
+  if (part == snapshot.parts.end()) return;
+  simcore::StateStream stream(part->second, snapshot.isForeign ? simcore::StateStream::Trust::kForeign
+                                                               : simcore::StateStream::Trust::kOwn);
+  TeamRadio restored = radio_;
+  restored.transfer(stream, world_->clock().now());
+  if (!stream.complete()) return;
+  radio_ = std::move(restored);
+  for (auto& [robot, mail] : mails_) {
+    mail->sent = nullptr;
+    mail->received = nullptr;
+  }
 }
 
 Result<void> SimulatedRun::rewind(robotlink::Duration back) {

@@ -13,6 +13,9 @@ using nlohmann::json;
 constexpr std::array<std::pair<const char*, const char*>, 4> kOwn{
     {{"ball_contacts", ""}, {"ms_per_step", "ms"}, {"ms_per_image", "ms"}, {"real_time_factor", ""}}};
 
+constexpr std::array<std::pair<const char*, const char*>, 4> kOfWalk{
+    {{"forward", "m/s"}, {"sideward", "m/s"}, {"rotation", "rad/s"}, {"least_upright", ""}}};
+
 /// Sums up what several robots have, to be divided by their number.
 class Means {
  public:
@@ -62,6 +65,17 @@ std::vector<Figure> figuresIn(const json& printed) {
   if (printed.contains("goals"))
     for (const auto& [team, count] : printed["goals"].items())
       if (count.is_number()) means.add("goals of " + team, "", count.get<double>());
+  if (const auto walk = printed.find("walk"); walk != printed.end()) {
+    for (const auto& [name, unit] : kOfWalk)
+      if (walk->contains(name) && (*walk)[name].is_number())
+        means.add(std::string("walk ") + name, unit, (*walk)[name].get<double>());
+    if (walk->contains("fell")) means.add("walk fell", "", walk->at("fell") == true ? 1 : 0);
+  }
+  if (printed.contains("trials") && printed["trials"].is_number() && printed["trials"] > 0)
+    for (const char* name : {"touched", "scored"})
+      if (printed.contains(name))
+        means.add(std::string("share of trials ") + name, "",
+                  printed[name].get<double>() / printed["trials"].get<double>());
   for (const auto& [name, unit] : kOwn)
     if (printed.contains(name) && printed[name].is_number())
       means.add(name, unit, printed[name].get<double>());

@@ -2,6 +2,7 @@
 #include "app/robotctl/compare/RunExecution.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <iostream>
 #include <iterator>
 #include <thread>
+#include <utility>
 
 #include "app/core/platform/NumberRange.h"
 #include "app/robotctl/Interrupt.h"
@@ -26,27 +28,35 @@ constexpr std::chrono::milliseconds kShowEvery{500};
 /// A line on a terminal that shows how far it is.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::size_t before) : before_(before) {}
+  ProgressLine(std::size_t before, const std::string& partOf) : before_(before), partOf_(partOf) {}
 
   bool show(const RunProgress& progress) {
     const auto now = std::chrono::steady_clock::now();
-    if (now - shown_ >= kShowEvery || progress.running == 0) {
+    // In a file there is a line where something has changed.
+    if (!isTerminal_ &&
+        std::exchange(ended_, progress.done + progress.failed) == progress.done + progress.failed)
+      return !Interrupt::noted();
+    if (!isTerminal_ || now - shown_ >= kShowEvery || progress.running == 0) {
       shown_ = now;
-      std::string line = fmt::format("\r{} of {} runs", before_ + progress.done, before_ + progress.all);
+      std::string line = fmt::format("{}{}{} of {} runs", isTerminal_ ? "\r" : "", partOf_,
+                                     before_ + progress.done, before_ + progress.all);
       if (progress.failed > 0) line += fmt::format(", {} failed", progress.failed);
       if (progress.done > 0 && progress.running > 0) {
         const double spent = std::chrono::duration<double>(now - begin_).count();
         const auto left = static_cast<double>(progress.all - progress.done - progress.failed);
         line += fmt::format(", about {:.0f} s left", spent / static_cast<double>(progress.done) * left);
       }
-      std::cerr << line << "    " << std::flush;
+      std::cerr << line << (isTerminal_ ? "    " : "\n") << std::flush;
     }
     return !Interrupt::noted();
   }
 
  private:
   const std::size_t before_;
+  const std::string& partOf_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const bool isTerminal_ = ::isatty(STDERR_FILENO) != 0;
+  std::size_t ended_ = 0;
   std::chrono::steady_clock::time_point shown_{};
 };
 
@@ -100,7 +110,7 @@ robotlink::Result<std::vector<PlannedRun>> RunExecution::executeAll(const RunFil
                                                                     std::size_t before) const {
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   for (int attempt = 0; attempt <= retries && !runs.empty() && !Interrupt::noted(); ++attempt) {
-    ProgressLine line(before);
+    ProgressLine line(before, partOf);
     const auto look = [&](const RunProgress& progress) { return line.show(progress); };
     if (batch.empty()) {
       RunPool pool(files, parallel > 0 ? parallel : cores);
@@ -110,7 +120,7 @@ robotlink::Result<std::vector<PlannedRun>> RunExecution::executeAll(const RunFil
       if (!left) return tl::unexpected(left.error());
       runs = std::move(*left);
     }
-    std::cerr << "\n";
+    if (partOf.empty() && ::isatty(STDERR_FILENO) != 0) std::cerr << "\n";
   }
   return runs;
 }

@@ -30,6 +30,8 @@ struct RunExecution {
   /// 0: as many as there are cores.
   unsigned parallel = 0;
   int retries = 1;
+  /// What the runs are a part of, for the line of progress; empty: nothing.
+  std::string partOf = {};
 
   /// What came of the runs, in their order.
   struct Results {

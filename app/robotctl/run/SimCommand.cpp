@@ -74,7 +74,8 @@ struct SimArguments {
   int trials = 0;
   double radius = 1.5;
   bool goals = false;
-  double speed = 0;  ///< times real time; 0: as fast as possible
+  std::vector<double> walk;  ///< m/s, m/s, degrees/s; empty: none
+  double speed = 0;          ///< times real time; 0: as fast as possible
   bool progress = false;
   SnapshotOptions snapshots;
   ArcosOptions arcos;
@@ -261,6 +262,18 @@ int runTrials(const SimArguments& arguments) {
   return playTrials(std::move(trials), *troubles, arguments.asJson);
 }
 
+/// Measures how the first robot walks; its behavior obeys unless another one was chosen.
+int runWalk(const SimArguments& arguments) {
+  WalkTrial trial{.run = arguments.run, .seconds = arguments.seconds};
+  const auto troubles = std::make_shared<ProgramTroubles>(std::cerr);
+  trial.listeners = listenersTo(troubles);
+  trial.run.solutions.try_emplace("behavior", "obey");
+  std::vector<double> asked = arguments.walk;
+  asked.resize(3);
+  trial.asked = {asked[0], asked[1], robotlink::radians(asked[2])};
+  return playWalk(trial, *troubles, arguments.asJson);
+}
+
 /// Runs a simulation whose robots are driven by other programs.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (arguments.trials > 0 || !arguments.record.file.empty() || arguments.teams.given() ||
@@ -371,6 +384,8 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (threads && !speedGiven) arguments.speed = 1;
   if (!arguments.script.empty()) return runScripted(arguments);
   if (arguments.listen.given()) return runListening(arguments, secondsGiven, speedGiven);
+  if (!arguments.walk.empty() && !secondsGiven) arguments.seconds = 5;
+  if (!arguments.walk.empty()) return runWalk(arguments);
   if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
   return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
 }
@@ -445,6 +460,13 @@ void addSimCommand(CLI::App& app, int& status) {
          "--goals", arguments->goals,
          "Places robot and ball of these games anywhere on the field, and counts goals within --seconds")
       ->needs(trials);
+  sim->add_option(
+         "--walk", arguments->walk,
+         "Measures how the first robot walks when it is asked for FORWARD[,LEFT[,TURN]] (m/s, degrees/s), "
+         "for --seconds (5)")
+      ->delimiter(',')
+      ->expected(1, 3)
+      ->excludes(trials);
   auto* speed = sim->add_option("--speed", arguments->speed,
                                 "How many times real time; 0 is as fast as possible (lockstep 0, threads, "
                                 "--arcos and --listen 1)")

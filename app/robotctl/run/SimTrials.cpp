@@ -84,4 +84,29 @@ int playTrials(BallTrials trials, const ProgramTroubles& troubles, bool asJson) 
   return withTroubles(isWhole ? kDone : kFailed, troubles);
 }
 
+int playWalk(const WalkTrial& trial, const ProgramTroubles& troubles, bool asJson) {
+  const auto result = trial.measure();
+  if (!result) return printErrors(result.error());
+  const json report{{"walk",
+                     {{"forward", result->walked.forward},
+                      {"sideward", result->walked.sideward},
+                      {"rotation", result->walked.rotation},
+                      {"asked", {result->asked.forward, result->asked.sideward, result->asked.rotation}},
+                      {"least_upright", result->leastUpright},
+                      {"fell", result->fell}}},
+                    {"seed", trial.run.world.seed},
+                    {"seconds", trial.seconds},
+                    {"troubles", troublesJson(troubles)}};
+  if (asJson) {
+    std::cout << jsonOutput(report);
+  } else if (result->fell) {
+    std::cout << "fell\n";
+  } else {
+    std::cout << fmt::format("walked {:.3f} m/s forward, {:.3f} m/s to the left, {:.1f} degrees/s\n",
+                             result->walked.forward, result->walked.sideward,
+                             robotlink::degrees(result->walked.rotation));
+  }
+  return withTroubles(kDone, troubles);
+}
+
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/simulated/BallTrials.h"
+#include "app/core/simulated/WalkTrial.h"
 
 namespace app {
 
@@ -17,5 +18,8 @@ int withTroubles(int status, const ProgramTroubles& troubles);
 /// Plays games with the ball at random places, and prints how many touched it. `troubles` hears of programs
 /// in trouble. Returns an ExitStatus.
 int playTrials(BallTrials trials, const ProgramTroubles& troubles, bool asJson);
+
+/// Measures how a robot walks, and prints that. Returns an ExitStatus.
+int playWalk(const WalkTrial& trial, const ProgramTroubles& troubles, bool asJson);
 
 }  // namespace app

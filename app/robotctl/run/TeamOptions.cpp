@@ -5,6 +5,8 @@
 
 #include "app/core/program/PresetOverrides.h"
 #include "app/core/program/SolutionChoices.h"
+#include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/Solution.h"
 #include "robotlink/session/Presets.h"
 
 namespace app {
@@ -21,6 +23,29 @@ tl::expected<void, Errors> choosePreset(const std::string& text, RunOptions& run
   if (!preset) return tl::unexpected(std::move(preset.error()));
   auto& chosen = isOfOne ? run.robotPresets[choice->first] : run.preset;
   chosen = std::make_shared<const robotlink::Preset>(std::move(*preset));
+  return {};
+}
+
+/// Puts shadows into the presets with which programs start.
+robotlink::Result<void> chooseShadows(const std::vector<std::string>& texts, RunOptions& run) {
+  robotlink::Preset::Values keys;
+  for (const std::string& text : texts) {
+    const auto choice = assignmentOf(text);
+    if (!choice || robotlink::SolutionRegistry::find(choice->first, choice->second) == nullptr)
+      return robotlink::failure("usage", "--shadow takes TASK=SOLUTION; there is no '" + text + "'", {},
+                                {text});
+    keys[robotlink::shadowKey(choice->first, choice->second)] = "always";
+  }
+  if (keys.empty()) return {};
+  const auto add = [&](std::shared_ptr<const robotlink::Preset>& to) {
+    robotlink::Preset preset = to ? *to : robotlink::Preset();
+    auto& all = preset.parts[robotlink::Preset::kKeys];
+    if (!all) all.emplace();
+    all->insert(keys.begin(), keys.end());
+    to = std::make_shared<const robotlink::Preset>(std::move(preset));
+  };
+  add(run.preset);
+  for (auto& [name, preset] : run.robotPresets) add(preset);
   return {};
 }
 
@@ -42,6 +67,10 @@ void TeamOptions::addTo(CLI::App& command) {
                   "all programs start with; NAME=PRESET for one robot or team")
       ->expected(1)
       ->take_all();
+  command.add_option(
+      "--shadow", shadows,
+      "TASK=SOLUTION that runs in all programs beside the one that is used, on the same inputs; "
+      "with --errors it has figures of its own");
   command.add_option("--game", game,
                      "The rules of the game: the name of shipped ones (2002), or a file; none: without a "
                      "referee (default: as the scene says)");
@@ -71,6 +100,7 @@ tl::expected<void, Errors> TeamOptions::applyTo(RunOptions& run) const {
     if (auto chosen = choosePreset(preset, run); !chosen)
       errors.insert(errors.end(), chosen.error().begin(), chosen.error().end());
   }
+  if (auto chosen = chooseShadows(shadows, run); !chosen) errors.push_back(chosen.error());
   run.game = game;
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return {};

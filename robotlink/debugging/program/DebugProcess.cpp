@@ -261,6 +261,8 @@ std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation
     const Request& request) const {
   const RequestKind& kind = kindOf(request);
   if (kind.task != nullptr) return Target{routes.processOf(kind.task(request)), kind.task(request)};
+  if (const auto shadow = shadowOfKey(request.set_key().name()))
+    return Target{routes.processOf(shadow->task), shadow->task};
   const std::string package = request.has_set_key() ? packageOfKey(request.set_key().name()) : "";
   if (package.empty() || requested.has(package)) return std::nullopt;
   const auto owner = routes.packages.find(package);

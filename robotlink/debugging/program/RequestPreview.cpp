@@ -2,6 +2,7 @@
 #include "robotlink/debugging/program/RequestPreview.h"
 
 #include "robotlink/debugging/ColorTableInUse.h"
+#include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/program/RobotProgram.h"
@@ -55,6 +56,11 @@ std::string RequestPreview::add(const Request& request) {
 }
 
 std::string RequestPreview::setKey(const Request& request) {
+  const auto shadow = shadowOfKey(request.set_key().name());
+  if (shadow && request.set_key().mode().kind() != robotcontrol::KeyMode::OFF) {
+    const auto tried = processOf(request)->trySolution(shadow->task, shadow->solution);
+    if (!tried) return tried.error().text;
+  }
   keys_[request.set_key().name()] = request.set_key().mode();
   return "";
 }

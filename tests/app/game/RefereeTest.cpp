@@ -165,6 +165,27 @@ TEST(Referee, aSnapshotKeepsTheGame) {
   EXPECT_TRUE(game.referee().penaltyOf(3).has_value());
 }
 
+TEST(Referee, aSnapshotKeepsTheMessagesThatAreOnTheWay) {
+  RunOptions options = GameOf2002::options();
+  options.solutions["behavior"] = "soccer";
+  GameOf2002 game(options);
+  ControlGame radio;
+  radio.set_action(ControlGame::RADIO);
+  radio.mutable_radio()->set_delay(0.4);
+  radio.mutable_radio()->set_loss(0.2);
+  ASSERT_TRUE(game.ask(radio));
+  game.play(2);
+  const simcore::Snapshot snapshot = game.run->snapshot();
+  ASSERT_GT(game.run->radio().sent(), 0U);
+  const auto sent = game.run->radio().sent(), lost = game.run->radio().lost();
+  game.play(1);
+  EXPECT_GT(game.run->radio().sent(), sent);
+  ASSERT_TRUE(game.run->restore(snapshot));
+  EXPECT_EQ(game.run->radio().sent(), sent);
+  EXPECT_EQ(game.run->radio().lost(), lost);
+  EXPECT_EQ(game.run->snapshot().parts.at("radio"), snapshot.parts.at("radio"));
+}
+
 TEST(Referee, robotsAreToldTheGameAsAPackage) {
   std::vector<robotcontrol::GameState> heard;
   SimulatedRun::Listeners listeners;

@@ -7,6 +7,7 @@
 #include "robotcontrol/Game.pb.h"
 #include "robotlink/packages/GamePackages.h"
 #include "robotlink/process/Process.h"
+#include "simcore/world/StateStream.h"
 
 using namespace app;
 using robotlink::Instant;
@@ -98,6 +99,43 @@ TEST_F(Radio, asManyAreLostAsWasAskedForAndAlwaysTheSame) {
   EXPECT_EQ(arrived(7), first);
   EXPECT_NE(arrived(8), first);
   EXPECT_EQ(radio_.sent(), 2000U);
+}
+
+TEST_F(Radio, aSnapshotKeepsWhatIsOnTheWayAndWhatIsLost) {
+  radio_.setSettings({.range = 0, .delay = 0.5, .loss = 0.3});
+  for (int i = 0; i < 20; ++i) radio_.send("red1", saying(std::to_string(i)), atMs(20 * i));
+  (void)heard("red2", 500);
+  std::vector<std::uint8_t> bytes;
+  simcore::StateStream writing(bytes);
+  radio_.transfer(writing, atMs(500));
+  const auto goesOn = [this](int now) {
+    std::vector<std::string> all;
+    for (int i = 0; i < 100; ++i) {
+      radio_.send("red1", saying("later " + std::to_string(i)), atMs(now + 20 * i));
+      for (const std::string& text : heard("red2", now + 20 * i)) all.push_back(text);
+    }
+    return std::pair(all, radio_.lost());
+  };
+  const auto then = goesOn(500);
+  EXPECT_FALSE(then.first.empty());
+  simcore::StateStream reading(bytes, simcore::StateStream::Trust::kForeign);
+  radio_.transfer(reading, atMs(9000));
+  EXPECT_TRUE(reading.complete());
+  EXPECT_EQ(goesOn(9000), then) << "the same is lost, and the same arrives after the same time";
+}
+
+TEST_F(Radio, aSnapshotThatIsCutIsNotedAsSuch) {
+  radio_.setSettings({.range = 0, .delay = 0.5, .loss = 0});
+  radio_.send("red1", saying("ball"), atMs(0));
+  std::vector<std::uint8_t> bytes;
+  simcore::StateStream writing(bytes);
+  radio_.transfer(writing, atMs(0));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    simcore::StateStream reading(std::span(bytes).first(size), simcore::StateStream::Trust::kForeign);
+    TeamRadio read;
+    read.transfer(reading, atMs(0));
+    EXPECT_FALSE(reading.complete()) << size;
+  }
 }
 
 TEST(GameEnds, carryWhatTheRefereeAndTheTeamSay) {
