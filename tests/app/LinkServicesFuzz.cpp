@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What clients ask of the folders that a robot offers: its recordings, and the files that are deployed to it.
 // Each call has a byte for its service and two for the length of its argument.
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <thread>
 
@@ -18,6 +16,8 @@
 #include "tests/TestFolder.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace link_services_fuzz {
+
 using namespace robotlink::websocket;
 namespace fs = std::filesystem;
 
@@ -26,12 +26,6 @@ namespace {
 constexpr char kSecret[] = "nobody reads this over a link";
 /// As they are offered, from 1.
 enum LinkService : std::uint32_t { kList = 1, kRead, kCheck, kDelete, kStart, kStop, kStatus, kFiles, kPut };
-
-void demandOfServices(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 /// A folder that is offered, beside one that is not, and links from one to the other.
 struct OfferedFolder {
@@ -45,12 +39,12 @@ struct OfferedFolder {
   }
   void check() const {
     const auto secret = robotlink::readFile(folder / "secret/a.mcap", 1000);
-    demandOfServices(secret && *secret == kSecret, "what is not offered is not written");
+    require(secret && *secret == kSecret, "what is not offered is not written");
     const auto count = [](const fs::path& where) {
       return std::distance(fs::directory_iterator(where), fs::directory_iterator());
     };
-    demandOfServices(count(folder / "secret") == 1 && count(folder / "robot/..") == 2,
-                     "nothing is written beside the folder");
+    require(count(folder / "secret") == 1 && count(folder / "robot/..") == 2,
+            "nothing is written beside the folder");
   }
   TestFolder folder{TestFolder::Where::kMemory};
 };
@@ -70,7 +64,7 @@ const OfferedFolder& offered() {
 bool takeAnswers(Server& server, ServedClient& client, std::uint32_t call) {
   bool isAnswered = false;
   while (const auto next = server.next(client, robotlink::Instant())) {
-    demandOfServices(next->payload->find(kSecret) == std::string::npos, "what is not offered is not read");
+    require(next->payload->find(kSecret) == std::string::npos, "what is not offered is not read");
     const auto message = decodeServerMessage(
         next->kind,
         std::string(reinterpret_cast<const char*>(next->head.data()), next->headSize) + *next->payload);
@@ -96,7 +90,7 @@ std::string framedCall(std::uint32_t service, const std::string& argument) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const OfferedFolder& place = offered();
   const fs::path folder = place.folder / "robot";
   logplayer::Recorder recorder({});
@@ -149,3 +143,7 @@ std::vector<std::string> fuzzSeeds() {
   seeds.push_back(all + framedCall(kFiles, "{}"));
   return seeds;
 }
+
+const FuzzRegistration kTarget({"link_services", &fuzzSeeds, &runInput});
+
+}  // namespace link_services_fuzz

@@ -15,18 +15,19 @@
 
 #include "tests/fuzz/FuzzTarget.h"
 
-// Runs a fuzzing target without libFuzzer: over its seeds as they are, then over random mutations of them.
-// Every input depends on its number alone, so that one that crashed can be run again.
+// Runs fuzzing targets without libFuzzer: one of the program's over its seeds as they are, then over random
+// mutations of them. Every input depends on its number alone, so that one that crashed can be run again.
 //
-//   NAME [--seconds N | --inputs N]   mutate for so long, or so often (1000 inputs by default)
-//   NAME --seconds N FROM             the same from the input with this number on
-//   NAME --only N                     run the input with this number alone
-//   NAME --write-seeds FOLDER         write the seeds as files, for libFuzzer
-//   NAME FILE...                      run files, such as those that libFuzzer left
+//   PROGRAM NAME [--seconds N | --inputs N]   mutate for so long, or so often (1000 inputs by default)
+//   PROGRAM NAME --seconds N FROM             the same from the input with this number on
+//   PROGRAM NAME --only N                     run the input with this number alone
+//   PROGRAM NAME --write-seeds FOLDER         write the seeds as files, for libFuzzer
+//   PROGRAM NAME FILE...                      run files, such as those that libFuzzer left
+//   PROGRAM                                   list the names of the targets
 //
-// The seeds are those of the target and, if it has one, those of its corpus: corpus/NAME.txt beside its
-// CMakeLists.txt has inputs that libFuzzer found to be worth keeping, in hexadecimal digits, one a line
-// (packaging/fuzz.sh --keep).
+// The seeds are those of the target and, if it has one, those of its corpus: corpus/NAME.txt in this folder
+// has inputs that libFuzzer found to be worth keeping, in hexadecimal digits, one a line (packaging/fuzz.sh
+// --keep).
 namespace {
 
 using Random = std::mt19937_64;
@@ -151,18 +152,17 @@ void mutate(std::string& input, const std::vector<std::string>& seeds, Random& r
   }
 }
 
-std::string inputOf(std::uint64_t number, const std::vector<std::string>& seeds) {
+std::string inputOf(const FuzzTarget& target, std::uint64_t number, const std::vector<std::string>& seeds) {
   if (number < seeds.size()) return seeds[number];
   Random random(number);
   std::string input = seeds[pick(random, seeds.size())];
   // Three of four by the target's own mutations, if it has them.
-  if (fuzzMutation != nullptr && pick(random, 4) > 0)
-    return fuzzMutation(input, static_cast<unsigned>(random()));
+  if (target.mutate != nullptr && pick(random, 4) > 0)
+    return target.mutate(input, static_cast<unsigned>(random()));
   for (std::size_t i = 1 + pick(random, 4); i > 0; --i) mutate(input, seeds, random);
   return input;
 }
 
-#ifdef FUZZ_CORPUS
 /// The bytes of a line of hexadecimal digits.
 std::string corpusInput(const std::string& line) {
   std::string bytes;
@@ -170,28 +170,25 @@ std::string corpusInput(const std::string& line) {
     bytes += static_cast<char>(std::stoi(line.substr(i, 2), nullptr, 16));
   return bytes;
 }
-#endif
 
 /// The seeds of the target, then those of its corpus.
-std::vector<std::string> allSeeds() {
-  std::vector<std::string> seeds = fuzzSeeds();
-#ifdef FUZZ_CORPUS
-  std::ifstream corpus(FUZZ_CORPUS);
+std::vector<std::string> allSeeds(const FuzzTarget& target) {
+  std::vector<std::string> seeds = target.seeds();
+  std::ifstream corpus(std::string(ROBOTCONTROL_SOURCE_DIR "/tests/fuzz/corpus/") + target.name + ".txt");
   for (std::string line; std::getline(corpus, line);) seeds.push_back(corpusInput(line));
-#endif
   return seeds;
 }
 
-void run(const std::string& input) {
+void run(const FuzzTarget& target, const std::string& input) {
   // Its own memory, exactly as large, so that the address sanitizer sees what is read behind it.
   const std::vector<std::uint8_t> bytes(input.begin(), input.end());
   const itimerval limit{{0, 0}, {kHangs, 0}};
   ::setitimer(ITIMER_PROF, &limit, nullptr);
-  LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+  target.run(bytes.data(), bytes.size());
 }
 
-int runMany(double seconds, std::uint64_t inputs, std::uint64_t first = 0) {
-  const std::vector<std::string> seeds = allSeeds();
+int runMany(const FuzzTarget& target, double seconds, std::uint64_t inputs, std::uint64_t first = 0) {
+  const std::vector<std::string> seeds = allSeeds(target);
   if (seeds.empty()) {
     std::fputs("there are no seeds\n", stderr);
     return 1;
@@ -202,17 +199,17 @@ int runMany(double seconds, std::uint64_t inputs, std::uint64_t first = 0) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     if (seconds > 0 ? passed.count() >= seconds : number >= inputs) break;
     runningInput = static_cast<std::sig_atomic_t>(number);
-    run(inputOf(number, seeds));
+    run(target, inputOf(target, number, seeds));
   }
   std::printf("%llu inputs from %zu seeds: none did harm\n", static_cast<unsigned long long>(number),
               seeds.size());
   return number > seeds.size() ? 0 : 1;
 }
 
-int writeSeeds(const std::filesystem::path& folder) {
+int writeSeeds(const FuzzTarget& target, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   int number = 0;
-  for (const std::string& seed : allSeeds()) {
+  for (const std::string& seed : allSeeds(target)) {
     std::ofstream file(folder / ("seed-" + std::to_string(number++)), std::ios::binary);
     file.write(seed.data(), static_cast<std::streamsize>(seed.size()));
     if (!file) return 1;
@@ -220,16 +217,16 @@ int writeSeeds(const std::filesystem::path& folder) {
   return 0;
 }
 
-int runAsTold(const std::vector<std::string>& words) {
-  if (words.empty()) return runMany(0, 1000);
-  if (words.size() == 2 && words[0] == "--seconds") return runMany(std::atof(words[1].c_str()), 0);
+int runAsTold(const FuzzTarget& target, const std::vector<std::string>& words) {
+  if (words.empty()) return runMany(target, 0, 1000);
+  if (words.size() == 2 && words[0] == "--seconds") return runMany(target, std::atof(words[1].c_str()), 0);
   if (words.size() == 3 && words[0] == "--seconds")
-    return runMany(std::atof(words[1].c_str()), 0, std::strtoull(words[2].c_str(), nullptr, 10));
+    return runMany(target, std::atof(words[1].c_str()), 0, std::strtoull(words[2].c_str(), nullptr, 10));
   if (words.size() == 2 && words[0] == "--inputs")
-    return runMany(0, std::strtoull(words[1].c_str(), nullptr, 10));
-  if (words.size() == 2 && words[0] == "--write-seeds") return writeSeeds(words[1]);
+    return runMany(target, 0, std::strtoull(words[1].c_str(), nullptr, 10));
+  if (words.size() == 2 && words[0] == "--write-seeds") return writeSeeds(target, words[1]);
   if (words.size() == 2 && words[0] == "--only") {
-    run(inputOf(std::strtoull(words[1].c_str(), nullptr, 10), allSeeds()));
+    run(target, inputOf(target, std::strtoull(words[1].c_str(), nullptr, 10), allSeeds(target)));
     return 0;
   }
   for (const std::string& name : words) {
@@ -238,7 +235,7 @@ int runAsTold(const std::vector<std::string>& words) {
       std::fprintf(stderr, "cannot read %s\n", name.c_str());
       return 2;
     }
-    run({std::istreambuf_iterator<char>(file), {}});
+    run(target, {std::istreambuf_iterator<char>(file), {}});
   }
   return 0;
 }
@@ -248,7 +245,17 @@ int runAsTold(const std::vector<std::string>& words) {
 int main(int count, char** arguments) {
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPROF})
     std::signal(signal, &tellInput);
-  const int result = runAsTold({arguments + 1, arguments + count});
-  if (fuzzEnd != nullptr) fuzzEnd();
-  return result;
+  const std::vector<std::string> words(arguments + 1, arguments + count);
+  for (const FuzzTarget& target : fuzzTargets()) {
+    if (words.empty()) {
+      std::puts(target.name);
+    } else if (words[0] == target.name) {
+      const int result = runAsTold(target, {words.begin() + 1, words.end()});
+      if (target.end != nullptr) target.end();
+      return result;
+    }
+  }
+  if (words.empty()) return 0;
+  std::fprintf(stderr, "there is no target %s\n", words[0].c_str());
+  return 2;
 }

@@ -11,6 +11,8 @@
 #include "tests/fuzz/OffscreenApplication.h"
 #include "widgets/View.h"
 
+namespace view_state_fuzz {
+
 namespace {
 
 /// All views, on a session without anything in it.
@@ -41,18 +43,24 @@ class Views {
   std::vector<std::unique_ptr<widgets::View>> views_;
 };
 
-Views& views() {
+std::unique_ptr<Views>& instance() {
   static std::unique_ptr<Views> instance;
-  if (instance == nullptr) {
-    instance = std::make_unique<Views>();
-    fuzzEnd = [] { instance.reset(); };  // the scene is drawn in a thread
-  }
-  return *instance;
+  return instance;
+}
+
+Views& views() {
+  if (instance() == nullptr) instance() = std::make_unique<Views>();
+  return *instance();
+}
+
+/// The scene is drawn in a thread.
+void endViews() {
+  instance().reset();
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const auto text = QByteArray(reinterpret_cast<const char*>(data), static_cast<int>(size));
   const QJsonObject state = QJsonDocument::fromJson(text).object();
   for (const auto& view : views().all()) view->restoreState(state);
@@ -75,3 +83,7 @@ std::vector<std::string> fuzzSeeds() {
   seeds.push_back(QJsonDocument(all).toJson().toStdString());
   return seeds;
 }
+
+const FuzzRegistration kTarget({"view_state", &fuzzSeeds, &runInput, nullptr, &endViews});
+
+}  // namespace view_state_fuzz

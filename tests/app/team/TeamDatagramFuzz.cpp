@@ -1,35 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Datagrams in which robots of a team tell each other what they know.
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "app/core/team/TeamDatagram.h"
 #include "robotcontrol/Game.pb.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace team_datagram_fuzz {
+
 using namespace app;
 
-namespace {
-
-void demandOfTeam(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const auto message = teamMessageIn({data, size});
   if (!message) {
-    demandOfTeam(!message.error().text.empty(), "a refusal has a reason");
+    require(!message.error().text.empty(), "a refusal has a reason");
     return 0;
   }
-  demandOfTeam(!(*message)->sender().empty(), "who has sent it is known");
-  demandOfTeam(std::isfinite((*message)->ball_deviation()), "numbers are finite");
+  require(!(*message)->sender().empty(), "who has sent it is known");
+  require(std::isfinite((*message)->ball_deviation()), "numbers are finite");
   const auto again = teamDatagram(**message);
-  demandOfTeam(!again || teamMessageIn(*again).has_value(), "what was read can be sent again");
+  require(!again || teamMessageIn(*again).has_value(), "what was read can be sent again");
   return 0;
 }
 
@@ -47,3 +37,7 @@ std::vector<std::string> fuzzSeeds() {
   }
   return seeds;
 }
+
+const FuzzRegistration kTarget({"team_datagram", &fuzzSeeds, &runInput});
+
+}  // namespace team_datagram_fuzz

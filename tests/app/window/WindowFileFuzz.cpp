@@ -8,6 +8,8 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/fuzz/OffscreenApplication.h"
 
+namespace window_file_fuzz {
+
 namespace {
 
 /// A home with a window's file in it, for one start of the workbench after the other.
@@ -35,7 +37,7 @@ Home& home() {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   std::ofstream file(home().file(), std::ios::binary);
   file.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   file.close();
@@ -53,3 +55,7 @@ std::vector<std::string> fuzzSeeds() {
   }
   return seeds;
 }
+
+const FuzzRegistration kTarget({"window_file", &fuzzSeeds, &runInput});
+
+}  // namespace window_file_fuzz

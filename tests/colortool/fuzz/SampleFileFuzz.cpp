@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of samples, lists of strokes and lists of classes.
-#include <cstdio>
-#include <cstdlib>
 
 #include "colortool/samples/SampleFile.h"
 #include "colortool/samples/StrokeList.h"
@@ -10,15 +8,11 @@
 #include "tests/colortool/SampleFixture.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace sample_file_fuzz {
+
 using namespace colortool;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 void checkSamples(const Samples& samples) {
   std::uint64_t last = 0;
@@ -38,7 +32,7 @@ void checkSamples(const Samples& samples) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const auto read = parseSamples(bytes, "fuzz");
   if (read)
@@ -59,3 +53,7 @@ std::vector<std::string> fuzzSeeds() {
   return {samplesText(samples), samplesText(emptySamples()), colorClassesText(samples.classes),
           "image,class,x,y,radius\n000.yuyv,orange,12,13.5,3\n000.yuyv,background,1e3,-1,0\n"};
 }
+
+const FuzzRegistration kTarget({"sample_file", &fuzzSeeds, &runInput});
+
+}  // namespace sample_file_fuzz

@@ -2,23 +2,16 @@
 // Color tables of all formats, and the texts beside them.
 #include <bzlib.h>
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "colortool/image/ClassPresets.h"
 #include "colortool/table/TableImport.h"
 #include "colortool/table/TekkotsuTable.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace table_import_fuzz {
+
 using namespace colortool;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 void checkErrors(const robotlink::Errors& errors) {
   require(!errors.empty(), "a refusal has a reason");
@@ -61,7 +54,7 @@ std::string sprinkled(std::size_t size, char fill, int most) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   checkTable(bytes, {});
   checkTable(bytes, TableFormat::kTekkotsu);
@@ -94,3 +87,7 @@ std::vector<std::string> fuzzSeeds() {
           compressed(sprinkled(8 * k64, 0, 10)),
           compressed(sprinkled(8 * k64, 127, 10))};
 }
+
+const FuzzRegistration kTarget({"table_import", &fuzzSeeds, &runInput});
+
+}  // namespace table_import_fuzz

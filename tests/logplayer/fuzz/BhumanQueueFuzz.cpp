@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <google/protobuf/message.h>
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "logplayer/bhuman/QueueImport.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/bhuman/MemoryBytes.h"
 #include "tests/logplayer/bhuman/QueueBuilder.h"
 
+namespace bhuman_queue_fuzz {
+
 using namespace logplayer;
 using namespace logplayer::bhuman;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 std::uint64_t sumOf(const std::map<std::string, std::uint64_t>& counts) {
   std::uint64_t sum = 0;
@@ -39,7 +32,7 @@ std::string beginningOfRealLog() {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const auto source = bytesInMemory({data, size});
   static_cast<void>(MessageQueueReader::recognizes(*source));
   std::size_t bytes = 0;
@@ -86,3 +79,7 @@ std::vector<std::string> fuzzSeeds() {
   if (std::string real = beginningOfRealLog(); !real.empty()) seeds.push_back(std::move(real));
   return seeds;
 }
+
+const FuzzRegistration kTarget({"bhuman_queue", &fuzzSeeds, &runInput});
+
+}  // namespace bhuman_queue_fuzz

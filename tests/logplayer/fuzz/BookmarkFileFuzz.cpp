@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bookmarks that stand in a file beside their log.
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "tests/TestFolder.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace bookmark_file_fuzz {
+
 using namespace logplayer;
 
-namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   static const TestFolder folder;
   const auto log = folder / "game.mcap";
   {
@@ -45,3 +35,7 @@ std::vector<std::string> fuzzSeeds() {
              {"id": 17, "from_ns": 1500000000, "to_ns": 2500000000, "text": "the goal"},
              {"id": 9007199254740991, "from_ns": -5, "to_ns": 0, "text": ""}, {"id": 3, "removed": true}]}})"};
 }
+
+const FuzzRegistration kTarget({"bookmark_file", &fuzzSeeds, &runInput});
+
+}  // namespace bookmark_file_fuzz

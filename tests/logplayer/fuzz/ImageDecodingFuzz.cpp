@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "logplayer/images/ImageCoding.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/bhuman/QueueBuilder.h"
+
+namespace image_decoding_fuzz {
 
 using namespace logplayer;
 using robotlink::Image;
 using robotlink::PixelFormat;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 void check(const robotlink::Result<Image>& image) {
   if (!image) return require(!image.error().text.empty(), "a refusal says why");
@@ -38,7 +32,7 @@ std::string textOf(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::span<const std::uint8_t> bytes(data, size);
   const auto quads = decodeJpegQuads(bytes, 1U << 16U);
   if (quads)
@@ -62,3 +56,7 @@ std::vector<std::string> fuzzSeeds() {
   seeds.push_back(textOf(bhuman::fourComponentJpeg(image.data, 16, 8)));
   return seeds;
 }
+
+const FuzzRegistration kTarget({"image_decoding", &fuzzSeeds, &runInput});
+
+}  // namespace image_decoding_fuzz

@@ -8,6 +8,8 @@
 #include "robotlink/decoding/JsonType.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace json_messages_fuzz {
+
 // The input is a schema's name, a JSON schema and messages, a line each. What is read must survive Protobuf's
 // own encoding.
 using logplayer::MessageTable;
@@ -41,7 +43,7 @@ void check(const std::shared_ptr<const JsonType>& type, const std::string& line)
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   std::string rest(reinterpret_cast<const char*>(data), size);
   const std::string name = takeLine(rest);
   const std::string schema = takeLine(rest);
@@ -72,3 +74,7 @@ std::vector<std::string> fuzzSeeds() {
 {"1st":-9223372036854775808,"a-b":true,"a.b":{"q":"\u00fc"},"":[[[1,null,"NaN"]],[]]})",
   };
 }
+
+const FuzzRegistration kTarget({"json_messages", &fuzzSeeds, &runInput});
+
+}  // namespace json_messages_fuzz

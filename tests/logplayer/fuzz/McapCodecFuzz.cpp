@@ -7,6 +7,8 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/fuzz/McapSeeds.h"
 
+namespace mcap_codec_fuzz {
+
 // The input is records one after the other. What is decoded must be decoded the same after it was encoded.
 using namespace logplayer::mcap;
 
@@ -86,7 +88,7 @@ void check(const RecordView& record) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   visitRecords({data, size}, [](const RecordView& record, std::size_t) { check(record); });
   return 0;
 }
@@ -96,3 +98,7 @@ std::vector<std::string> fuzzSeeds() {
   for (std::string& seed : seeds) seed.erase(0, sizeof kMagic);
   return seeds;
 }
+
+const FuzzRegistration kTarget({"mcap_codec", &fuzzSeeds, &runInput});
+
+}  // namespace mcap_codec_fuzz

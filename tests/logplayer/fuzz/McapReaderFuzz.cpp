@@ -2,8 +2,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 #include "logplayer/mcap/read/MessageCursor.h"
@@ -11,15 +9,11 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/fuzz/McapSeeds.h"
 
+namespace mcap_reader_fuzz {
+
 using namespace logplayer::mcap;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 /// The input as a file in memory.
 class MemoryFile {
@@ -126,7 +120,7 @@ void repairIt(const std::filesystem::path& from) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const MemoryFile file(data, size);
   Reader::Options options;
   options.cacheBytes = 256U << 10U;
@@ -142,3 +136,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 std::vector<std::string> fuzzSeeds() {
   return mcapSeeds();
 }
+
+const FuzzRegistration kTarget({"mcap_reader", &fuzzSeeds, &runInput});
+
+}  // namespace mcap_reader_fuzz

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of scripts and of clients of a running workbench, as anybody may send them.
-#include <cstdio>
-#include <cstdlib>
 
 #include "robotlink/commands/CommandCompletion.h"
 #include "robotlink/commands/CommandLine.h"
@@ -9,15 +7,11 @@
 #include "robotlink/commands/ScriptLine.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace command_bytes_fuzz {
+
 using namespace robotlink;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 void requirePlace(const Error& error, const std::string& line) {
   require(!error.text.empty(), "a refusal says why");
@@ -49,7 +43,7 @@ void useLine(const std::string& line) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   LineReader reader;
   reader.feed(bytes.substr(0, size / 2));
@@ -66,3 +60,7 @@ std::vector<std::string> fuzzSeeds() {
   return {"a.b 'c d' 2 # x\nwait until a.b > $c for 3\n", "set x \"1\\n\"\nassert ${x} == $$y\ninclude 'z'\n",
           "wait 5\nscreenshot image a.png\n", std::string(20'000, 'a') + "\n"};
 }
+
+const FuzzRegistration kTarget({"command_bytes", &fuzzSeeds, &runInput});
+
+}  // namespace command_bytes_fuzz

@@ -10,9 +10,11 @@
 #include "tests/TestFolder.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace parameter_files_fuzz {
+
 using namespace robotlink;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   static const TestFolder folder;
   static const robotcontrol::Request prototype;  // has messages, lists, texts and numbers in it
   SolutionDescription solution;
@@ -40,3 +42,7 @@ std::vector<std::string> fuzzSeeds() {
   return {request.DebugString(), "id: 3 stop { engaged: true } # a comment\n",
           "set_parameters < task: 'a' solution: \"b\" >\n"};
 }
+
+const FuzzRegistration kTarget({"parameter_files", &fuzzSeeds, &runInput});
+
+}  // namespace parameter_files_fuzz

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions as people type them, and paths to values of messages.
-#include <cstdio>
-#include <cstdlib>
 
 #include "foxglove/Robot.pb.h"
 #include "robotlink/expressions/BoundExpression.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace expression_fuzz {
+
 using robotlink::BoundExpression;
 using robotlink::Expression;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 foxglove::JointStates joints() {
   foxglove::JointStates states;
@@ -27,7 +21,7 @@ foxglove::JointStates joints() {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   auto bound = BoundExpression::bind(text, {"red1/log", "red1/joints/states", "/a.b"}, {"red1"});
   if (!bound) {
@@ -53,3 +47,7 @@ std::vector<std::string> fuzzSeeds() {
           "max(1, joints/states.joints[-1].position, 2e3) ? pi : -joints/states.joints ^ 2", "!(/a.b.x < 1)",
           "sqrt(joints/states.timestamp / 2)"};
 }
+
+const FuzzRegistration kTarget({"expression", &fuzzSeeds, &runInput});
+
+}  // namespace expression_fuzz

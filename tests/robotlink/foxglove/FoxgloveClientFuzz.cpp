@@ -12,6 +12,8 @@
 #include "tests/robotlink/foxglove/FuzzedConversation.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
+namespace foxglove_client_fuzz {
+
 using namespace robotlink;
 using namespace robotlink::websocket;
 using namespace robotlink::websocket::test;
@@ -69,7 +71,7 @@ void checkAddress(const std::string& text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   checkRefusals(text, size > 0 ? data[0] * 3U : 0);
   checkAddress(text);
@@ -128,3 +130,7 @@ std::vector<std::string> fuzzSeeds() {
   seeds.push_back(parts + framed(ServiceCallResponse{1, 2, "json", "{}"}, 20));
   return seeds;
 }
+
+const FuzzRegistration kTarget({"foxglove_client", &fuzzSeeds, &runInput});
+
+}  // namespace foxglove_client_fuzz

@@ -6,6 +6,8 @@
 #include "tests/robotlink/foxglove/Demand.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
+namespace foxglove_codec_fuzz {
+
 using namespace robotlink;
 using namespace robotlink::websocket;
 using robotlink::websocket::test::demand;
@@ -25,7 +27,7 @@ void check(Result<Message> (*decode)(FrameKind, std::string_view), FrameKind kin
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   for (const FrameKind kind : {FrameKind::kText, FrameKind::kBinary}) {
     check(decodeServerMessage, kind, bytes);
@@ -47,3 +49,7 @@ std::vector<std::string> fuzzSeeds() {
   for (const auto& sample : websocket::test::clientSamples()) seeds.push_back(sample.wire);
   return seeds;
 }
+
+const FuzzRegistration kTarget({"foxglove_codec", &fuzzSeeds, &runInput});
+
+}  // namespace foxglove_codec_fuzz

@@ -17,6 +17,8 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/foxglove/Demand.h"
 
+namespace foxglove_handshake_fuzz {
+
 using namespace robotlink;
 using namespace robotlink::websocket;
 using namespace robotlink::websocket::test;
@@ -149,7 +151,7 @@ std::string requestWith(const std::string& fields, const std::string& target = "
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const unsigned head = data[0];
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, std::min(size - 1, kMaxBytes));
@@ -192,3 +194,7 @@ std::vector<std::string> fuzzSeeds() {
       input(kIsAnswer, "HTTP/1.1 503 Full\r\nTransfer-Encoding: chunked\r\n\r\n3\r\na\xff\n\r\n0\r\n\r\n"),
       input(kIsAnswer, "HTTP/1.1 200 OK\r\n\r\n<html>")};
 }
+
+const FuzzRegistration kTarget({"foxglove_handshake", &fuzzSeeds, &runInput});
+
+}  // namespace foxglove_handshake_fuzz

@@ -14,6 +14,8 @@
 #include "tests/robotlink/foxglove/FuzzedConversation.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
+namespace foxglove_remote_fuzz {
+
 using namespace robotlink;
 using namespace robotlink::websocket;
 using namespace robotlink::websocket::test;
@@ -135,7 +137,7 @@ Request keyRequest(bool isOn) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   ByteReader reader(std::span(data, size));
   FuzzedSession fuzzed(reader.take<std::uint8_t>());
   while (const auto message = nextMessage(reader, 8192)) {
@@ -241,3 +243,7 @@ std::vector<std::string> fuzzSeeds() {
   seeds.push_back(all);
   return seeds;
 }
+
+const FuzzRegistration kTarget({"foxglove_remote", &fuzzSeeds, &runInput});
+
+}  // namespace foxglove_remote_fuzz

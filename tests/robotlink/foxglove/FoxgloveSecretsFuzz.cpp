@@ -9,11 +9,13 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/foxglove/Demand.h"
 
+namespace foxglove_secrets_fuzz {
+
 using namespace robotlink;
 using namespace robotlink::websocket;
 using robotlink::websocket::test::demand;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   if (const auto tokens = parseTokens(text, "f")) {
     demand(parseTokens(toText(*tokens), "f") == *tokens, "tokens are written as they are read");
@@ -51,3 +53,7 @@ std::vector<std::string> fuzzSeeds() {
           "-----BEGIN PRIVATE KEY-----\nMIGHAgEAMBMGByqGSM49AgEGCCqGSM49AwEHBG0wawIBAQ==\n-----END PRIVATE "
           "KEY-----\n"};
 }
+
+const FuzzRegistration kTarget({"foxglove_secrets", &fuzzSeeds, &runInput});
+
+}  // namespace foxglove_secrets_fuzz

@@ -6,6 +6,8 @@
 #include "tests/robotlink/foxglove/FuzzedConversation.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
+namespace foxglove_server_fuzz {
+
 using namespace robotlink;
 using namespace robotlink::websocket;
 using namespace robotlink::websocket::test;
@@ -31,7 +33,7 @@ std::shared_ptr<Server> makeServer(std::vector<Reply>& replies) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   std::vector<Reply> replies;
   const auto server = makeServer(replies);
   auto channels =
@@ -67,3 +69,7 @@ std::vector<std::string> fuzzSeeds() {
   seeds.push_back(framed(Subscribe{{{1, 1}, {2, 2}}}, 0) + all);
   return seeds;
 }
+
+const FuzzRegistration kTarget({"foxglove_server", &fuzzSeeds, &runInput});
+
+}  // namespace foxglove_server_fuzz

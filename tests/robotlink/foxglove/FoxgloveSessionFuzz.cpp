@@ -9,6 +9,8 @@
 #include "tests/robotlink/foxglove/FuzzedConversation.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
+namespace foxglove_session_fuzz {
+
 using namespace robotlink;
 using namespace robotlink::websocket;
 using namespace robotlink::websocket::test;
@@ -42,7 +44,7 @@ void publishTables(Session& session) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   Session session;
   session.setRobots({"r"});
   bool isWatcherAlone = false;
@@ -109,3 +111,7 @@ std::vector<std::string> fuzzSeeds() {
   for (const auto& sample : clientSamples()) seeds.push_back(framed(sample.wire, 4));
   return seeds;
 }
+
+const FuzzRegistration kTarget({"foxglove_session", &fuzzSeeds, &runInput});
+
+}  // namespace foxglove_session_fuzz

@@ -9,7 +9,9 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/motions/CmpackBytes.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+namespace cmpack_motion_fuzz {
+
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const auto motion = robotlink::readCmpackMotion(bytes, "fuzz.mot");
   if (!motion && !motion.error().empty()) return 0;
@@ -22,3 +24,7 @@ std::vector<std::string> fuzzSeeds() {
   const auto frames = robotlink::cmpackKick();
   return {robotlink::cmpackBytes(frames), robotlink::cmpackBytes({frames[2]})};
 }
+
+const FuzzRegistration kTarget({"cmpack_motion", &fuzzSeeds, &runInput});
+
+}  // namespace cmpack_motion_fuzz

@@ -9,7 +9,9 @@
 #include "robotlink/motions/MotionReader.h"
 #include "tests/fuzz/FuzzTarget.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+namespace motion_file_fuzz {
+
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto motion = robotlink::readMotion(text, "fuzz.mof");
   if (motion || !motion.error().empty()) return 0;
@@ -32,3 +34,7 @@ std::vector<std::string> fuzzSeeds() {
   }
   return seeds;
 }
+
+const FuzzRegistration kTarget({"motion_file", &fuzzSeeds, &runInput});
+
+}  // namespace motion_file_fuzz

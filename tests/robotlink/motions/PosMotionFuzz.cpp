@@ -8,7 +8,9 @@
 #include "robotlink/motions/MotionWriter.h"
 #include "tests/fuzz/FuzzTarget.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+namespace pos_motion_fuzz {
+
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto motion = robotlink::readPosMotion(text, "fuzz.pos");
   if (!motion && !motion.error().empty()) return 0;
@@ -22,3 +24,7 @@ std::vector<std::string> fuzzSeeds() {
           "2\r\n# a \"kick\" // left\r\n40 ? ? ?  -1 2.5 3  4 5 6  7 8 9  10 11 12\r\n"
           "15 1 2 3  1 2 3  4 5 6  7 8 9  10 11 12"};
 }
+
+const FuzzRegistration kTarget({"pos_motion", &fuzzSeeds, &runInput});
+
+}  // namespace pos_motion_fuzz

@@ -8,6 +8,8 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/ros/RosMessages.h"
 
+namespace ros_messages_fuzz {
+
 using robotlink::ros::test::fuzzInput;
 using robotlink::ros::test::kRos1;
 using robotlink::ros::test::kRos2;
@@ -28,7 +30,7 @@ void check(const google::protobuf::Message& message) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const auto message = robotlink::ros::test::messageOfFuzzInput({reinterpret_cast<const char*>(data), size});
   if (message) check(*message);
   return 0;
@@ -55,3 +57,7 @@ std::vector<std::string> fuzzSeeds() {
           "01000000 02000000 03000000 01000000 61 01000000 ffffffff ffffffff 02000000 0102 01000000 ff"),
   };
 }
+
+const FuzzRegistration kTarget({"ros_messages", &fuzzSeeds, &runInput});
+
+}  // namespace ros_messages_fuzz

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds made from maps, with robots put into them.
-#include <cstdio>
-#include <cstdlib>
 
 #include "simcore/maps/MapWorld.h"
 #include "simcore/placement/RobotPlacement.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace map_scene_fuzz {
+
 using namespace simcore;
 using robotlink::GroundMap;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 std::shared_ptr<const ModelDescription> bucket() {
   auto type = std::make_shared<ModelDescription>();
@@ -38,7 +32,7 @@ void checkSolids(const ModelInstance& model) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const auto map = GroundMap::parse({reinterpret_cast<const char*>(data), size}, "fuzz.map");
   if (!map) return 0;
   auto world = mapWorld(*map, "fuzz.map");
@@ -71,3 +65,7 @@ std::vector<std::string> fuzzSeeds() {
       "2D-Map\nResolution: 50\nDATA\n0 0\n3000 0\n3000 3000\n0 3000\n50 0\n100 0\n150 50\n",
       "2D-Map\nCairn: RobotHome 0 0 0\n"};
 }
+
+const FuzzRegistration kTarget({"map_scene", &fuzzSeeds, &runInput});
+
+}  // namespace map_scene_fuzz

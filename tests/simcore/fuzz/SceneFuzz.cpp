@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,8 +16,12 @@
 #include "tests/TestFolder.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace scene_fuzz {
+
 using namespace simcore;
 namespace fs = std::filesystem;
+
+std::vector<std::string> fuzzSeeds();
 
 namespace {
 
@@ -27,12 +29,6 @@ constexpr int kSteps = 20;
 /// Far above what any small scene takes, and far below what hurts.
 constexpr double kMaxSeconds = 20;
 constexpr long kMaxMegabytes = 2000;
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 /// The largest memory of this process so far.
 long megabytes() {
@@ -81,7 +77,7 @@ void simulate(const std::shared_ptr<const Scene>& scene) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const auto start = std::chrono::steady_clock::now();
   const fs::path file = folder().write("world.sdf", {reinterpret_cast<const char*>(data), size});
   const auto scene = Scene::load(file, {}, {}, {ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models"});
@@ -175,17 +171,7 @@ std::string mutateElements(std::string text, unsigned seed) {
   return text;
 }
 
-const bool kMutationSet = (fuzzMutation = &mutateElements, true);
-
 }  // namespace
-
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t maxSize,
-                                               unsigned seed) {
-  const std::string text = mutateElements({reinterpret_cast<const char*>(data), size}, seed);
-  size = std::min(text.size(), maxSize);
-  std::copy_n(text.begin(), size, data);
-  return kMutationSet ? size : 0;
-}
 
 std::vector<std::string> fuzzSeeds() {
   std::vector<fs::path> files;
@@ -202,3 +188,7 @@ std::vector<std::string> fuzzSeeds() {
   for (const fs::path& file : files) seeds.push_back(textOf(file));
   return seeds;
 }
+
+const FuzzRegistration kTarget({"scene", &fuzzSeeds, &runInput, &mutateElements});
+
+}  // namespace scene_fuzz

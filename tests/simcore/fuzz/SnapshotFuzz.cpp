@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -14,15 +13,11 @@
 #include "simcore/Snapshot.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace snapshot_fuzz {
+
 using namespace simcore;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 constexpr const char* kWorld =
     R"(<sdf version="1.9" xmlns:robotcontrol="urn:robotcontrol:sdf"><world name="w">
@@ -70,7 +65,7 @@ void play(Simulation& simulation, int steps) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   static const std::unique_ptr<Simulation> simulation = made();
   static const Snapshot start = simulation->snapshot();
   (void)Snapshot::decode({data, size}, "fuzz.snapshot");
@@ -105,3 +100,7 @@ std::vector<std::string> fuzzSeeds() {
   add(simulation->snapshot().encode());
   return seeds;
 }
+
+const FuzzRegistration kTarget({"snapshot", &fuzzSeeds, &runInput});
+
+}  // namespace snapshot_fuzz

@@ -10,6 +10,8 @@
 #include "widgets/world/FrameTree.h"
 #include "widgets/world/StreamFigures.h"
 
+namespace figures_fuzz {
+
 using robotlink::Instant;
 using robotlink::ros::test::fuzzInput;
 using robotlink::ros::test::kRos1;
@@ -59,7 +61,7 @@ std::string markers(const std::string& kind) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   auto message = robotlink::ros::test::messageOfFuzzInput({reinterpret_cast<const char*>(data), size});
   if (!message) return 0;
   if (const auto* known = robotlink::ros::knownType(message->GetDescriptor()->full_name())) {
@@ -108,3 +110,7 @@ std::vector<std::string> fuzzSeeds() {
       markers("0b"),
   };
 }
+
+const FuzzRegistration kTarget({"figures", &fuzzSeeds, &runInput});
+
+}  // namespace figures_fuzz

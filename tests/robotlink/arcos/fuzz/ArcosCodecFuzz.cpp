@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes from a line, and packets with any number and data, both ways.
-#include <cstdio>
-#include <cstdlib>
 
 #include "robotlink/arcos/codec/Command.h"
 #include "robotlink/arcos/codec/PacketDescription.h"
@@ -10,15 +8,11 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/arcos/fuzz/ArcosSeeds.h"
 
+namespace arcos_codec_fuzz {
+
 using namespace robotlink::arcos;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 void checkCommand(const Packet& packet) {
   const auto command = toCommand(packet);
@@ -81,7 +75,7 @@ void checkStream(const std::uint8_t* data, std::size_t size) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   checkStream(data, size);
   if (size > 0) checkPacket({data[0], Bytes(data + 1, data + std::min(size, kMaxData + 1))});
   return 0;
@@ -99,3 +93,7 @@ std::vector<std::string> fuzzSeeds() {
   seeds.push_back(all);
   return seeds;
 }
+
+const FuzzRegistration kTarget({"arcos_codec", &fuzzSeeds, &runInput});
+
+}  // namespace arcos_codec_fuzz

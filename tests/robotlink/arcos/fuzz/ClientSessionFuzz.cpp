@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A client's session fed with anything at any time. The input is a script of steps, each a letter and what it
 // needs.
-#include <cstdio>
-#include <cstdlib>
 
 #include "robotlink/arcos/ClientSession.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/arcos/fuzz/ArcosSeeds.h"
+
+namespace arcos_client_session_fuzz {
 
 using namespace robotlink;
 using namespace robotlink::arcos;
@@ -14,12 +14,6 @@ using namespace robotlink::arcos;
 namespace {
 
 using State = ClientSession::State;
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 /// The script; at its end all is 0.
 class Script {
@@ -114,7 +108,7 @@ void obey(Script& script, ClientSession& session, PacketParser& parser, Instant&
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   Script script(data, size);
   ClientSession::Options options;
   options.reconnect = script.byte() % 2 == 0;
@@ -150,3 +144,7 @@ std::vector<std::string> fuzzSeeds() {
           handshake + packet({0xFF, {}}) + "t\x09t\x09t\x09t\x09t\x09",
           handshake + "xt\x0Al"};
 }
+
+const FuzzRegistration kTarget({"arcos_client_session", &fuzzSeeds, &runInput});
+
+}  // namespace arcos_client_session_fuzz

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
-#include <cstdlib>
-
 #include "robotlink/arcos/codec/Conversation.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/arcos/fuzz/ArcosSeeds.h"
 
+namespace arcos_conversation_fuzz {
+
 using namespace robotlink::arcos;
 
-namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const auto conversation = readConversation({reinterpret_cast<const char*>(data), size}, "input");
   if (!conversation) {
     require(conversation.error().where.line > 0, "an error has its line");
@@ -48,3 +37,7 @@ std::vector<std::string> fuzzSeeds() {
   seeds.push_back("# a remark\n\n=== new connection\r\n  -5.05 client closed");
   return seeds;
 }
+
+const FuzzRegistration kTarget({"arcos_conversation", &fuzzSeeds, &runInput});
+
+}  // namespace arcos_conversation_fuzz

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A robot's side of ARCOS, fed with what a client may send and with time that passes between the packets.
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "robotlink/arcos/codec/Command.h"
@@ -9,16 +8,12 @@
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/arcos/IdealRobot.h"
 
+namespace server_session_fuzz {
+
 using namespace robotlink;
 using namespace robotlink::arcos;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 void check(IdealRobot& robot) {
   constexpr double kFastest = 1.5 + 0.588 / 2 * radians(300.0) + 1e-9;
@@ -36,7 +31,7 @@ void check(IdealRobot& robot) {
 }  // namespace
 
 /// Bytes of the stream; 0xFF 0xFE n between them lets n steps pass.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   IdealRobot robot;
   robot.connect();
   PacketParser parser;
@@ -84,3 +79,7 @@ std::vector<std::string> fuzzSeeds() {
             command(CommandId::kVel2, joined({-128, 127}))}),
   };
 }
+
+const FuzzRegistration kTarget({"server_session", &fuzzSeeds, &runInput});
+
+}  // namespace server_session_fuzz

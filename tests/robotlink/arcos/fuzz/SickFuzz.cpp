@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes from the line of a laser, into the parser and a session.
-#include <cstdio>
-#include <cstdlib>
 
 #include "robotlink/arcos/sick/SickSession.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/arcos/sick/SimulatedSick.h"
 
+namespace sick_fuzz {
+
 using namespace robotlink::arcos;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 void checkStream(const std::uint8_t* data, std::size_t size) {
   SickParser parser;
@@ -67,7 +61,7 @@ void checkSession(const std::uint8_t* data, std::size_t size) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   checkStream(data, size);
   checkSession(data, size);
   return 0;
@@ -97,3 +91,7 @@ std::vector<std::string> fuzzSeeds() {
   add(all);
   return seeds;
 }
+
+const FuzzRegistration kTarget({"sick", &fuzzSeeds, &runInput});
+
+}  // namespace sick_fuzz

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Maps of a building's floor.
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/base/Utf8.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace ground_map_fuzz {
+
 using robotlink::GroundMap;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 bool isNear(const robotlink::Vector2& point) {
   return std::abs(point.x()) <= 10'000 && std::abs(point.y()) <= 10'000;
@@ -41,7 +36,7 @@ void check(const GroundMap& map, std::size_t size) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const auto map = GroundMap::parse({reinterpret_cast<const char*>(data), size}, "fuzz.map");
   if (map)
     check(*map, size);
@@ -65,3 +60,7 @@ std::vector<std::string> fuzzSeeds() {
       "\xEF\xBB\xBF"
       "2D-Map\nDATA\n1 2\n1 2 3\n"};
 }
+
+const FuzzRegistration kTarget({"ground_map", &fuzzSeeds, &runInput});
+
+}  // namespace ground_map_fuzz

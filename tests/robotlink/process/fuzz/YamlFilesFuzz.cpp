@@ -2,8 +2,6 @@
 // Process layouts, descriptions of robots and descriptions of fields: all that is written in YAML.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -12,15 +10,11 @@
 #include "robotlink/process/Layout.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace yaml_files_fuzz {
+
 using namespace robotlink;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 /// Every refusal says why, and where.
 void checkErrors(const Errors& errors) {
@@ -40,7 +34,7 @@ void checkRobot(const RobotDescription& robot) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   if (const auto layout = parseLayout(text, "layout.yaml"))
     checkLayout(*layout, {}, {});
@@ -69,3 +63,7 @@ std::vector<std::string> fuzzSeeds() {
   }
   return seeds;
 }
+
+const FuzzRegistration kTarget({"yaml_files", &fuzzSeeds, &runInput});
+
+}  // namespace yaml_files_fuzz

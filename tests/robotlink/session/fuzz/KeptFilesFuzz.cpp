@@ -2,8 +2,6 @@
 // What the workbench keeps for a person: settings and presets of debug keys. Somebody may have edited them,
 // or a disk damaged them.
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 
 #include "robotcontrol/Debugging.pb.h"
@@ -12,15 +10,11 @@
 #include "tests/TestFolder.h"
 #include "tests/fuzz/FuzzTarget.h"
 
+namespace kept_files_fuzz {
+
 using namespace robotlink;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 /// Anew: disks take their time with files that are written over.
 void write(const std::filesystem::path& path, const std::uint8_t* data, std::size_t size) {
@@ -49,7 +43,7 @@ void checkPresets(const std::filesystem::path& folder) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+int runInput(const std::uint8_t* data, std::size_t size) {
   static const TestFolder folder;
   write(folder / "fuzz.keys.json", data, size);
   checkPresets(folder.path());
@@ -65,3 +59,7 @@ std::vector<std::string> fuzzSeeds() {
       R"({"format": "robotcontrol-debug-keys", "version": 1, "keys": {"ball-percept/circle": {"mode": "always"},
              "timing/tasks": {"mode": "every-n", "n": 12}, "x": {"mode": "every-ms", "n": 100}}})"};
 }
+
+const FuzzRegistration kTarget({"kept_files", &fuzzSeeds, &runInput});
+
+}  // namespace kept_files_fuzz
