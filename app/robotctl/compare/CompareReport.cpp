@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "robotlink/base/AtomicFile.h"
 
@@ -12,13 +15,19 @@ namespace app {
 namespace {
 
 // The plot of a figure, in pixels.
-constexpr double kWidth = 460, kLineHeight = 22, kMargin = 10, kDotRadius = 2.5;
+constexpr double kWidth = 460, kLineHeight = 22, kMargin = 10, kDotRadius = 2.5, kLabelWidth = 130;
+/// Of variants, in plots; distinct for those who see few colors, too (M. Okabe, K. Ito, 2008).
+constexpr std::array<const char*, 6> kVariantColors{"#0072b2", "#d55e00", "#009e73",
+                                                    "#cc79a7", "#e69f00", "#56b4e9"};
 
 constexpr char kStyle[] = R"(
-:root{color-scheme:light dark}body{font:14px/1.45 sans-serif;margin:2em auto;max-width:76em;padding:0 1em}
+:root{color-scheme:light dark}body{font:14px/1.45 sans-serif;margin:2em auto;max-width:84em;padding:0 1em}
 table{border-collapse:collapse;margin:.6em 0 2em}th,td{padding:.25em .8em;text-align:right;border-bottom:1px solid #8884}
-th:first-child,td:first-child{text-align:left}h2{margin-top:2em}.real{font-weight:bold}.better{color:#07803a}
-code{background:#8882;padding:.1em .3em}svg text{fill:currentColor;font-size:12px}.note{opacity:.75}
+th:first-child,td:first-child{text-align:left}th{vertical-align:bottom}h2{margin-top:2em}
+tr.group td{font-weight:bold;padding-top:1.2em;border-bottom:2px solid #8888}tr:hover td{background:#8881}
+.better{color:#07803a;font-weight:bold}.worse{color:#b3261e;font-weight:bold}.wide{overflow-x:auto}
+code{background:#8882;padding:.1em .3em;overflow-wrap:anywhere}svg text{fill:currentColor;font-size:12px}.note{opacity:.75}
+.missing{color:#b3261e}
 )";
 
 std::string escaped(const std::string& text) {
@@ -54,6 +63,24 @@ std::string intervalText(const MeanInterval& interval, const std::string& unit) 
                      interval.low, interval.high);
 }
 
+/// Whether less of a figure is better; nothing where neither is.
+std::optional<bool> isLessBetter(const std::string& figure) {
+  const auto has = [&](const char* part) { return figure.find(part) != std::string::npos; };
+  for (const char* part : {"conceded", "penalties", "outside", "lying", "fell", "missed", "false", "ms_per_"})
+    if (has(part)) return true;
+  for (const char* end : {" mean", " median", " p95"})
+    if (has("/") && figure.ends_with(end)) return true;
+  for (const char* part : {"won", "goals", "forward", "least_upright", "real_time_factor", "share of trials"})
+    if (has(part)) return false;
+  return std::nullopt;
+}
+
+/// A package or another thing whose figures stand together: "models/ball"; empty: they belong to the whole.
+std::string groupOf(const std::string& figure) {
+  const std::string word = figure.substr(0, figure.find(' '));
+  return word.find('/') == std::string::npos ? std::string() : word;
+}
+
 /// The range that a plot shows.
 struct Range {
   double low = 0, high = 0;
@@ -64,28 +91,37 @@ struct Range {
     high = std::max(high, value);
   }
   double place(double value) const {
-    return kMargin + (high > low ? (value - low) / (high - low) : 0.5) * (kWidth - 2 * kMargin);
+    const double share = high > low ? (value - low) / (high - low) : 0.5;
+    return kLabelWidth + kMargin + share * (kWidth - kLabelWidth - 2 * kMargin);
   }
 };
 
-std::string plotLine(const Comparison::Row& row, const std::string& variant, const Range& range, double y) {
-  std::string svg;
+/// A name that fits beside a plot.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t kMaxLetters = 20;
+  return name.size() <= kMaxLetters ? name : name.substr(0, kMaxLetters - 1) + "\u2026";
+}
+
+std::string plotLine(const Comparison::Row& row, const std::string& variant, const char* color,
+                     const Range& range, double y) {
+  std::string svg = fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>", kLabelWidth, y + 4,
+                                escaped(shortened(variant)));
   if (const auto cell = row.byVariant.find(variant); cell != row.byVariant.end()) {
     for (const auto& [subject, value] : cell->second.bySubject)
       svg += fmt::format(
-          "<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='#4a90d9' fill-opacity='.45'><title>{}: "
+          "<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='{}' fill-opacity='.45'><title>{}, {}: "
           "{}</title></circle>",
-          range.place(value), y, kDotRadius, escaped(subject), numberText(value, row.unit));
+          range.place(value), y, kDotRadius, color, escaped(variant), escaped(subject),
+          numberText(value, row.unit));
   }
   const MeanInterval mean = Comparison::meanOf(row, variant);
   if (std::isfinite(mean.low))
-    svg += fmt::format(
-        "<line x1='{:.1f}' x2='{:.1f}' y1='{:.1f}' y2='{:.1f}' stroke='currentColor' stroke-width='2'/>",
-        range.place(mean.low), range.place(mean.high), y, y);
+    svg += fmt::format("<line x1='{:.1f}' x2='{:.1f}' y1='{:.1f}' y2='{:.1f}' stroke='{}' stroke-width='2'/>",
+                       range.place(mean.low), range.place(mean.high), y, y, color);
   return svg + fmt::format(
-                   "<line x1='{0:.1f}' x2='{0:.1f}' y1='{1:.1f}' y2='{2:.1f}' stroke='currentColor' "
+                   "<line x1='{0:.1f}' x2='{0:.1f}' y1='{1:.1f}' y2='{2:.1f}' stroke='{3}' "
                    "stroke-width='3'/>",
-                   range.place(mean.mean), y - 6, y + 6);
+                   range.place(mean.mean), y - 6, y + 6, color);
 }
 
 std::string plotOf(const Comparison::Row& row, const std::vector<std::string>& variants) {
@@ -99,13 +135,16 @@ std::string plotOf(const Comparison::Row& row, const std::vector<std::string>& v
   const double height = kLineHeight * static_cast<double>(variants.size()) + 24;
   std::string svg = fmt::format("<svg width='{}' height='{}' role='img'>", kWidth, height);
   double y = kLineHeight / 2;
-  for (const std::string& variant : variants) {
-    svg += plotLine(row, variant, range, y);
+  if (range.low < 0 && range.high > 0)
+    svg += fmt::format("<line x1='{0:.1f}' x2='{0:.1f}' y1='0' y2='{1:.1f}' stroke='#8888'/>", range.place(0),
+                       height - 22);
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    svg += plotLine(row, variants[i], kVariantColors[i % kVariantColors.size()], range, y);
     y += kLineHeight;
   }
   svg += fmt::format("<text x='{}' y='{}'>{}</text><text x='{}' y='{}' text-anchor='end'>{}</text></svg>",
-                     kMargin, height - 6, numberText(range.low, row.unit), kWidth - kMargin, height - 6,
-                     numberText(range.high, row.unit));
+                     kLabelWidth + kMargin, height - 6, numberText(range.low, row.unit), kWidth - kMargin,
+                     height - 6, numberText(range.high, row.unit));
   return svg;
 }
 
@@ -122,11 +161,16 @@ std::string plainTable(const ReportTable& table) {
 }
 
 std::string summaryTable(const Comparison& comparison) {
-  std::string html = "<table><tr><th>figure</th>";
+  std::string html = "<div class=wide><table><tr><th>figure</th>";
   for (const std::string& variant : comparison.variants()) html += "<th>" + escaped(variant) + "</th>";
-  html += "<th>" + std::string("mean, 95 % bounds, single runs") + "</th></tr>\n";
+  html += "<th>mean, 95 % bounds, single runs</th></tr>\n";
+  std::string group;
   for (const Comparison::Row& row : comparison.rows()) {
-    html += "<tr><td>" + escaped(row.name) + "</td>";
+    const std::string own = groupOf(row.name);
+    if (std::exchange(group, own) != own && !own.empty())
+      html += fmt::format("<tr class=group><td colspan={}>{}</td></tr>\n", comparison.variants().size() + 2,
+                          escaped(own));
+    html += "<tr><td>" + escaped(own.empty() ? row.name : row.name.substr(own.size() + 1)) + "</td>";
     for (const std::string& variant : comparison.variants())
       html += "<td>" +
               (row.byVariant.contains(variant) ? intervalText(Comparison::meanOf(row, variant), row.unit)
@@ -134,20 +178,50 @@ std::string summaryTable(const Comparison& comparison) {
               "</td>";
     html += "<td>" + plotOf(row, comparison.variants()) + "</td></tr>\n";
   }
-  return html + "</table>\n";
+  return html + "</table></div>\n";
 }
 
-std::string differenceTable(const Comparison& comparison) {
-  std::string html =
-      "<table><tr><th>figure</th><th>from</th><th>to</th><th>runs</th><th>change</th><th>real</th></tr>\n";
-  for (const Difference& one : comparison.differences()) {
+/// "12 % less", colored where it is known whether that is good.
+std::string changeText(const Comparison& comparison, const Difference& one) {
+  const auto row = std::ranges::find(comparison.rows(), one.figure, &Comparison::Row::name);
+  const double before =
+      row == comparison.rows().end() ? 0 : std::abs(Comparison::meanOf(*row, one.first).mean);
+  const bool isLess = one.change.mean < 0;
+  const std::string amount =
+      before > 0 ? fmt::format("{:.3g} % ", 100 * std::abs(one.change.mean) / before) : std::string();
+  const auto lessIsBetter = isLessBetter(one.figure);
+  const char* kind = !lessIsBetter ? "" : *lessIsBetter == isLess ? "better" : "worse";
+  return fmt::format("<td class='{}'>{}{}</td>", kind, amount, isLess ? "less" : "more");
+}
+
+std::string differenceTable(const Comparison& comparison, const std::vector<Difference>& differences) {
+  std::string rows;
+  for (const Difference& one : differences) {
     if (!one.isReal()) continue;
-    html += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=real>{}</td></tr>\n",
-        escaped(one.figure), escaped(one.first), escaped(one.second), one.subjects,
-        intervalText(one.change, one.unit), one.change.mean < 0 ? "less" : "more");
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{}</td></tr>\n",
+                        escaped(one.figure), escaped(one.first), escaped(one.second),
+                        changeText(comparison, one), intervalText(one.change, one.unit), one.subjects);
   }
-  return html + "</table>\n";
+  if (rows.empty()) return "<p>None: these runs do not tell the variants apart. More of them may.</p>\n";
+  return "<div class=wide><table><tr><th>figure</th><th>from</th><th>to</th><th></th><th>change</th>"
+         "<th>runs</th></tr>\n" +
+         rows + "</table></div>\n";
+}
+
+/// How much was compared, in a sentence.
+std::string extentText(const Comparison& comparison, const std::vector<Difference>& differences) {
+  std::string text;
+  for (const std::string& variant : comparison.variants()) {
+    std::size_t runs = 0;
+    for (const Comparison::Row& row : comparison.rows())
+      if (const auto cell = row.byVariant.find(variant); cell != row.byVariant.end())
+        runs = std::max(runs, cell->second.bySubject.size());
+    text += fmt::format("{}{} ({} run{})", text.empty() ? "" : ", ", escaped(variant), runs,
+                        runs == 1 ? "" : "s");
+  }
+  const auto real = std::ranges::count_if(differences, &Difference::isReal);
+  return fmt::format("<p>{}; {} figures, {} of {} differences are real.</p>\n", text,
+                     comparison.rows().size(), real, differences.size());
 }
 
 }  // namespace
@@ -198,18 +272,19 @@ std::string reportHtml(const Comparison& comparison, const ReportTitle& title) {
                      escaped(title.title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
                      escaped(title.title) + "</h1>\n";
   html += "<p>Made by <code>" + escaped(title.command) + "</code></p>\n";
-  for (const std::string& run : title.missing) html += "<p>Without a result: " + escaped(run) + "</p>\n";
+  const std::vector<Difference> differences = comparison.differences();
+  html += extentText(comparison, differences);
+  for (const std::string& run : title.missing)
+    html += "<p class=missing>Without a result: " + escaped(run) + "</p>\n";
   for (const ReportTable& table : title.tables) html += plainTable(table);
   html +=
-      "<h2>Figures</h2>\n<p class=note>Means over the runs, in brackets the bounds that hold the mean with "
-      "95 % "
-      "confidence (bootstrap).</p>\n" +
-      summaryTable(comparison);
-  html +=
       "<h2>Differences that are real</h2>\n<p class=note>Changes between two variants on the same subjects, "
-      "whose "
-      "95 % bounds exclude 0. All others are in differences.csv.</p>\n" +
-      differenceTable(comparison);
+      "whose 95 % bounds (bootstrap, in brackets) exclude 0. All others are in differences.csv.</p>\n" +
+      differenceTable(comparison, differences);
+  html +=
+      "<h2>Figures</h2>\n<p class=note>Means over the runs, in brackets the bounds that hold the mean with "
+      "95 % confidence (bootstrap). A dot is a run; its tip says which.</p>\n" +
+      summaryTable(comparison);
   return html + "</body></html>\n";
 }
 
