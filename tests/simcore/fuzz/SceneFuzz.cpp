@@ -4,8 +4,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -78,13 +80,14 @@ void simulate(const std::shared_ptr<const Scene>& scene) {
 }  // namespace
 
 int runInput(const std::uint8_t* data, std::size_t size) {
-  const auto start = std::chrono::steady_clock::now();
+  // Of the processor, since others may use it, too.
+  const std::clock_t start = std::clock();
   const fs::path file = folder().write("world.sdf", {reinterpret_cast<const char*>(data), size});
   const auto scene = Scene::load(file, {}, {}, {ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models"});
   if (scene) simulate(*scene);
   if (!scene) require(!scene.error().empty(), "what is refused has an error");
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  require(passed.count() < kMaxSeconds, "a scene takes little time");
+  const double passed = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  require(passed < kMaxSeconds, "a scene takes little time");
   require(megabytes() < kMaxMegabytes, "a scene takes little memory");
   return 0;
 }
