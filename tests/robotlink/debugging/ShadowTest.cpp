@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 namespace {
 
-constexpr char kObey[] = "shadow/behavior/obey";
+constexpr char kObeyKey[] = "shadow/behavior/obey";
 
 /// All that a robot has published but what its shadows have, by path and time; the tables of keys list modes
 /// of shadows.
@@ -55,7 +55,7 @@ TEST(ShadowTest, aKeyNamesTaskAndSolution) {
 TEST(ShadowTest, itPublishesUnderItsNameAndReachesNobody) {
   ToyRobot robot;
   robot.setKey("package/motion/request", KeyMode::ALWAYS);
-  ASSERT_TRUE(robot.setKey(kObey, KeyMode::ALWAYS).accepted());
+  ASSERT_TRUE(robot.setKey(kObeyKey, KeyMode::ALWAYS).accepted());
   robot.run(100);
   const auto used = robot.on("motion/request"), shadowed = robot.on("shadow/obey/motion/request");
   ASSERT_GT(shadowed.size(), 10U);
@@ -75,7 +75,7 @@ TEST(ShadowTest, activeSolutionsSendTheSameBytesWithAndWithoutShadows) {
     robot->setKey("ball-model/plot", KeyMode::EVERY_N, 2);
     robot->setKey("ball-percept/dot", KeyMode::N_TIMES, 7);
     const auto kind = robot == &shadowed ? KeyMode::ALWAYS : KeyMode::OFF;
-    for (const char* key : {kObey, "shadow/ball-model/last", "shadow/ball-percept/region"})
+    for (const char* key : {kObeyKey, "shadow/ball-model/last", "shadow/ball-percept/region"})
       EXPECT_TRUE(robot->setKey(key, kind).accepted());
     robot->run(100);
     EXPECT_TRUE(robot->select("behavior", "obey").accepted());
@@ -99,7 +99,7 @@ TEST(ShadowTest, itsKeysHaveCountersOfTheirOwn) {
 
 TEST(ShadowTest, aModeLetsItRunLessOften) {
   ToyRobot robot;
-  ASSERT_TRUE(robot.setKey(kObey, KeyMode::EVERY_N, 4).accepted());
+  ASSERT_TRUE(robot.setKey(kObeyKey, KeyMode::EVERY_N, 4).accepted());
   robot.setKey("package/motion/request", KeyMode::ALWAYS);
   const auto before = robot.on("shadow/obey/motion/request").size();
   const auto usedBefore = robot.on("motion/request").size();
@@ -107,10 +107,10 @@ TEST(ShadowTest, aModeLetsItRunLessOften) {
   const auto used = robot.on("motion/request").size() - usedBefore;
   EXPECT_NEAR(static_cast<double>(robot.on("shadow/obey/motion/request").size() - before),
               static_cast<double>(used) / 4, 1);
-  ASSERT_TRUE(robot.setKey(kObey, KeyMode::N_TIMES, 2).accepted());
+  ASSERT_TRUE(robot.setKey(kObeyKey, KeyMode::N_TIMES, 2).accepted());
   robot.run(100);
-  ASSERT_NE(keyOf(robot, kObey), nullptr);
-  EXPECT_EQ(keyOf(robot, kObey)->mode().kind(), KeyMode::OFF) << "it has ended by itself";
+  ASSERT_NE(keyOf(robot, kObeyKey), nullptr);
+  EXPECT_EQ(keyOf(robot, kObeyKey)->mode().kind(), KeyMode::OFF) << "it has ended by itself";
 }
 
 TEST(ShadowTest, oneThatThrowsIsSwitchedOffAndTheOthersGoOn) {
@@ -149,7 +149,7 @@ TEST(ShadowTest, whatCannotRunIsRefusedWithItsReasonNowAndInAPause) {
 TEST(ShadowTest, itsTimeIsMeasuredBesideThatOfTheActiveSolution) {
   ToyRobot robot;
   robot.setKey("timing/tasks", KeyMode::ALWAYS);
-  robot.setKey(kObey, KeyMode::ALWAYS);
+  robot.setKey(kObeyKey, KeyMode::ALWAYS);
   robot.run(50);
   const auto times = robot.on("stopwatches/cognition");
   ASSERT_FALSE(times.empty());
@@ -164,11 +164,11 @@ TEST(ShadowTest, aLayoutStartsThemAndLeavesOutWhatCannotRun) {
   ToyRobot robot(layoutWith("behavior/obey, ball-model/oracle"));
   robot.run(50);
   EXPECT_FALSE(robot.on("shadow/obey/motion/request").empty());
-  EXPECT_EQ(keyOf(robot, kObey)->mode().kind(), KeyMode::ALWAYS);
+  EXPECT_EQ(keyOf(robot, kObeyKey)->mode().kind(), KeyMode::ALWAYS);
   const auto texts = robot.on("log");
   ASSERT_EQ(texts.size(), 1U);
   EXPECT_THAT(texts.back()->text().message(), HasSubstr("no shadow: solution oracle of ball-model is"));
-  EXPECT_TRUE(robot.setKey(kObey, KeyMode::OFF).accepted());
+  EXPECT_TRUE(robot.setKey(kObeyKey, KeyMode::OFF).accepted());
   const Errors unknown = robot.load(layoutWith("behavior/sleep"));
   ASSERT_EQ(unknown.size(), 1U);
   EXPECT_EQ(unknown.front().id, "layout.unknown-solution");
