@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/DebugContext.h"
 
+#include <algorithm>
 #include <deque>
 #include <iterator>
 
@@ -131,7 +132,9 @@ void DebugContext::take(DebugContext& other, const std::string& prefix, const st
   for (SharedDebugMessage& message : other.frame_->messages) {
     if (const auto* text = message.as<foxglove::Log>(); text != nullptr && message.path == streams::kLog) {
       auto signedText = std::make_shared<foxglove::Log>(*text);
-      signedText->set_name(text->name() + " (" + author + ")");
+      // Its source is behind the name of the process, which the other context need not know.
+      const std::string source = text->name().substr(std::min(text->name().find('/'), text->name().size()));
+      signedText->set_name(process_ + source + " (" + author + ")");
       message.content = std::move(signedText);
     } else {
       message.path.insert(0, prefix);

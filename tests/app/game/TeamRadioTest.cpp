@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <span>
+
 #include "app/core/team/GameEnds.h"
 #include "robotcontrol/Game.pb.h"
 #include "robotlink/packages/GamePackages.h"
@@ -131,7 +133,8 @@ TEST_F(Radio, aSnapshotThatIsCutIsNotedAsSuch) {
   simcore::StateStream writing(bytes);
   radio_.transfer(writing, atMs(0));
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    simcore::StateStream reading(std::span(bytes).first(size), simcore::StateStream::Trust::kForeign);
+    simcore::StateStream reading(std::span<const std::uint8_t>(bytes).first(size),
+                                 simcore::StateStream::Trust::kForeign);
     TeamRadio read;
     read.transfer(reading, atMs(0));
     EXPECT_FALSE(reading.complete()) << size;
