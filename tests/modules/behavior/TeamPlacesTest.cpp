@@ -12,7 +12,7 @@ using robotlink::Pose2;
 using robotlink::Vector2;
 
 /// 4 m by 2 m, with goals of 0.6 m and ramps of 0.3 m in the corners.
-robotlink::FieldDescription smallField() {
+robotlink::FieldDescription teamField() {
   robotlink::FieldDescription field;
   field.length = 4;
   field.width = 2;
@@ -25,7 +25,7 @@ robotlink::FieldDescription smallField() {
 }
 
 const TeamPlaces& places() {
-  static const TeamPlaces kPlaces(smallField(), {});
+  static const TeamPlaces kPlaces(teamField(), {});
   return kPlaces;
 }
 
@@ -47,7 +47,7 @@ TEST(TeamPlaces, theGoalieHasTheHindmostPlaceAtTheKickOff) {
 }
 
 TEST(TeamPlaces, aFieldWithoutPlacesHasOneInTheOwnHalf) {
-  robotlink::FieldDescription field = smallField();
+  robotlink::FieldDescription field = teamField();
   field.kickOff.clear();
   const TeamPlaces bare(field, {});
   EXPECT_DOUBLE_EQ(bare.kickOff(2, false).x, -0.8);

@@ -9,7 +9,7 @@ namespace {
 using robotlink::Instant;
 using std::chrono::milliseconds;
 
-Instant at(int ms) {
+Instant atMs(int ms) {
   return Instant(milliseconds(ms));
 }
 
@@ -18,18 +18,18 @@ TEST(FrameRate, oneFrameIsNoRate) {
   EXPECT_EQ(rate.hertz(), 0);
   EXPECT_EQ(rate.newest(), 0U);
   EXPECT_FALSE(rate.isNewest({}));
-  rate.add(at(100), 7);
+  rate.add(atMs(100), 7);
   EXPECT_EQ(rate.hertz(), 0);
   EXPECT_EQ(rate.period(0), 0);
   EXPECT_EQ(rate.newest(), 7U);
-  EXPECT_TRUE(rate.isNewest(at(100)));
-  EXPECT_FALSE(rate.isNewest(at(101)));
+  EXPECT_TRUE(rate.isNewest(atMs(100)));
+  EXPECT_FALSE(rate.isNewest(atMs(101)));
 }
 
 TEST(FrameRate, framesThatWereNotPublishedCount) {
   FrameRate rate;
-  rate.add(at(0), 1);
-  rate.add(at(1000), 51);
+  rate.add(atMs(0), 1);
+  rate.add(atMs(1000), 51);
   EXPECT_DOUBLE_EQ(rate.hertz(), 50);
   EXPECT_DOUBLE_EQ(rate.period(0), 0.02);
   EXPECT_DOUBLE_EQ(rate.period(0.008), 0.008) << "a process that has a period keeps it";
@@ -37,7 +37,7 @@ TEST(FrameRate, framesThatWereNotPublishedCount) {
 
 TEST(FrameRate, framesWithoutNumbersAreCounted) {
   FrameRate rate;
-  for (int i = 0; i <= 10; ++i) rate.add(at(40 * i), 0);
+  for (int i = 0; i <= 10; ++i) rate.add(atMs(40 * i), 0);
   EXPECT_DOUBLE_EQ(rate.hertz(), 25);
   EXPECT_EQ(rate.newest(), 11U);
 }
@@ -45,28 +45,28 @@ TEST(FrameRate, framesWithoutNumbersAreCounted) {
 TEST(FrameRate, onlyTheLastTwoSecondsCount) {
   FrameRate rate;
   std::uint64_t number = 0;
-  for (int ms = 0; ms < 5000; ms += 10) rate.add(at(ms), ++number);
-  for (int ms = 5000; ms <= 8000; ms += 100) rate.add(at(ms), ++number);
+  for (int ms = 0; ms < 5000; ms += 10) rate.add(atMs(ms), ++number);
+  for (int ms = 5000; ms <= 8000; ms += 100) rate.add(atMs(ms), ++number);
   EXPECT_NEAR(rate.hertz(), 10, 1e-9);
 }
 
 TEST(FrameRate, itStartsOverAfterAReset) {
   FrameRate rate;
-  rate.add(at(1000), 100);
-  rate.add(at(1100), 110);
-  rate.add(at(50), 120);  // the clock went back
+  rate.add(atMs(1000), 100);
+  rate.add(atMs(1100), 110);
+  rate.add(atMs(50), 120);  // the clock went back
   EXPECT_EQ(rate.hertz(), 0);
-  rate.add(at(150), 130);
+  rate.add(atMs(150), 130);
   EXPECT_DOUBLE_EQ(rate.hertz(), 100);
-  rate.add(at(250), 1);  // another program
+  rate.add(atMs(250), 1);  // another program
   EXPECT_EQ(rate.hertz(), 0);
   EXPECT_EQ(rate.newest(), 1U);
 }
 
 TEST(FrameRate, framesOfTheSameTimeHaveNoRate) {
   FrameRate rate;
-  rate.add(at(10), 1);
-  rate.add(at(10), 2);
+  rate.add(atMs(10), 1);
+  rate.add(atMs(10), 2);
   EXPECT_EQ(rate.hertz(), 0);
 }
 
