@@ -32,6 +32,19 @@ double twiceArea(const std::vector<Vector2>& corners) {
   return area;
 }
 
+/// Whether two sides of the polygon cross; those that only touch do not.
+bool crossesItself(const std::vector<Vector2>& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector2 &a = corners[i], &b = corners[(i + 1) % n];
+    for (std::size_t j = i + 2; j < n; ++j) {
+      const Vector2 &c = corners[j], &d = corners[(j + 1) % n];
+      if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0) return true;
+    }
+  }
+  return false;
+}
+
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Whether the corner `at` of the remaining ones can be cut off.
@@ -96,7 +109,8 @@ tl::expected<Mesh, std::string> extrudedMesh(std::vector<Vector2> corners, doubl
   const double area = finite ? twiceArea(corners) : 0;
   if (!(std::abs(area) > 0)) return tl::unexpected(std::string("it has no area"));
   if (area < 0) std::ranges::reverse(corners);
-  const Triangles triangles = triangulated(corners);
+  // Some of these can be cut into ears all the same.
+  const Triangles triangles = crossesItself(corners) ? Triangles() : triangulated(corners);
   if (triangles.empty()) return tl::unexpected(std::string("it crosses itself"));
   Mesh mesh;
   const auto top = static_cast<float>(height);

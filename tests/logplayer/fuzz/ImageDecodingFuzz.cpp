@@ -26,7 +26,7 @@ Image picture(int width, int height, PixelFormat format) {
   return image;
 }
 
-std::string textOf(const std::vector<std::uint8_t>& bytes) {
+std::string fileText(const std::vector<std::uint8_t>& bytes) {
   return {bytes.begin(), bytes.end()};
 }
 
@@ -49,11 +49,11 @@ std::vector<std::string> fuzzSeeds() {
   std::vector<std::string> seeds;
   for (const PixelFormat format : {PixelFormat::kYuyv, PixelFormat::kRgb8, PixelFormat::kMono8}) {
     const Image image = picture(26, 17, format);
-    seeds.push_back(textOf(encodeJpeg(image.view()).value()));
-    seeds.push_back(textOf(encodePng(image.view()).value()));
+    seeds.push_back(fileText(encodeJpeg(image.view()).value()));
+    seeds.push_back(fileText(encodePng(image.view()).value()));
   }
   const Image image = picture(64, 8, PixelFormat::kMono8);
-  seeds.push_back(textOf(bhuman::fourComponentJpeg(image.data, 16, 8)));
+  seeds.push_back(fileText(bhuman::fourComponentJpeg(image.data, 16, 8)));
   return seeds;
 }
 

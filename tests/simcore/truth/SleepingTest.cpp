@@ -105,9 +105,9 @@ TEST(Sleeping, whatIsJointedOrRollsOrSlidesStaysAwake) {
 }
 
 /// A table whose four legs servos hold, and how far these have turned.
-struct Table {
+struct HeldTable {
   std::unique_ptr<Simulation> simulation;
-  explicit Table(SimulationOptions options = {.seed = 1, .noise = false})
+  explicit HeldTable(SimulationOptions options = {.seed = 1, .noise = false})
       : simulation(simulationOf(ground() + inWorld(), options)) {}
   static std::string inWorld() {
     const Vector3 top(0.3, 0.2, 0.05);
@@ -141,7 +141,7 @@ struct Table {
 };
 
 TEST(Sleeping, whatServosHoldSleepsUntilTheyAreAskedForSomethingElse) {
-  const Table table;
+  const HeldTable table;
   table.request(0.1);
   advance(*table.simulation, 3);
   ASSERT_TRUE(table.isAtRest());
@@ -164,7 +164,7 @@ TEST(Sleeping, whatServosHoldSleepsUntilTheyAreAskedForSomethingElse) {
 }
 
 TEST(Sleeping, aSlowlyMovingServoIsFollowed) {
-  const Table table;
+  const HeldTable table;
   advance(*table.simulation, 2);
   for (int i = 0; i <= 2500; ++i) {
     table.request(0.02 * i / 2500);
@@ -174,7 +174,7 @@ TEST(Sleeping, aSlowlyMovingServoIsFollowed) {
 }
 
 TEST(Sleeping, aRobotThatSleepsGoesOnFromASnapshot) {
-  const Table table, other;
+  const HeldTable table, other;
   table.request(0.1);
   advance(*table.simulation, 3);
   ASSERT_TRUE(table.isAtRest());

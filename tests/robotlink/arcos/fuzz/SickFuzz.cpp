@@ -11,7 +11,7 @@ using namespace robotlink::arcos;
 
 namespace {
 
-void checkStream(const std::uint8_t* data, std::size_t size) {
+void checkTelegrams(const std::uint8_t* data, std::size_t size) {
   SickParser parser;
   std::size_t used = 0;
   for (std::size_t at = 0; at < size;) {
@@ -62,7 +62,7 @@ void checkSession(const std::uint8_t* data, std::size_t size) {
 }  // namespace
 
 int runInput(const std::uint8_t* data, std::size_t size) {
-  checkStream(data, size);
+  checkTelegrams(data, size);
   checkSession(data, size);
   return 0;
 }
