@@ -1037,6 +1037,10 @@
         <source>Takes a robot out of the game for the time that the rules say</source>
         <translation>Nimmt einen Roboter für die Zeit aus dem Spiel, die die Regeln sagen</translation>
     </message>
+    <message>
+        <source>Runs a solution beside the one that is used for its task, or ends that; what it publishes is below shadow/</source>
+        <translation>Führt eine Lösung neben der aus, die für ihre Aufgabe benutzt wird, oder beendet das; was sie veröffentlicht, steht unter shadow/</translation>
+    </message>
 </context>
 <context>
     <name>Data</name>
@@ -9561,10 +9565,6 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Spielstand</translation>
     </message>
     <message>
-        <source>Half and time</source>
-        <translation>Halbzeit und Zeit</translation>
-    </message>
-    <message>
         <source>Kick-off</source>
         <translation>Anstoß</translation>
     </message>
@@ -9619,6 +9619,10 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>half %1, %2 left, %3</source>
         <translation>Halbzeit %1, noch %2, %3</translation>
+    </message>
+    <message>
+        <source>Half, time and phase</source>
+        <translation>Halbzeit, Zeit und Phase</translation>
     </message>
 </context>
 <context>
@@ -12157,6 +12161,14 @@ Verzeichnung %8</translation>
         <source>Chooses at which pose of the robot its drawings are placed: the true one or an estimate</source>
         <translation>Wählt, an welcher Pose des Roboters seine Zeichnungen liegen: der wahren oder einer Schätzung</translation>
     </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Zahlen kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the numbers that are shown here, with tabs between the columns</source>
+        <translation>Kopiert die Zahlen, die hier gezeigt werden, mit Tabulatoren zwischen den Spalten</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PlacePanel</name>
@@ -14012,6 +14024,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>This cannot be done: %1</source>
         <translation>Das geht nicht: %1</translation>
     </message>
+    <message>
+        <source>The changed scene is being checked…</source>
+        <translation>Die geänderte Szene wird geprüft…</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SceneModes</name>
@@ -14923,6 +14939,14 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <source>publishes %1</source>
         <translation>veröffentlicht %1</translation>
     </message>
+    <message>
+        <source>Runs %1 beside the active solution, on the same inputs and without being used. What it publishes is below shadow/%1; its time is in the view Timing.</source>
+        <translation>Führt %1 neben der aktiven Lösung aus, mit denselben Eingaben und ohne benutzt zu werden. Was sie veröffentlicht, steht unter shadow/%1, ihre Zeit in der Ansicht Laufzeiten.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SolutionsView</name>
@@ -14989,6 +15013,14 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
     <message>
         <source>%1 has no solutions: its server is none of RobotControl.</source>
         <translation>%1 hat keine Lösungen: Sein Server ist keiner von RobotControl.</translation>
+    </message>
+    <message>
+        <source>%1 runs in the shadow</source>
+        <translation>%1 läuft im Schatten</translation>
+    </message>
+    <message>
+        <source>%1 no longer runs</source>
+        <translation>%1 läuft nicht mehr</translation>
     </message>
 </context>
 <context>
