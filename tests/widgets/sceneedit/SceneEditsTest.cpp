@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/sceneedit/SceneEdits.h"
 
+#include <array>
 #include <atomic>
+#include <functional>
 #include <semaphore>
-#include <type_traits>
+#include <string>
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/AtomicFile.h"
@@ -66,11 +68,9 @@ struct HallBench : Bench {
   }
   SceneEdits& edits() { return sceneEdits(context); }
   /// Begins a change and waits until it is made: the object, or the reason against it.
-  template <typename... Arguments>
-  std::string made(void (SceneEdits::*change)(Arguments..., SceneEdits::Told),
-                   const std::type_identity_t<Arguments>&... arguments) {
+  std::string made(const std::function<void(SceneEdits::Told)>& begin) {
     std::string outcome = "nothing was told";
-    (edits().*change)(arguments..., telling(outcome));
+    begin(telling(outcome));
     edits().finish();
     return outcome;
   }
@@ -81,19 +81,19 @@ struct HallBench : Bench {
   }
   using Pose = std::array<double, 6>;
   std::string setPose(const std::string& object, const Pose& pose) {
-    return made<const std::string&, const Pose&>(&SceneEdits::setPose, object, pose);
+    return made([&](const SceneEdits::Told& told) { edits().setPose(object, pose, told); });
   }
   std::string insert(const std::string& kind, double x, double y) {
-    return made<const std::string&, double, double>(&SceneEdits::insert, kind, x, y);
+    return made([&](const SceneEdits::Told& told) { edits().insert(kind, x, y, told); });
   }
   std::string copy(const std::string& object, const Pose& pose) {
-    return made<const std::string&, const Pose&>(&SceneEdits::copy, object, pose);
+    return made([&](const SceneEdits::Told& told) { edits().copy(object, pose, told); });
   }
   std::string rename(const std::string& object, const std::string& name) {
-    return made<const std::string&, const std::string&>(&SceneEdits::rename, object, name);
+    return made([&](const SceneEdits::Told& told) { edits().rename(object, name, told); });
   }
   std::string erase(const std::string& object) {
-    return made<const std::string&>(&SceneEdits::erase, object);
+    return made([&](const SceneEdits::Told& told) { edits().erase(object, told); });
   }
   /// The text with which the simulation went on last.
   std::string running() const { return texts.empty() ? std::string() : texts.back().begin()->second; }
