@@ -67,7 +67,9 @@ void OptionGraph::findGaps() {
 }
 
 double OptionGraph::passage(int column, double near) {
-  auto& gaps = gaps_.at(column);
+  const auto found = gaps_.find(column);
+  if (found == gaps_.end()) return near;
+  auto& gaps = found->second;
   const auto distance = [&](const Gap& gap) {
     return std::abs(near - std::clamp(near, gap.top, gap.bottom));
   };

@@ -200,7 +200,7 @@ class GameViewTest : public QObject {
     view->show();
     QVERIFY(QTest::qWaitForWindowExposed(view.get()));
     auto status = gameStatus();
-    for (const auto phase : {GameState::SET, GameState::INITIAL, GameState::PLAYING}) {
+    for (const auto phase : {GameState::INITIAL, GameState::SET, GameState::PLAYING}) {
       status.mutable_state()->set_phase(phase);
       status.mutable_state()->mutable_teams(0)->set_goals(phase == GameState::SET ? 0 : 12);
       bench.push("game", status, 1 + phase);
