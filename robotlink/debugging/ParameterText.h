@@ -7,8 +7,8 @@
 
 #include "robotlink/base/Error.h"
 
-// Parameter files, which are messages in protobuf's text format. What controls a solution while it is debugged
-// (messages of the type robotcontrol.BehaviorControl) is never written to one.
+// Parameter files, which are messages in protobuf's text format. What controls a solution while it is
+// debugged (messages of the type robotcontrol.BehaviorControl) is never written to one.
 namespace robotlink {
 
 /// Clears what controls a solution while it is debugged, in a message and those in it.

@@ -394,6 +394,13 @@ Result<void> TaskProcess::trySolution(const std::string& task, const std::string
   return (*found)->trySolution(solution);
 }
 
+PackagePtr TaskProcess::newest(const std::string& package) const {
+  for (const PackageBoard::Entry* entry : implementation_->board.shown()) {
+    if (entry->name == package) return entry->value;
+  }
+  return nullptr;
+}
+
 bool TaskProcess::canSet(const std::string& package) const {
   return implementation_->board.isSettable(package);
 }

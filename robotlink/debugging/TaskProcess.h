@@ -65,6 +65,9 @@ class TaskProcess final : public Process {
   const SolutionParameters* solutionParameters(const std::string& task, const std::string& solution) const;
   /// Whether a value of a user takes the place of a package in this process (SetPackage). Any time.
   bool canSet(const std::string& package) const;
+  /// The newest value of a package that this process publishes on request; null: there is none yet, or
+  /// another process publishes it.
+  PackagePtr newest(const std::string& package) const;
   /// The tables of keys and solutions as they would be if the solutions in `chosen` (by task) were active.
   void describe(const std::map<std::string, std::string>& chosen, robotcontrol::KeyTable& keys,
                 robotcontrol::SolutionTable& solutions) const;

@@ -17,8 +17,8 @@
 #include "robotcontrol/World.pb.h"
 #include "simcore/Scene.h"
 #include "simcore/world/WorldDescription.h"
+#include "tests/TestFolder.h"
 #include "tests/app/SimulatedRuns.h"
-#include "tests/logplayer/RecordedMessages.h"
 
 namespace app {
 namespace {
@@ -126,7 +126,7 @@ const char kEyes[] = R"(<?xml version="1.0"?>
 </world></sdf>)";
 
 TEST(SensorsOfImages, areObjectsAndAreReadAsTheOthers) {
-  const logplayer::tests::TestFolder folder;
+  const TestFolder folder;
   const std::string file = folder / "eyes.sdf";
   std::ofstream(file) << kEyes;
   const auto scene = simcore::Scene::load(file);
@@ -143,7 +143,7 @@ TEST(SensorsOfImages, areObjectsAndAreReadAsTheOthers) {
   EXPECT_EQ(depth.port().shape(0), 6);
   EXPECT_EQ(depth.port().maximum(), 5);
   EXPECT_TRUE(std::ranges::any_of(depth.properties(), [](const auto& one) { return one.name() == "delay"; }));
-  ASSERT_TRUE(objects.contains("cart/classes/labels") && objects.contains("cart/insect"));
+  ASSERT_TRUE(objects.contains("cart/classes/labels") && objects.contains("cart/insect/image"));
   const auto& lamp = objects["light:sun"].properties();
   const auto color = std::ranges::find(lamp, "diffuse", &robotcontrol::WorldProperty::name);
   ASSERT_NE(color, lamp.end());
@@ -152,7 +152,8 @@ TEST(SensorsOfImages, areObjectsAndAreReadAsTheOthers) {
 
   WorldPorts ports(*world);
   robotcontrol::ReadPorts read;
-  for (const char* path : {"cart/depth/depth", "cart/classes/labels", "cart/insect"}) read.add_ports(path);
+  for (const char* path : {"cart/depth/depth", "cart/classes/labels", "cart/insect/image"})
+    read.add_ports(path);
   ASSERT_TRUE(ports.read(read));
   std::map<std::string, foxglove::RawImage> images;
   for (const auto& message : ports.images(true))
@@ -163,15 +164,15 @@ TEST(SensorsOfImages, areObjectsAndAreReadAsTheOthers) {
   std::memcpy(&meters, images["cart/depth/depth"].data().data(), sizeof(meters));
   EXPECT_NEAR(meters, 1.9, 1e-4);
   EXPECT_EQ(images["cart/classes/labels"].encoding(), "rgb8");
-  EXPECT_EQ(images["cart/insect"].encoding(), "rgb8");
-  EXPECT_EQ(images["cart/insect"].width(), 5U);
+  EXPECT_EQ(images["cart/insect/image"].encoding(), "rgb8");
+  EXPECT_EQ(images["cart/insect/image"].width(), 5U);
   // Red stays red: other light only changes how bright.
-  const auto* pixel = reinterpret_cast<const std::uint8_t*>(images["cart/insect"].data().data());
+  const auto* pixel = reinterpret_cast<const std::uint8_t*>(images["cart/insect/image"].data().data());
   EXPECT_GT(pixel[0], 50);
   EXPECT_LT(pixel[1], 5);
   const auto readings = ports.readings();
   ASSERT_EQ(readings->readings_size(), 3);
-  EXPECT_EQ(readings->readings(2).port(), "cart/insect");
+  EXPECT_EQ(readings->readings(2).port(), "cart/insect/image");
   EXPECT_EQ(readings->readings(2).values_size(), 5 * 3 * 3);
 }
 

@@ -273,7 +273,7 @@ std::optional<QString> TimeLineView::numbers() {
   for (const TimeLineBand& band : canvas_->bands()) {
     const auto since = [&](robotlink::Instant time) { return time + band.offset - look.origin; };
     for (const logplayer::Bookmark& mark : band.bookmarks)
-      add(band.title, since(mark.time), QStringLiteral("bookmark"), QString::fromStdString(mark.text));
+      add(band.title, since(mark.from), QStringLiteral("bookmark"), QString::fromStdString(mark.text));
     if (const auto* said = saidOf(band)) {
       for (const LogEntry& entry : *said)
         add(band.title, since(entry.time), entry.robot + QLatin1Char('/') + entry.source, entry.text);

@@ -22,7 +22,7 @@ constexpr double kBeforeMiddle = 0.8;
 /// What the seed adds at most to the heading (rad), and to what is asked for (m/s, rad/s).
 constexpr double kHeadingRange = 0.3, kSidewardRange = 0.01, kRotationRange = 0.1;
 /// A body whose z-axis has a smaller z-component lies.
-constexpr double kWalkUpright = 0.7;
+constexpr double kWalksUpright = 0.7;
 
 /// Steers one robot, and adds up how it moves.
 class WalkMeasurement {
@@ -125,7 +125,7 @@ tl::expected<WalkTrial::Result, robotlink::Errors> WalkTrial::measure() const {
       return tl::unexpected(robotlink::Errors{walked.error()});
   }
   result.leastUpright = measurement.leastUpright();
-  result.fell = result.leastUpright < kWalkUpright;
+  result.fell = result.leastUpright < kWalksUpright;
   if (!result.fell) result.walked = measurement.mean();
   return result;
 }

@@ -264,7 +264,7 @@ int runTrials(const SimArguments& arguments) {
 
 /// Measures how the first robot walks; its behavior obeys unless another one was chosen.
 int runWalk(const SimArguments& arguments) {
-  WalkTrial trial{.run = arguments.run, .seconds = arguments.seconds};
+  WalkTrial trial{.run = arguments.run, .asked = {}, .seconds = arguments.seconds};
   const auto troubles = std::make_shared<ProgramTroubles>(std::cerr);
   trial.listeners = listenersTo(troubles);
   trial.run.solutions.try_emplace("behavior", "obey");

@@ -35,7 +35,7 @@ struct RequestPreview::Handlers {
     void (RequestPreview::*describe)(const Request& request);
   };
   static constexpr RequestRow<Handler> kRows[]{
-      {Request::kSetKey, {&RequestPreview::setKey, nullptr}},
+      {Request::kSetKey, {&RequestPreview::setKey, &RequestPreview::describePackage}},
       {Request::kSelectSolution, {&RequestPreview::selectSolution, nullptr}},
       {Request::kGetParameters, {&RequestPreview::getParameters, &RequestPreview::describeGotten}},
       {Request::kSetParameters, {&RequestPreview::setParameters, &RequestPreview::describeSet}},
@@ -119,6 +119,16 @@ void RequestPreview::describeHeld(robotcontrol::ProcessTable::Process& process) 
       const auto held = held_.find(port.package());
       if (held != held_.end() && tasks->canSet(port.package())) port.set_held(held->second);
     }
+  }
+}
+
+void RequestPreview::describePackage(const Request& request) {
+  const std::string package = packageOfKey(request.set_key().name());
+  if (package.empty() || request.set_key().mode().kind() == robotcontrol::KeyMode::OFF) return;
+  for (const Process* process : program_.processes()) {
+    const auto* tasks = dynamic_cast<const TaskProcess*>(process);
+    PackagePtr newest = tasks == nullptr ? nullptr : tasks->newest(package);
+    if (newest) queue().messages.push_back({package, {}, std::move(newest)});
   }
 }
 

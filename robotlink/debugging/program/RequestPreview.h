@@ -68,6 +68,8 @@ class RequestPreview {
   void describeSet(const robotcontrol::Request& request);
   void describeParameters(const TaskProcess& process, const std::string& task, const std::string& asked);
   void describeMotion(const robotcontrol::Request& request);
+  /// Publishes the newest value of a package whose key was switched on, since no frame runs that would.
+  void describePackage(const robotcontrol::Request& request);
   void describeHeld(robotcontrol::ProcessTable::Process& process) const;
   void describeTables();
   void describeColorTable();

@@ -120,7 +120,18 @@ void game(benchmark::State& state) {
 BENCHMARK(game)->ArgName("robots")->RangeMultiplier(2)->Range(1, 32)->Iterations(1)->UseRealTime()->Unit(
     benchmark::kMillisecond);
 
-/// Eight robots with all sensors and images, without programs: how many times real time.
+/// Has all servos swing, so that no robot sleeps.
+void swing(simcore::Simulation& simulation) {
+  const double time = robotlink::seconds(simulation.time());
+  for (std::size_t i = 0; i < simulation.servos().size(); ++i) {
+    const simcore::Servo& servo = simulation.servos()[i];
+    const double middle = (servo.minimum + servo.maximum) / 2;
+    simulation.requestAngle(i, middle + 0.1 * std::sin(6 * time + static_cast<double>(i)));
+  }
+}
+
+/// Eight robots with all sensors and images, without programs: how many times real time. Images that are late
+/// by some milliseconds are made while the physics goes on.
 void sensors(benchmark::State& state) {
   const int threads = static_cast<int>(state.range(0));
   const RunOptions options = gameOf(8, threads);
@@ -130,9 +141,16 @@ void sensors(benchmark::State& state) {
   SimulatedWorld::Options world = options.world;
   const auto made = SimulatedWorld::create(*scene, world);
   if (!made) return state.SkipWithError(made.error().text.c_str());
+  for (const auto& camera : (*made)->simulation().cameras()) {
+    simcore::SensorErrors errors;
+    errors.delay = static_cast<double>(state.range(2)) / 1000;
+    if (errors.delay > 0 && !(*made)->setSensorErrors(camera.info.path, errors))
+      return state.SkipWithError("a camera has no delay");
+  }
   double simulated = 0;
   const auto begin = std::chrono::steady_clock::now();
   for ([[maybe_unused]] const auto _ : state) {
+    if (state.range(1) != 0) swing((*made)->simulation());
     (*made)->advance();
     benchmark::DoNotOptimize((*made)->simulation().sensors().data());
     for (std::size_t camera = 0; camera < (*made)->simulation().cameras().size(); ++camera) {
@@ -142,7 +160,12 @@ void sensors(benchmark::State& state) {
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   state.counters["times_real"] = simulated / took.count();
+  state.counters["begun_ahead"] = static_cast<double>((*made)->imagesBegunAhead());
 }
-BENCHMARK(sensors)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMicrosecond);
+BENCHMARK(sensors)
+    ->ArgNames({"threads", "moving", "late_ms"})
+    ->ArgsProduct({{1, 2}, {0, 1}, {0, 40}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "app/core/world/SimulatedWorld.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
-#include "tests/logplayer/RecordedMessages.h"
+#include "tests/TestFolder.h"
 
 namespace app {
 namespace {
@@ -87,7 +87,7 @@ Played play(const std::shared_ptr<const simcore::Scene>& scene, int threads) {
 }
 
 TEST(DelayedImages, haveTheSameBytesForAnyNumberOfThreads) {
-  const logplayer::tests::TestFolder folder;
+  const TestFolder folder;
   const std::string file = folder / "cameras.sdf";
   std::ofstream(file) << worldOfCameras();
   const auto scene = simcore::Scene::load(file);

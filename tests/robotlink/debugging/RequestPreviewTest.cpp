@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/robotlink/debugging/ToyRobot.h"
 
 using namespace robotlink;
@@ -145,6 +147,23 @@ TEST(RequestPreview, eachRequestSeesWhatThoseBeforeItChange) {
   EXPECT_EQ(last<robotcontrol::ProcessTable>(*queue, "tables/processes")->processes_size(), 4)
       << "platform and processes";
   EXPECT_EQ(preview.takeQueue(robot.clock.now()), nullptr) << "it was taken";
+}
+
+TEST(RequestPreview, aPackageThatIsAskedForIsPublishedAtOnce) {
+  ToyRobot robot;
+  const auto published = [&](const char* key, KeyMode::Kind mode) {
+    RequestPreview preview(*robot.program);
+    EXPECT_TRUE(preview.answer(setKey(key, mode)));
+    const auto queue = preview.takeQueue(robot.clock.now());
+    return std::ranges::count_if(queue->messages, [](const auto& message) {
+      return message.path == "models/ball" && message.content;
+    });
+  };
+  EXPECT_EQ(published("package/models/ball", KeyMode::ALWAYS), 0) << "there is none yet";
+  robot.run(20);
+  EXPECT_EQ(published("package/models/ball", KeyMode::ALWAYS), 1);
+  EXPECT_EQ(published("package/models/ball", KeyMode::OFF), 0);
+  EXPECT_EQ(published("ball-percept/dot", KeyMode::ALWAYS), 0);
 }
 
 TEST(RequestPreview, changesNothingOfWhatTheProgramDoesAndPublishes) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "robotlink/base/threads/ThreadPool.h"
 #include "simcore/Scene.h"
+#include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
 #include "tests/simcore/BareOde.h"
 #include "tests/simcore/SceneFixture.h"
@@ -32,9 +34,29 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// A world with the field, the ball and so many robots.
+std::string worldWith(int robots, const std::string& inWorld = "") {
+  std::string contents =
+      inWorld +
+      "<include><uri>model://field2002</uri></include><include><uri>model://ball</uri><pose>0 0 0.0421 0 0 "
+      "0</pose></include>";
+  for (int i = 0; i < robots; ++i) {
+    contents += "<include><uri>model://ers210</uri><name>red" + std::to_string(i + 1) + "</name><pose>" +
+                std::to_string(-1.8 + 0.45 * i) + " 0.7 0.1138 0 0 0</pose></include>";
+  }
+  return worldAround(contents);
+}
+
+std::shared_ptr<const Scene> load(int robots, const std::string& inWorld = "") {
+  const SceneFolder folder;
+  folder.copyShippedModels();
+  return Scene::load(folder.write("world.sdf", worldWith(robots, inWorld))).value();
+}
+
 void stepAgainstBareOde(benchmark::State& state) {
   constexpr int kBatch = 50;
-  const auto scene = shippedScene();
+  // What sleeps takes no time; bare ODE does not let it.
+  const auto scene = load(1, "<robotcontrol:sleeping>false</robotcontrol:sleeping>");
   test::BareOde bare(*scene);
   const auto simulation = std::move(Simulation::create(scene, {}).value());
   std::vector<double> ours, theirs;
@@ -58,24 +80,6 @@ void stepAgainstBareOde(benchmark::State& state) {
 }
 BENCHMARK(stepAgainstBareOde)->ArgName("sensors")->Arg(0)->Arg(1)->MinTime(2);
 
-/// A world with the field, the ball and so many robots.
-std::string worldWith(int robots) {
-  std::string contents =
-      "<include><uri>model://field2002</uri></include><include><uri>model://ball</uri><pose>0 0 0.0421 0 0 "
-      "0</pose></include>";
-  for (int i = 0; i < robots; ++i) {
-    contents += "<include><uri>model://ers210</uri><name>red" + std::to_string(i + 1) + "</name><pose>" +
-                std::to_string(-1.8 + 0.45 * i) + " 0.7 0.1138 0 0 0</pose></include>";
-  }
-  return worldAround(contents);
-}
-
-std::shared_ptr<const Scene> load(int robots) {
-  const SceneFolder folder;
-  folder.copyShippedModels();
-  return Scene::load(folder.write("world.sdf", worldWith(robots))).value();
-}
-
 void loadScene(benchmark::State& state) {
   const SceneFolder folder;
   folder.copyShippedModels();
@@ -90,7 +94,14 @@ void reset(benchmark::State& state) {
 }
 BENCHMARK(reset)->Unit(benchmark::kMicrosecond);
 
-/// The wall-clock time of a step by one and by several threads, in turns.
+/// Has all servos swing about where they are at the start, so that no robot sleeps.
+void swing(Simulation& simulation, const std::vector<double>& stance) {
+  const double time = robotlink::seconds(simulation.time());
+  for (std::size_t i = 0; i < stance.size(); ++i)
+    simulation.requestAngle(i, stance[i] + 0.1 * std::sin(6 * time + static_cast<double>(i)));
+}
+
+/// The wall-clock time of a step by one and by several threads, in turns; robots that stand still sleep.
 void stepRobots(benchmark::State& state) {
   constexpr int kBatch = 25;
   const auto scene = load(static_cast<int>(state.range(0)));
@@ -99,10 +110,18 @@ void stepRobots(benchmark::State& state) {
         Simulation::create(scene, {.pool = std::make_shared<robotlink::ThreadPool>(threads)}).value());
   };
   const auto alone = make(1), together = make(static_cast<int>(state.range(1)));
-  std::vector<double> one, several;
-  const auto measure = [](Simulation& simulation, std::vector<double>& times) {
+  std::vector<double> one, several, stance;
+  for (const ModelInstance& instance : scene->contents().world.models) {
+    for (const JointDescription& joint : instance.type->joints)
+      if (joint.servo) stance.push_back(joint.initialAngle);
+  }
+  if (state.range(2) == 0) stance.clear();
+  const auto measure = [&](Simulation& simulation, std::vector<double>& times) {
     const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < kBatch; ++i) simulation.step();
+    for (int i = 0; i < kBatch; ++i) {
+      swing(simulation, stance);
+      simulation.step();
+    }
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
     times.push_back(took.count() / kBatch);
   };
@@ -116,8 +135,8 @@ void stepRobots(benchmark::State& state) {
   state.counters["same_bytes"] = alone->digest() == together->digest() ? 1 : 0;
 }
 BENCHMARK(stepRobots)
-    ->ArgNames({"robots", "threads"})
-    ->ArgsProduct({{1, 4, 8}, {2}})
+    ->ArgNames({"robots", "threads", "moving"})
+    ->ArgsProduct({{1, 4, 8}, {2}, {0, 1}})
     ->UseRealTime()
     ->Unit(benchmark::kMicrosecond);
 
