@@ -19,13 +19,18 @@ constexpr double kFirstStep = 0.1;
 struct Search {
   const Optimizer::Cost& cost;
   nlopt_opt_s* search = nullptr;
+  bool hasEnded = false;
 };
 
+/// What points cost once the search has ended: some algorithms notice that only after a while.
+constexpr double kNoCost = 1e30;
+
 double costAt(unsigned dimensions, const double* point, double* /*gradient*/, void* data) {
-  const auto& search = *static_cast<const Search*>(data);
-  const auto cost = search.cost({point, point + dimensions});
+  auto& search = *static_cast<Search*>(data);
+  const auto cost = search.hasEnded ? std::nullopt : search.cost({point, point + dimensions});
+  search.hasEnded = !cost;
   if (!cost) nlopt_force_stop(search.search);
-  return cost.value_or(0);
+  return cost.value_or(kNoCost);
 }
 
 }  // namespace
