@@ -30,7 +30,7 @@ fuzz_target() {
 drivers=("$1"/*_fuzz)
 [ -x "${drivers[0]}" ] || { echo "There are no fuzzing programs in $1" >&2; exit 1; }
 for driver in "${drivers[@]}"; do
-  for name in $("$driver"); do fuzz_target "$driver" "$name" "$2"; done
+  for name in $("$driver" --list); do fuzz_target "$driver" "$name" "$2"; done
 done
 if [ ${#failed[@]} -gt 0 ]; then
   echo "These failed: ${failed[*]}; the inputs are below $folder/broken" >&2

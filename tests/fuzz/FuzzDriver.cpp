@@ -23,7 +23,7 @@
 //   PROGRAM NAME --only N                     run the input with this number alone
 //   PROGRAM NAME --write-seeds FOLDER         write the seeds as files, for libFuzzer
 //   PROGRAM NAME FILE...                      run files, such as those that libFuzzer left
-//   PROGRAM                                   list the names of the targets
+//   PROGRAM --list                            list the names of the targets
 //
 // The seeds are those of the target and, if it has one, those of its corpus: corpus/NAME.txt in this folder
 // has inputs that libFuzzer found to be worth keeping, in hexadecimal digits, one a line (packaging/fuzz.sh
@@ -246,16 +246,17 @@ int main(int count, char** arguments) {
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPROF})
     std::signal(signal, &tellInput);
   const std::vector<std::string> words(arguments + 1, arguments + count);
+  const std::string first = words.empty() ? "" : words[0];
   for (const FuzzTarget& target : fuzzTargets()) {
-    if (words.empty()) {
+    if (first == "--list") {
       std::puts(target.name);
-    } else if (words[0] == target.name) {
+    } else if (first == target.name) {
       const int result = runAsTold(target, {words.begin() + 1, words.end()});
       if (target.end != nullptr) target.end();
       return result;
     }
   }
-  if (words.empty()) return 0;
-  std::fprintf(stderr, "there is no target %s\n", words[0].c_str());
+  if (first == "--list") return 0;
+  std::fprintf(stderr, "there is no target '%s'; --list lists them\n", first.c_str());
   return 2;
 }

@@ -61,14 +61,26 @@ TEST(PoseHistory, aStepThatIsRepeatedReplacesItself) {
   EXPECT_EQ(history.oldest(3), 3U);
 }
 
-TEST(PoseHistory, posesBetweenTwoAreOnTheShortestWay) {
+TEST(PoseHistory, whatItWillHaveLaterIsKnown) {
+  PoseHistory history;
+  history.reachBack(3);
+  addSteps(history, 0, 10);
+  EXPECT_EQ(history.oldestAt(10), 7U);
+  EXPECT_EQ(history.oldestAt(12), 9U);
+}
+
+TEST(PoseHistory, posesBetweenTwoStepsAreOnTheShortestWay) {
   const Pose3 from = at(0, 3.0), to = at(2, -3.0);
-  EXPECT_TRUE(poseBetween(from, to, 0).isApprox(from, 1e-9));
-  EXPECT_TRUE(poseBetween(from, to, 1).isApprox(to, 1e-9));
-  const Pose3 half = poseBetween(from, to, 0.5);
-  EXPECT_NEAR(half.translation().x(), 1, 1e-12);
+  const auto posesOf = [&](std::uint64_t step) { return std::span<const Pose3>(step == 7 ? &from : &to, 1); };
+  std::vector<Pose3> poses;
+  interpolatePoses(7, posesOf, poses);
+  EXPECT_TRUE(poses.at(0).isApprox(from, 1e-9));
+  interpolatePoses(8, posesOf, poses);
+  EXPECT_TRUE(poses.at(0).isApprox(to, 1e-9));
+  interpolatePoses(7.5, posesOf, poses);
+  EXPECT_NEAR(poses.at(0).translation().x(), 1, 1e-12);
   // Across the half turn, not back through 0.
-  EXPECT_NEAR(half.linear()(0, 0), -1, 1e-9);
+  EXPECT_NEAR(poses.at(0).linear()(0, 0), -1, 1e-9);
 }
 
 }  // namespace
