@@ -116,7 +116,8 @@ const char kEyes[] = R"(<?xml version="1.0"?>
   <model name="wall"><static>true</static><pose>2 0 0 0 0 0</pose><link name="l">
     <visual name="v"><geometry><box><size>0.2 8 8</size></box></geometry>
       <material><diffuse>1 0 0 1</diffuse></material></visual></link></model>
-  <model name="cart"><static>true</static><link name="base">
+  <model name="cart"><link name="base"><gravity>false</gravity>
+    <inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>
     <sensor name="depth" type="depth_camera"><update_rate>10</update_rate><robotcontrol:delay>0</robotcontrol:delay>
       <camera><image><width>8</width><height>6</height></image><clip><near>0.1</near><far>5</far></clip></camera></sensor>
     <sensor name="classes" type="segmentation_camera"><camera><image><width>8</width><height>6</height></image></camera></sensor>
