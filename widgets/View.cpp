@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/View.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QHeaderView>
@@ -60,7 +61,9 @@ robotlink::Result<void> View::saveTo(const QString& file) {
 std::optional<QString> View::numbers() {
   if (auto table = shownNumbers(*this)) return table;
   if (auto text = shownText(*this)) return text;
-  return shownValues(*this);
+  if (auto values = shownValues(*this)) return values;
+  // A table that is hidden as long as it has no rows.
+  return findChild<QAbstractItemView*>() != nullptr ? std::optional(QString()) : std::nullopt;
 }
 
 QImage View::shownPicture() {

@@ -164,7 +164,7 @@ TEST_F(OwnRealProgramTest, aCrashEndsOnlyTheProgram) {
   ASSERT_TRUE(onlyTheProgramEnds());
   EXPECT_THAT(hosting_.text(), HasSubstr("segmentation fault"));
   EXPECT_THAT(hosting_.text(), HasSubstr("in trouble (segfault) of process worker"));
-  EXPECT_THAT(hosting_.stack(), HasSubstr("robotlink::TaskRunner::execute()"));
+  EXPECT_THAT(hosting_.stack(), HasSubstr("robotlink::TaskRunner::execute"));
   auto tables = request();
   tables.mutable_send_tables();
   EXPECT_FALSE(run_->request(tables));
@@ -253,7 +253,7 @@ TEST_F(OwnRealProgramTest, anEndlessLoopIsNamedTheRestGoesOnAndTheRobotStands) {
   ASSERT_TRUE(playUntil([&] { return hosting_.state() == HostingStatus::NOT_ANSWERING; }));
   EXPECT_THAT(hosting_.text(), HasSubstr("does not return from trouble (loop) of process worker"));
   EXPECT_THAT(hosting_.text(), HasSubstr("gdb -p " + std::to_string(hosting_.pid())));
-  EXPECT_THAT(hosting_.stack(), HasSubstr("robotlink::TaskRunner::execute()")) << "of its thread";
+  EXPECT_THAT(hosting_.stack(), HasSubstr("robotlink::TaskRunner::execute")) << "of its thread";
   EXPECT_TRUE(run_->platform().unattended());
   const int before = queues();
   EXPECT_TRUE(playUntil([&] { return queues() > before; })) << "its other processes go on";

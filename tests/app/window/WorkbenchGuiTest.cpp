@@ -12,6 +12,7 @@
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "widgets/Theme.h"
+#include "widgets/solutions/SolutionModel.h"
 
 namespace app::test {
 namespace {
@@ -172,12 +173,14 @@ class WorkbenchGuiTest : public WindowTest {
     desk.click("simulation.start");
     auto& tree = desk.find<QTreeView>("solutionsTree");
     QTRY_VERIFY_WITH_TIMEOUT(find(tree, QStringLiteral("circle-fit")).isValid(), kWaitMs);
-    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 2).data().toString(), QStringLiteral("region"));
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), widgets::SolutionModel::kState).data().toString(),
+             QStringLiteral("region"));
     const QModelIndex choice = find(tree, QStringLiteral("circle-fit"));
     tree.scrollTo(choice);
     QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(choice).center());
-    QTRY_COMPARE_WITH_TIMEOUT(find(tree, QStringLiteral("ball-percept"), 2).data().toString(),
-                              QStringLiteral("circle-fit"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(
+        find(tree, QStringLiteral("ball-percept"), widgets::SolutionModel::kState).data().toString(),
+        QStringLiteral("circle-fit"), kWaitMs);
   }
 
   void theMotionTesterTakesOverAndDrives() {

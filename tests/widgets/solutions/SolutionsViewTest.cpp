@@ -13,6 +13,7 @@
 #include "tests/TestFolder.h"
 #include "tests/widgets/Bench.h"
 #include "widgets/solutions/ParameterPanel.h"
+#include "widgets/solutions/SolutionModel.h"
 
 namespace widgets::test {
 
@@ -121,17 +122,21 @@ class SolutionsViewTest : public QObject {
     QAbstractItemModelTester tester(tree.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
     bench.push("red1/tables/solutions", someTasks(), 1);
     bench.tick(*view);
-    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 1).data().toString(), QStringLiteral("cognition"));
-    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 2).data().toString(), QStringLiteral("scan-lines"));
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), SolutionModel::kProcess).data().toString(),
+             QStringLiteral("cognition"));
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), SolutionModel::kState).data().toString(),
+             QStringLiteral("scan-lines"));
     clickCell(tree, find(tree, QStringLiteral("regions")));
     const auto& request = bench.requests.back();
     QCOMPARE(request.select_solution().task(), std::string("ball-percept"));
     QCOMPARE(request.select_solution().solution(), std::string("regions"));
-    QCOMPARE(find(tree, QStringLiteral("regions"), 2).data().toString(), QStringLiteral("switching…"));
+    QCOMPARE(find(tree, QStringLiteral("regions"), SolutionModel::kState).data().toString(),
+             QStringLiteral("switching…"));
     bench.push("red1/tables/solutions", someTasks("regions"), 2);
     bench.tick(*view);
-    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 2).data().toString(), QStringLiteral("regions"));
-    QCOMPARE(find(tree, QStringLiteral("regions"), 2).data().toString(),
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), SolutionModel::kState).data().toString(),
+             QStringLiteral("regions"));
+    QCOMPARE(find(tree, QStringLiteral("regions"), SolutionModel::kState).data().toString(),
              QStringLiteral("Takes the largest orange region"));
   }
 
@@ -142,8 +147,12 @@ class SolutionsViewTest : public QObject {
     bench.tick(*view);
     auto& tree = child<QTreeView>(*view, "solutionsTree");
     const QModelIndex oracle = find(tree, QStringLiteral("oracle"));
-    QVERIFY(oracle.siblingAtColumn(2).data().toString().contains(QStringLiteral(
-        "neither the robot nor another task provides the simulator's ground truth (oracle/world)")));
+    QVERIFY(
+        oracle.siblingAtColumn(SolutionModel::kState)
+            .data()
+            .toString()
+            .contains(QStringLiteral(
+                "neither the robot nor another task provides the simulator's ground truth (oracle/world)")));
     QVERIFY(oracle.data(Qt::ToolTipRole).toString().contains(QStringLiteral("another task provides")));
     clickCell(tree, oracle);
     for (const auto& request : bench.requests) QVERIFY(!request.has_select_solution());
@@ -159,7 +168,7 @@ class SolutionsViewTest : public QObject {
     clickCell(tree, find(tree, QStringLiteral("regions")));
     bench.answer(false, "its parameters cannot be read");
     bench.tick(*view);
-    QCOMPARE(find(tree, QStringLiteral("regions"), 2).data().toString(),
+    QCOMPARE(find(tree, QStringLiteral("regions"), SolutionModel::kState).data().toString(),
              QStringLiteral("refused: its parameters cannot be read"));
     QVERIFY(child<QLabel>(*view, "solutionsState").text().contains(QStringLiteral("refused")));
   }
@@ -172,7 +181,9 @@ class SolutionsViewTest : public QObject {
     bench.push("red2/tables/solutions", someTasks(), 1);
     bench.tick(*view);
     auto& tree = child<QTreeView>(*view, "solutionsTree");
-    const auto state = [&] { return find(tree, QStringLiteral("regions"), 2).data().toString(); };
+    const auto state = [&] {
+      return find(tree, QStringLiteral("regions"), SolutionModel::kState).data().toString();
+    };
     clickCell(tree, find(tree, QStringLiteral("regions")));
     const auto asked = bench.requests.back();
     bench.session.selectRobot("red2");

@@ -202,7 +202,8 @@ std::optional<QString> ColorSpaceView::numbers() {
   };
   const auto* learned = contents_->table.get();
   if (shown.pixels && contents_->frame != nullptr) {
-    for (const CloudPoint& point : CloudMaker().cloudOf(contents_->pixels())->points)
+    const auto cloud = CloudMaker().cloudOf(contents_->pixels());
+    for (const CloudPoint& point : cloud->points)
       add("image", point.color, QString::number(point.pixels),
           learned == nullptr ? 0 : learned->classOf(point.color));
   }
