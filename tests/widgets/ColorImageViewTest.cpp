@@ -112,7 +112,7 @@ class ColorImageViewTest : public QObject {
     QTest::mouseClick(s.right, Qt::RightButton, {}, s.at(8, 10, s.right));
     auto* menu = s.view.findChild<QMenu*>(QStringLiteral("colorPixelMenu"));
     QVERIFY(menu != nullptr);
-    QCOMPARE(menu->actions().size(), 6);
+    QCOMPARE(menu->actions().size(), 7);
     QMenu* spot = menu->actions().at(2)->menu();
     for (QAction* action : spot->actions()) {
       if (action->text() == QStringLiteral("yellow")) action->trigger();

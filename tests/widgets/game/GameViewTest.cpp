@@ -164,6 +164,7 @@ class GameViewTest : public QObject {
     QVERIFY(!child<QToolButton>(*view, "gameLayoutRobot").isEnabled());
     auto& table = child<QTableView>(*view, "gamePlayers");
     table.setCurrentIndex(table.model()->index(1, 0));
+    bench.tick(*view);
     child<QComboBox>(*view, "gameLayout").setCurrentText(QStringLiteral("parallel"));
     bench.tick(*view);
     press(*view, "gameLayoutRobot");

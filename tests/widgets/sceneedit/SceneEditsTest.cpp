@@ -242,7 +242,8 @@ class SceneEditsTest : public QObject {
     sceneBench(b.context).tick();
     QTRY_COMPARE(language->begun.load(), 1);
     for (int i = 1; i < 4; ++i) move(i);
-    for (const int dropped : {0, 1, 2}) QVERIFY(outcomes[std::size_t(dropped)].find("given up") == 3);
+    for (const int dropped : {0, 1, 2})
+      QVERIFY(outcomes[std::size_t(dropped)].find("given up") != std::string::npos);
     language->gate.release(10);
     b.edits().finish();
     QCOMPARE(outcomes[3], std::string("desk"));
@@ -280,9 +281,9 @@ class SceneEditsTest : public QObject {
     QTRY_COMPARE(language->begun.load(), 1);
     QVERIFY(b.edits().undoTitle().contains(QStringLiteral("rover")));
     QVERIFY(b.edits().undo().has_value());
-    QVERIFY(second.find("given up") == 3 && first.empty());
+    QVERIFY(second.find("given up") != std::string::npos && first.empty());
     QVERIFY(b.edits().undo().has_value());
-    QVERIFY(first.find("given up") == 3 && !b.edits().isBusy() && !b.edits().canUndo());
+    QVERIFY(first.find("given up") != std::string::npos && !b.edits().isBusy() && !b.edits().canUndo());
     language->gate.release(10);
     b.edits().finish();
     sceneBench(b.context).tick();
