@@ -52,7 +52,7 @@ struct Played {
 };
 
 /// Plays a second, with changes of light, of errors and of places in it, and going back.
-Played play(const std::shared_ptr<const simcore::Scene>& scene, int threads) {
+Played playedBy(const std::shared_ptr<const simcore::Scene>& scene, int threads) {
   SimulatedWorld::Options options;
   options.seed = 3;
   options.threads = threads;
@@ -92,11 +92,11 @@ TEST(DelayedImages, haveTheSameBytesForAnyNumberOfThreads) {
   std::ofstream(file) << worldOfCameras();
   const auto scene = simcore::Scene::load(file);
   ASSERT_TRUE(scene) << robotlink::describe(scene.error());
-  const Played alone = play(*scene, 1);
+  const Played alone = playedBy(*scene, 1);
   EXPECT_GT(alone.images, 100U);
   EXPECT_EQ(alone.ahead, 0U) << "there is no other thread";
   for (const int threads : {2, 3, 8}) {
-    const Played played = play(*scene, threads);
+    const Played played = playedBy(*scene, threads);
     EXPECT_EQ(played.digest, alone.digest) << threads;
     EXPECT_EQ(played.images, alone.images) << threads;
     EXPECT_GT(played.ahead, 40U) << threads;
