@@ -128,9 +128,9 @@ Intention BallSkills::position(const Vector2& ball, double aim) const {
   const Vector2 way(ball.x() - options_.kickX, ball.y());
   // Sideways first, so that no paw pushes the ball away.
   const double free = std::abs(way.y()) > 0.06 ? 0.3 : 1.0;
-  Intention intention = walk({1.8 * way.x() * free, 1.8 * way.y()}, 0.8 * aim);
-  intention.forward = std::clamp(intention.forward, -0.08, 0.08);
-  return intention;
+  const double ahead =
+      std::clamp(options_.positionGain * way.x() * free, -options_.positionSpeed, options_.positionSpeed);
+  return walk({ahead, options_.positionGain * way.y()}, 0.8 * aim);
 }
 
 bool BallSkills::canKick(const Vector2& ball) const {

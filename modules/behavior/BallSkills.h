@@ -37,7 +37,9 @@ class BallSkills {
     /// Distance at which it passes the ball on the way behind it, m.
     double passing = 0.26;
     /// Where the ball must be for a kick, and how exactly, m.
-    double kickX = 0.155, kickToleranceX = 0.03, kickToleranceY = 0.035;
+    double kickX = 0.16, kickToleranceX = 0.035, kickToleranceY = 0.04;
+    /// How fast it walks to there, 1/s, and at most, m/s.
+    double positionGain = 1.8, positionSpeed = 0.08;
     /// Sideward gain and limit of the error beside which it slows down while it pushes the ball, 1/s and m.
     double dribbleGain = 2.5, dribbleWidth = 0.05;
   };

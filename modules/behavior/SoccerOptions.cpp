@@ -218,7 +218,8 @@ void SoccerOptions::buildSearch(Option& search) const {
   search.state("turn", "Turns on the spot.")
       .does([&p] {
         p.intention_ = p.skills_.turnTo(p.turnDirection_);
-        p.intention_.head = Head::kSearch;
+        // Sweeps of the head would leave out what the turn passes meanwhile.
+        p.intention_.head = Head::kAhead;
       })
       .to("wander", "no ball all around", after(&SoccerMind::Options::turnTime));
   search.state("wander", "Walks to the middle of the field, or ahead, to look from elsewhere.")

@@ -95,6 +95,8 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {{kSkills, Skills::kKickToleranceYFieldNumber}, skill<&B::kickToleranceY>, kAtLeastZero},
     {{kSkills, Skills::kDribbleGainFieldNumber}, skill<&B::dribbleGain>, kAtLeastZero},
     {{kSkills, Skills::kDribbleWidthFieldNumber}, skill<&B::dribbleWidth>, kAboveZero},
+    {{kSkills, Skills::kPositionGainFieldNumber}, skill<&B::positionGain>, kAboveZero},
+    {{kSkills, Skills::kPositionSpeedFieldNumber}, skill<&B::positionSpeed>, kAboveZero},
     {{kReading, Reading::kPositionDeviationFieldNumber}, reading<&S::positionDeviation>, kAboveZero},
     {{kReading, Reading::kHeadingDeviationFieldNumber}, reading<&S::headingDeviation>, kAboveZero},
     {{kReading, Reading::kMinimumColoredFieldNumber}, reading<&S::minimumColored>, kShare},

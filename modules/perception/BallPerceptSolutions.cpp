@@ -2,6 +2,7 @@
 // The solutions of the task "ball-percept": the ball in the image and on the ground.
 #include "PerceptionParameters.pb.h"
 #include "foxglove/Image.pb.h"
+#include "modules/perception/BallFringes.h"
 #include "modules/perception/CircleBallFinder.h"
 #include "modules/perception/PerceptPackages.h"
 #include "modules/perception/RegionBallFinder.h"
@@ -27,6 +28,10 @@ const ImageDrawingKey kEdgeKey{
     "ball-percept/edge",
     "The points of the ball's edge; those that the circle follows are orange (drawn in the image)"};
 
+/// Where this color meets red or pink, the camera mixes them to that of the ball: at red robots in front of
+/// the yellow goal, and between the bands of beacons.
+constexpr char kMixedColor[] = "yellow";
+
 /// The common part of both solutions: inputs, the package, and drawings.
 class BallPerceptor : public robotlink::Solution {
  public:
@@ -40,6 +45,8 @@ class BallPerceptor : public robotlink::Solution {
   void execute() override {
     if (!regions_ || !regions_.isNew() || !pose_) return;
     readRegions(*regions_, field_->ballColor, orange_);
+    readRegions(*regions_, kMixedColor, yellow_);
+    removeFringes(orange_, yellow_, fringeArea());
     const BallObservation ball = find(orange_, cameraView(*pose_));
     auto package = std::make_shared<robotcontrol::BallPercept>();
     *package->mutable_timestamp() = regions_->timestamp();
@@ -56,6 +63,7 @@ class BallPerceptor : public robotlink::Solution {
 
  protected:
   virtual BallObservation find(const std::vector<colortool::Region>& orange, const CameraView& view) = 0;
+  virtual int fringeArea() const = 0;
 
   robotlink::DebugContext& debug_;
   std::shared_ptr<const robotlink::FieldDescription> field_;
@@ -79,7 +87,7 @@ class BallPerceptor : public robotlink::Solution {
   robotlink::Input<robotcontrol::ColorRegions> regions_;
   robotlink::Input<robotcontrol::CameraPose> pose_;
   robotlink::Output<robotcontrol::BallPercept> percept_;
-  std::vector<colortool::Region> orange_;
+  std::vector<colortool::Region> orange_, yellow_;
 };
 
 class RegionBallPerceptor final : public BallPerceptor {
@@ -94,6 +102,7 @@ class RegionBallPerceptor final : public BallPerceptor {
                                    ballGeometry(parameters_.geometry(), field_->ballRadius)});
     return finder.find(orange, view);
   }
+  int fringeArea() const override { return parameters_.fringe_area(); }
 
   const robotcontrol::RegionBallParameters& parameters_;
 };
@@ -126,6 +135,7 @@ class CircleFitBallPerceptor final : public BallPerceptor {
     if (debug_.on(kEdgeKey)) drawEdge();
     return ball;
   }
+  int fringeArea() const override { return parameters_.fringe_area(); }
 
   void drawEdge() {
     auto drawing = debug_.imageDrawing(kEdgeKey);

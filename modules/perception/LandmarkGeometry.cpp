@@ -13,6 +13,18 @@ LandmarkGeometry::LandmarkGeometry(const robotlink::FieldDescription& field, con
       goal_{field.goalWidth, field.goalHeight, 0.5 * field.goalHeight},
       options_(options) {}
 
+namespace {
+
+/// Whether what is seen reaches down to the ground, as a goal does. A beacon's band in the goal's color ends
+/// higher than the camera is, so the horizon is below it.
+bool standsOnGround(const ImageBox& box, double depth, const CameraView& view) {
+  if (box.bottom >= view.height) return true;
+  const double expected = std::atan2(view.cameraInRobot.translation().z(), depth);
+  return view.elevation({box.center().x(), box.bottom}) < -0.5 * expected;
+}
+
+}  // namespace
+
 std::optional<LandmarkObservation> LandmarkGeometry::locate(const FieldLandmark& landmark,
                                                             const ImageBox& box,
                                                             const CameraView& view) const {
@@ -35,6 +47,8 @@ std::optional<LandmarkObservation> LandmarkGeometry::locate(const FieldLandmark&
       (shape < 0.4 || shape > 2.5))
     return std::nullopt;
   if (landmark.kind == FieldLandmark::Kind::kGoal && shape < 0.25) return std::nullopt;
+
+  if (landmark.kind == FieldLandmark::Kind::kGoal && !standsOnGround(box, depth, view)) return std::nullopt;
 
   LandmarkObservation seen;
   seen.bearing = std::atan2(place.y(), place.x());

@@ -34,7 +34,7 @@ struct LandmarkObservation {
 ///
 /// The distance follows from the height of a beacon's two bands or of a goal, or from the width if the height
 /// is cut off by the border of the image. The center must then be at its true height above the ground, within
-/// the uncertainty of a walking body. Immutable; any thread.
+/// the uncertainty of a walking body, and a goal must reach down to the ground. Immutable; any thread.
 class LandmarkGeometry {
  public:
   struct Options {

@@ -17,6 +17,8 @@ namespace {
 constexpr double kMaxSquare = 9;
 /// Goals have no exact position, because posts and robots hide parts of them.
 constexpr double kGoalDoubt = 2;
+/// How far the middle of what is seen of a goal may be from that of the goal, m.
+constexpr double kGoalBlur = 0.12;
 /// Cells of poses in which clusters are looked for, m and per turn.
 constexpr double kClusterCell = 0.4;
 constexpr int kHeadingCells = 12;
@@ -83,10 +85,11 @@ void FieldMonteCarlo::choose(const Frame& frame) {
   sights_.clear();
   for (const LandmarkMeasurement& landmark : frame.landmarks) {
     const double doubt = (landmark.isGoal ? kGoalDoubt : 1) * (2 - landmark.confidence);
+    const double blur = landmark.isGoal ? kGoalBlur / std::max(0.3, landmark.distance) : 0;
     sights_.push_back({landmark.position,
                        {std::cos(landmark.bearing), std::sin(landmark.bearing)},
                        landmark.distance,
-                       doubt * options_.bearingDeviation,
+                       doubt * options_.bearingDeviation + blur,
                        doubt * (options_.distanceDeviation * landmark.distance + 0.05)});
   }
   // Evenly chosen points: neighbors in the list lie next to each other in the image.

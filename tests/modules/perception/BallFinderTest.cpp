@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "modules/perception/BallFringes.h"
 #include "modules/perception/CircleBallFinder.h"
 #include "modules/perception/RegionBallFinder.h"
 #include "tests/modules/perception/BallDiscs.h"
@@ -107,6 +108,23 @@ TEST(BallGeometry, rejectsDiscsThatAreTooLargeOrTooSmallForTheirPlace) {
   EXPECT_TRUE(geometry.locate(disc, view));
   EXPECT_FALSE(geometry.locate({disc.center, 2 * disc.radius, 0.6}, view));
   EXPECT_FALSE(geometry.locate({disc.center, 0.5 * disc.radius, 0.6}, view));
+}
+
+TEST(BallFringes, onlySmallRegionsAtTheEdgeOfALargerOneAreRemoved) {
+  const auto region = [](int left, int top, int side) {
+    return colortool::Region{
+        1, side * side, left, top, left + side, top + side, left + 0.5 * side, top + 0.5 * side};
+  };
+  const colortool::Region fringe = region(30, 20, 3), ball = region(30, 24, 10), far = region(80, 20, 3);
+  std::vector<colortool::Region> orange{fringe, ball, far};
+  const std::vector<colortool::Region> goal{region(8, 10, 20)};
+  removeFringes(orange, goal, 16);
+  EXPECT_EQ(orange, (std::vector{ball, far}));
+  orange = {fringe};
+  removeFringes(orange, {region(26, 20, 2)}, 16);
+  EXPECT_EQ(orange.size(), 1U) << "a smaller region is nothing at whose edge it is";
+  removeFringes(orange, goal, 0);
+  EXPECT_EQ(orange.size(), 1U) << "an area of 0 keeps all";
 }
 
 }  // namespace

@@ -92,6 +92,17 @@ TEST_F(LandmarkGeometryTest, aSlimBoxIsNoGoal) {
   EXPECT_FALSE(geometry.locate(goal, box, view));
 }
 
+TEST_F(LandmarkGeometryTest, aBandOfABeaconIsNoGoal) {
+  for (const double distance : {0.6, 1.0, 2.0}) {
+    const ImageBox band =
+        boxOf(distance, 0, 2 * field.beaconRadius, field.beaconBaseHeight, field.beaconBandHeight);
+    EXPECT_FALSE(geometry.locate(goal, band, view)) << distance;
+    ImageBox cut = band;
+    cut.top = 0;
+    EXPECT_FALSE(geometry.locate(goal, cut, view)) << distance;
+  }
+}
+
 TEST_F(LandmarkGeometryTest, whatIsTooSmallOrTooFarIsIgnored) {
   EXPECT_FALSE(geometry.locate(beacon, {80, 60, 82, 63}, view));
   EXPECT_FALSE(geometry.locate(beacon, {80, 60, 80.5, 80}, view));
