@@ -16,8 +16,6 @@ namespace {
 
 /// Goals have no exact position, because posts and robots hide parts of them.
 constexpr double kGoalFactor = 2;
-/// How far the middle of what is seen of a goal may be from that of the goal, m.
-constexpr double kBlurOfGoal = 0.12;
 /// Two hypotheses nearer than this are one, m and rad.
 constexpr double kSamePlace = 0.3, kSameHeading = 0.35;
 /// Landmarks nearer to each other than this do not determine a pose, m.
@@ -78,13 +76,12 @@ double PoseKalmanFilter::correct(Hypothesis& hypothesis, const RowVector3d& row,
 
 double PoseKalmanFilter::correctByLandmark(Hypothesis& hypothesis, const LandmarkMeasurement& seen) const {
   const double doubt = (seen.isGoal ? kGoalFactor : 1) * (2 - seen.confidence);
-  const double blur = seen.isGoal ? kBlurOfGoal / std::max(0.3, seen.distance) : 0;
   const auto toLandmark = [&] { return Vector2(seen.position - hypothesis.pose.translation()); };
   Vector2 to = toLandmark();
   const double square = std::max(0.01, to.squaredNorm());
   const double bearing = normalizedAngle(seen.bearing - std::atan2(to.y(), to.x()) + hypothesis.pose.heading);
   double likelihood = correct(hypothesis, {to.y() / square, -to.x() / square, -1}, bearing,
-                              doubt * options_.bearingDeviation + blur);
+                              doubt * options_.bearingDeviation);
   to = toLandmark();
   const double distance = std::max(0.1, to.norm());
   likelihood *= correct(hypothesis, {-to.x() / distance, -to.y() / distance, 0}, seen.distance - distance,
