@@ -305,8 +305,7 @@ class SceneModesTest : public QObject {
     moveMouse(*s.canvas, s.at(ModesScene::kTop));
     QVERIFY(outlined() > 100);
     moveMouse(*s.canvas, s.at({1.2, -0.6, 0}));
-    const int floorEdge = outlined();
-    QVERIFY2(floorEdge > 20 && floorEdge < 100, "the floor is under the mouse, and fixed, too");
+    QCOMPARE(outlined(), 0);
     // A joint has no shape; its link has.
     sceneSelection(s.world.context).select("crate/joint:swing");
     const int box = outlined();
