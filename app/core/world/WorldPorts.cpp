@@ -24,7 +24,7 @@ using robotlink::Rgb;
 
 /// The period of images that controllers show, and of those of sensors that have none.
 constexpr robotlink::Duration kUsualPeriod = std::chrono::milliseconds(40);
-/// Of sensors that yield more numbers only images are published.
+/// Sensors that yield more numbers are published as images only.
 constexpr std::size_t kMaxNumbers = 10'000;
 
 void addReading(google::protobuf::RepeatedPtrField<robotcontrol::PortReading>& to, const std::string& port,

@@ -16,7 +16,7 @@ namespace {
 
 // The plot of a figure, in pixels.
 constexpr double kWidth = 460, kLineHeight = 22, kMargin = 10, kDotRadius = 2.5, kLabelWidth = 130;
-/// Of variants, in plots; distinct for those who see few colors, too (M. Okabe, K. Ito, 2008).
+/// The colors of variants in plots; distinct for those who see few colors, too (M. Okabe, K. Ito, 2008).
 constexpr std::array<const char*, 6> kVariantColors{"#0072b2", "#d55e00", "#009e73",
                                                     "#cc79a7", "#e69f00", "#56b4e9"};
 

@@ -70,7 +70,7 @@ TEST(RoleAssignment, whoHasTheBallFirstIsTheStriker) {
   now.mates = {mate(3, Role::kNone, 4, -1)};
   EXPECT_EQ(RoleAssignment({}).decide(now, 3), Role::kStriker);
   EXPECT_NE(RoleAssignment({}).decide(now, 5), Role::kStriker);
-  // Of equals the one with the smaller number, so that both agree.
+  // Equals agree on the one with the smaller number.
   EXPECT_EQ(RoleAssignment({}).decide(now, 4), Role::kStriker);
   GameSituation other = player(3, 0.5);
   other.mates = {mate(2, Role::kNone, 4, -1)};

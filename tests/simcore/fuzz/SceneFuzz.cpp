@@ -80,7 +80,7 @@ void simulate(const std::shared_ptr<const Scene>& scene) {
 }  // namespace
 
 int runInput(const std::uint8_t* data, std::size_t size) {
-  // Of the processor, since others may use it, too.
+  // The time of the processor counts, since others may use it, too.
   const std::clock_t start = std::clock();
   const fs::path file = folder().write("world.sdf", {reinterpret_cast<const char*>(data), size});
   const auto scene = Scene::load(file, {}, {}, {ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models"});
