@@ -7,9 +7,11 @@
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "foxglove/Event.pb.h"
 #include "logplayer/file/LogImport.h"
+#include "robotlink/base/bytes/Fnv.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Schema.h"
@@ -39,11 +41,9 @@ void addMetadata(foxglove::Event& event, const char* key, const std::string& val
   pair->set_value(value);
 }
 
-// The hash function FNV-1a.
 std::uint64_t hashOf(mcap::Bytes data) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const std::uint8_t byte : data) hash = (hash ^ byte) * 0x100000001b3;
-  return hash & static_cast<std::uint64_t>(kLargestId);
+  const std::string_view bytes(reinterpret_cast<const char*>(data.data()), data.size());
+  return robotlink::fnv1a(bytes) & static_cast<std::uint64_t>(kLargestId);
 }
 
 std::uint64_t eventIdOf(const foxglove::Event& event, mcap::Bytes data) {

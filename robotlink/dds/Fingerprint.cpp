@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "robotlink/base/bytes/Fnv.h"
+
 namespace robotlink::dds {
 namespace {
 
@@ -30,23 +32,13 @@ void addText(const pb::Descriptor& type, std::string& text, std::set<std::string
   text += "}";
 }
 
-/// FNV-1a, which is the same on all machines.
-std::uint64_t hashOf(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : text) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3ULL;
-  }
-  return hash;
-}
-
 }  // namespace
 
 std::uint64_t fingerprintOf(const pb::Descriptor& type) {
   std::string text;
   std::set<std::string> seen;
   addText(type, text, seen);
-  return hashOf(text);
+  return fnv1a(text);
 }
 
 }  // namespace robotlink::dds

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 
+#include "robotlink/base/bytes/Fnv.h"
+
 namespace robotlink {
 
 std::uint64_t checksum(const google::protobuf::MessageLite& message) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char byte : message.SerializeAsString())
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-  return std::max<std::uint64_t>(hash, 1);
+  return std::max<std::uint64_t>(fnv1a(message.SerializeAsString()), 1);
 }
 
 }  // namespace robotlink

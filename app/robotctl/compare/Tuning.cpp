@@ -8,6 +8,7 @@
 
 #include "app/robotctl/Interrupt.h"
 #include "robotlink/base/Spelling.h"
+#include "robotlink/base/bytes/Fnv.h"
 
 namespace app {
 namespace {
@@ -17,14 +18,7 @@ constexpr double kNoResult = 1e30;
 
 /// A name for a candidate that depends on its numbers only.
 std::string candidateName(const std::vector<std::string>& numbers) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const std::string& number : numbers) {
-    for (const char c : number + ' ') {
-      hash ^= static_cast<unsigned char>(c);
-      hash *= 0x100000001b3;
-    }
-  }
-  return fmt::format("candidate-{:016x}", hash);
+  return fmt::format("candidate-{:016x}", robotlink::fnv1a(fmt::format("{}", fmt::join(numbers, " "))));
 }
 
 /// Errors are measured where the figure is one of them: "models/ball position mean".
