@@ -23,6 +23,9 @@ Rewind::Command readCommand(robotlink::ByteReader& reader) {
 }  // namespace
 
 void Rewind::add(std::uint64_t step, std::vector<std::uint8_t> state) {
+  // Nothing is added to these any more: their memory is what they count as.
+  if (!segments_.empty()) segments_.back().commands.shrink_to_fit();
+  state.shrink_to_fit();
   segments_.push_back({step, std::move(state), {}});
   bytes_ += segments_.back().bytes();
   giveUpOldest();

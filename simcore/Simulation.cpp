@@ -140,8 +140,11 @@ void Simulation::requestAngle(std::size_t servo, double angle) {
 
 void Simulation::setTorqueLimit(std::size_t servo, double share) {
   if (std::isnan(share)) return;
+  share = std::clamp(share, 0.0, 1.0);
+  // Robots ask for it in each of their frames; what changes nothing need not be kept for rewinding.
+  if (share == implementation_->actuation->torqueShare(servo)) return;
   implementation_->note(CommandKind::kTorqueLimit, servo, {share});
-  implementation_->actuation->setTorqueShare(servo, std::clamp(share, 0.0, 1.0));
+  implementation_->actuation->setTorqueShare(servo, share);
 }
 
 double Simulation::servoTorque(std::size_t servo) const {

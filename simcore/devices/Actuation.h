@@ -24,6 +24,7 @@ class Actuation {
   /// The command of a servo from a step on, limited to its range; NaN is ignored.
   void command(std::size_t servo, double value, std::uint64_t step);
   void setTorqueShare(std::size_t servo, double share) { servos_[servo].state.torqueShare = share; }
+  double torqueShare(std::size_t servo) const { return servos_[servo].state.torqueShare; }
   /// The command of a guide: as many finite values as its port has, which are limited; others are ignored.
   void guide(std::size_t guide, std::span<const double> values);
 
