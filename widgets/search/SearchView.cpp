@@ -78,6 +78,7 @@ void SearchView::createViews() {
                           ColumnKind::kName});
   hint_ = new EmptyHint(table_);
   state_ = makeNote(this, "searchState", tr("State of the search"));
+  setFocusProxy(wanted_);
   auto* row = makeToolRow(this, 0);
   row->addWidget(kind_);
   row->addWidget(wanted_, 1);
@@ -152,6 +153,8 @@ void SearchView::cancel() {
 void SearchView::jumpTo(int row) {
   if (row < 0 || row >= model_.rowCount()) return;
   const robotlink::Instant time = model_.row(row).from;
+  // The views that follow the selection show the robot of the hit.
+  session().selectRobot(model_.row(row).robot.toStdString());
   searchedGeneration_ ? session().history().show(time) : logs_.replay().jumpTo(time);
 }
 

@@ -149,6 +149,18 @@ ads::CDockWidget* ViewDocks::open(const QString& id) {
   return bringToFront(existing.empty() ? makeNext(id) : existing.front());
 }
 
+void ViewDocks::focusOn(ads::CDockWidget* dock) {
+  if (dock == nullptr || dock->widget() == nullptr) return;
+  QWidget* const view = dock->widget();
+  QWidget* first = view;
+  // The chain leads around the whole window.
+  while (first->focusProxy() == nullptr && (first->focusPolicy() & Qt::TabFocus) == 0) {
+    first = first->nextInFocusChain();
+    if (first == view || !view->isAncestorOf(first)) return view->setFocus();
+  }
+  first->setFocus();
+}
+
 ads::CDockWidget* ViewDocks::openAnother(const QString& id) {
   const widgets::ViewType* type = widgets::ViewRegistry::find(id.toStdString());
   if (type == nullptr || !type->several) return open(id);

@@ -37,6 +37,8 @@ class ViewDocks : public QObject {
   /// Opens one more view of a kind: a closed one, else a new one. Like open() for kinds that may be open only
   /// once.
   ads::CDockWidget* openAnother(const QString& id);
+  /// Gives the keyboard to the view of a dock, or to what is the first in it that takes it.
+  static void focusOn(ads::CDockWidget* dock);
   /// Closes all views of a kind; they keep their places.
   void close(const QString& id);
   /// Adds a new dock at a place, for the shipped perspectives. Returns null if there is no such kind.

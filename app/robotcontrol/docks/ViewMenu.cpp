@@ -84,7 +84,7 @@ void ViewMenu::addAnother(QMenu& menu, const QString& id) {
   if (type == nullptr || !type->several) return;
   QAction* action =
       menu.addAction(widgets::icon(type->icon), QCoreApplication::translate("View", type->title), this,
-                     [this, id] { docks_.openAnother(id); });
+                     [this, id] { ViewDocks::focusOn(docks_.openAnother(id)); });
   action->setObjectName(QStringLiteral("another.") + id);
 }
 
@@ -92,7 +92,7 @@ void ViewMenu::choose(const QString& id) {
   if (docks_.isInFront(id)) {
     docks_.close(id);
   } else {
-    docks_.open(id);
+    ViewDocks::focusOn(docks_.open(id));
   }
   refresh();
 }

@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QToolBar>
 #include <QTreeWidget>
+#include <fstream>
 
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/bars/Tour.h"
@@ -94,7 +95,9 @@ class MenusGuiTest : public WindowTest {
     QVERIFY(in.asked());
     QTRY_VERIFY(desk.find<QAction>("perspective.Play 2").isChecked());
     QVERIFY(!desk.window.docks().isOpen(QStringLiteral("image")));
-    DialogAnswer wrong = DialogAnswer::file(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/README.md"));
+    const std::filesystem::path other = home_ / "other.json";
+    std::ofstream(other) << "# no JSON";
+    DialogAnswer wrong = DialogAnswer::file(QString::fromStdString(other.string()));
     desk.choose("importPerspective");
     QVERIFY(wrong.asked());
     QVERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("no perspective")));
@@ -298,6 +301,15 @@ class MenusGuiTest : public WindowTest {
     desk.choose("deletePerspective");
     QVERIFY(!desk.has("perspective.Mine"));
     QVERIFY(desk.find<QAction>("perspective.Play").isChecked());
+  }
+
+  void aViewThatIsOpenedHasTheKeyboard() {
+    EmptyDesk desk(home_);
+    desk.choose("view.search");
+    QCOMPARE(desk.window.focusWidget(), &desk.find<QWidget>("searchWanted"));
+    desk.choose("view.timing");
+    const QWidget* const now = desk.window.focusWidget();
+    QVERIFY(now != nullptr && desk.find<QWidget>("timingView").isAncestorOf(now));
   }
 
   void aPerspectiveIsPutBackToWhatIsShipped() {

@@ -94,8 +94,11 @@ class SearchViewTest : public QObject {
     QCOMPARE(child<QLabel>(*view, "searchState").text(), QStringLiteral("3 hits"));
     QCOMPARE(table.model()->index(0, SearchModel::kRobot).data().toString(), QStringLiteral("nao"));
     QCOMPARE(table.model()->index(2, SearchModel::kLength).data().toString(), QStringLiteral("to the end"));
+    log.session.setRobots({"another", "nao"});
+    log.session.selectRobot("another");
     const QRect row = table.visualRect(table.model()->index(1, 0));
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, row.center());
+    QVERIFY2(log.session.selectedRobot() == "nao", "the other views show the robot of the hit");
     QCOMPARE(log.asked().action(), robotcontrol::ControlReplay::JUMP_TO_TIME);
     QCOMPARE(log.asked().time(), at(26.7).time_since_epoch().count());
     // From the shown time on.
