@@ -269,7 +269,10 @@ void CameraRenderer::Implementation::placeLamps(const Pose3& worldInCamera) {
     aimSpot(lamp, worldInCamera, lamps_[i]);
     lamps_[i].intensity = static_cast<float>(peakOf(lamp) * lighting_.brightness);
     lamps_[i].attenuation = lamp.attenuation;
-    lamps_[i].cells = stage_->shadows ? stage_->shadows->cells(number) : nullptr;
+    if (stage_->shadows) {
+      lamps_[i].cells = stage_->shadows->grid(number).cells();
+      lamps_[i].nearest = stage_->shadows->grid(number).nearest();
+    }
     lamps_[i].unsure = &memory_.unsure()[number];
   }
 }

@@ -135,6 +135,36 @@ SIMCORE_INLINE Float8 gathered(const float* from, Int8 index) {
 #endif
 }
 
+/// Loads eight bytes as integers from 0 to 255.
+SIMCORE_INLINE Int8 loadBytes(const std::uint8_t* from) {
+#if defined(__AVX2__)
+  return reinterpret_cast<Int8>(
+      _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from))));
+#else
+  return Int8{from[0], from[1], from[2], from[3], from[4], from[5], from[6], from[7]};
+#endif
+}
+/// Stores eight integers from 0 to 255 as bytes.
+SIMCORE_INLINE void storeBytes(std::uint8_t* to, Int8 v) {
+#if defined(__SSE2__)
+  const Int4 low = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+  const Int4 high = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+  const __m128i words = _mm_packs_epi32(reinterpret_cast<__m128i>(low), reinterpret_cast<__m128i>(high));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(to), _mm_packus_epi16(words, words));
+#else
+  for (int i = 0; i < 8; ++i) to[i] = static_cast<std::uint8_t>(v[i]);
+#endif
+}
+/// The sum of the four bytes of each lane.
+SIMCORE_INLINE Int8 sumOfBytes(Int8 v) {
+#if defined(__AVX2__)
+  const __m256i pairs = _mm256_maddubs_epi16(reinterpret_cast<__m256i>(v), _mm256_set1_epi8(1));
+  return reinterpret_cast<Int8>(_mm256_madd_epi16(pairs, _mm256_set1_epi16(1)));
+#else
+  return (v & 0xFF) + ((v >> 8) & 0xFF) + ((v >> 16) & 0xFF) + ((v >> 24) & 0xFF);
+#endif
+}
+
 /// Transposes four vectors of eight into eight of four, stored in pairs: lane i in the low half and lane i +
 /// 4 in the high half of rows[i]. It is its own inverse.
 struct Rows4 {

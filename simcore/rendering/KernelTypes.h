@@ -122,8 +122,9 @@ struct ShadeLamp {
   /// cosine of the angle to that, before it is clamped to [0, 1]. The factor is 0 for other lamps.
   float spotDirection[3] = {};
   float spotFactor = 0, spotOffset = 0;
-  /// Six faces of gridSize^2 cells; null if there are no shadows.
+  /// Six faces of gridSize^2 cells, and the `nearest` of each; null if there are no shadows.
   const LampCell* cells = nullptr;
+  const float* nearest = nullptr;
   /// Where unsure pixels are collected.
   UnsurePixels* unsure = nullptr;
 };

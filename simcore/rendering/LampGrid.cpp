@@ -83,6 +83,7 @@ LampGrid::LampGrid(Eigen::Vector3d lampInWorld) : lamp_(std::move(lampInWorld)) 
   constexpr float kNever = std::numeric_limits<float>::infinity();
   static_.assign(6 * kFaceCells, LampCell{kNever, kNever, -1, -1});
   cells_ = static_;
+  nearest_.assign(cells_.size(), kNever);
 }
 
 void LampGrid::addStatic(const Mesh& mesh, const Pose3& meshInWorld, int instance) {
@@ -138,13 +139,20 @@ void LampGrid::addPiece(const Triangle& t, int instance) {
   }
 }
 
+void LampGrid::restore(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    cells_[i] = static_[i];
+    nearest_[i] = static_[i].nearest;
+  }
+}
+
 void LampGrid::beginMoving() {
-  if (!moving_) cells_ = static_;
+  if (!moving_) restore(0, cells_.size());
   moving_ = true;
   for (const Rectangle& r : touched_) {
     for (int v = r.v0; v <= r.v1; ++v) {
-      const auto row = static_cast<std::ptrdiff_t>(r.face * kSize + v) * kSize;
-      std::copy(static_.begin() + row + r.u0, static_.begin() + row + r.u1 + 1, cells_.begin() + row + r.u0);
+      const auto row = static_cast<std::size_t>(r.face * kSize + v) * kSize;
+      restore(row + static_cast<std::size_t>(r.u0), row + static_cast<std::size_t>(r.u1) + 1);
     }
   }
   touched_.clear();
@@ -158,8 +166,12 @@ void LampGrid::addMoving(const Sphere& sphereInWorld, int instance) {
   const std::size_t count = rectanglesAround(center, sphereInWorld.radius, rectangles);
   for (const Rectangle& r : std::span(rectangles, count)) {
     for (int v = r.v0; v <= r.v1; ++v) {
-      LampCell* const row = cells_.data() + static_cast<std::ptrdiff_t>(r.face * kSize + v) * kSize;
-      for (int u = r.u0; u <= r.u1; ++u) insert(row[u], shortIndex(instance), bound);
+      const auto row = static_cast<std::size_t>(r.face * kSize + v) * kSize;
+      for (std::size_t i = row + static_cast<std::size_t>(r.u0); i <= row + static_cast<std::size_t>(r.u1);
+           ++i) {
+        insert(cells_[i], shortIndex(instance), bound);
+        nearest_[i] = cells_[i].nearest;
+      }
     }
     touched_.push_back(r);
   }

@@ -29,8 +29,10 @@ class LampGrid {
   /// Adds a part of a moving caster by a sphere that contains it.
   void addMoving(const Sphere& sphereInWorld, int instance);
 
-  /// The cells of all faces, row by row; valid until the grid is destroyed.
+  /// The cells of all faces, row by row, and the `nearest` of each by itself, which fits into a processor's
+  /// cache; valid until the grid is destroyed.
   const LampCell* cells() const { return cells_.data(); }
+  const float* nearest() const { return nearest_.data(); }
   /// For tests: the squared lower bound in the direction of a point, without one instance (or -1 for none).
   double nearest(const Eigen::Vector3d& pointInWorld, int withoutInstance) const;
 
@@ -48,6 +50,8 @@ class LampGrid {
                                       Rectangle (&rectangles)[6]);
   /// Splits a triangle into small pieces.
   void addTriangle(const Triangle& t, int instance, int depth);
+  /// Takes cells over from the static ones.
+  void restore(std::size_t first, std::size_t last);
   /// Enters a small triangle into the static cells.
   void addPiece(const Triangle& t, int instance);
 
@@ -55,6 +59,7 @@ class LampGrid {
   // Static casters only, and all casters.
   std::vector<LampCell> static_;
   std::vector<LampCell> cells_;
+  std::vector<float> nearest_;
   /// The cells that moving casters have changed, to restore them.
   std::vector<Rectangle> touched_;
   bool moving_ = false;

@@ -68,26 +68,30 @@ SIMCORE_INLINE Int8 hashed(Int8 counter, NoiseKey key) {
   return reinterpret_cast<Int8>(h);
 }
 
-/// Adds round(scale * s) to each byte, where s is the sum of four uniform bytes minus its mean: nearly
-/// Gaussian (Irwin-Hall).
+/// The eight bytes at a place with noise: round(scale * s) is added to each, where s is the sum of four
+/// uniform bytes minus its mean: nearly Gaussian (Irwin-Hall).
+SIMCORE_INLINE Int8 withNoise(const std::uint8_t* bytes, Int8 counter, NoiseKey key, float scale) {
+  // Four uniform bytes, minus their mean of 4 * 127.5.
+  const Int8 sum = sumOfBytes(hashed(counter, key)) - 510;
+  // After clamping everything is positive, so adding 0.5 and truncating rounds.
+  const Float8 value =
+      __builtin_convertvector(loadBytes(bytes), Float8) + __builtin_convertvector(sum, Float8) * scale + 0.5F;
+  return truncated(minimum(maximum(value, splat(0)), splat(255)));
+}
+
+/// Adds noise to each byte.
 void addNoise(std::uint8_t* bytes, int count, NoiseKey key, float scale) {
-  using Bytes8 = std::uint8_t __attribute__((vector_size(8)));
   Int8 counter = {0, 1, 2, 3, 4, 5, 6, 7};
-  for (int at = 0; at < count; at += 8, counter += 8) {
-    const Int8 h = hashed(counter, key);
-    // Four uniform bytes, minus their mean of 4 * 127.5.
-    const Int8 sum = (h & 0xFF) + ((h >> 8) & 0xFF) + ((h >> 16) & 0xFF) + ((h >> 24) & 0xFF) - 510;
-    // The last group may be partial.
-    const auto size = static_cast<std::size_t>(count - at < 8 ? count - at : 8);
-    Bytes8 old = {};
-    __builtin_memcpy(&old, bytes + at, size == 8 ? 8 : size);
-    // After clamping everything is positive, so adding 0.5 and truncating rounds.
-    const Float8 value =
-        __builtin_convertvector(old, Float8) + __builtin_convertvector(sum, Float8) * scale + 0.5F;
-    const auto result =
-        __builtin_convertvector(truncated(minimum(maximum(value, splat(0)), splat(255))), Bytes8);
-    __builtin_memcpy(bytes + at, &result, size == 8 ? 8 : size);
-  }
+  const int whole = count & ~7;
+  for (int at = 0; at < whole; at += 8, counter += 8)
+    storeBytes(bytes + at, withNoise(bytes + at, counter, key, scale));
+  if (whole == count) return;
+  // The last group is partial.
+  std::uint8_t last[8] = {};
+  const auto size = static_cast<std::size_t>(count - whole);
+  __builtin_memcpy(last, bytes + whole, size);
+  storeBytes(last, withNoise(last, counter, key, scale));
+  __builtin_memcpy(bytes + whole, last, size);
 }
 
 }  // namespace

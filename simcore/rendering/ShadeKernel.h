@@ -89,14 +89,14 @@ SIMCORE_INLINE Int8 cellOf(const Vector8& direction, int gridSize) {
 
 /// Selects, from lanes with points at squared distances from a lamp, those that a caster in their cell might
 /// shade.
-SIMCORE_INLINE Int8 mayBeShaded(const LampCell* cells, Int8 cell, Int8 self, Float8 squaredDistance,
+SIMCORE_INLINE Int8 mayBeShaded(const ShadeLamp& lamp, Int8 cell, Int8 self, Float8 squaredDistance,
                                 Int8 lanes) {
-  const auto* base = reinterpret_cast<const float*>(cells);
+  // In front of everything in its cell a point is lit.
+  const Int8 behind = lanes & (gathered(lamp.nearest, cell) < squaredDistance);
+  if (bits(behind) == 0) return behind;
+  const auto* base = reinterpret_cast<const float*>(lamp.cells);
   // Three words per cell.
   const Int8 at = cell * 3;
-  // In front of everything in its cell a point is lit.
-  const Int8 behind = lanes & (gathered(base, at) < squaredDistance);
-  if (bits(behind) == 0) return behind;
   // The low half of the third word, with its sign.
   const Int8 nearest = reinterpret_cast<Int8>(gathered(base, at + 2)) << 16 >> 16;
   // A convex instance does not shade itself, so the second nearest caster counts.
@@ -139,7 +139,7 @@ SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const
   if (bits(lit) == 0) return light;
   const Vector8 direction = rotated(strip.cameraToWorld, {-toLamp.x, -toLamp.y, -toLamp.z});
   const Int8 unsure =
-      mayBeShaded(lamp.cells, cellOf(direction, strip.gridSize), surface.self, squaredDistance, lit);
+      mayBeShaded(lamp, cellOf(direction, strip.gridSize), surface.self, squaredDistance, lit);
   const unsigned lanes = bits(unsure);
   if (lanes == 0) return light;
   // Each such lane is lit later, if its ray arrives.

@@ -22,7 +22,7 @@ class ShadowCaster {
   /// Sets the present poses of the bodies, by body index.
   void setPoses(std::span<const Pose3> bodyInWorld);
   /// The grid of a lamp, for shading.
-  const LampCell* cells(std::size_t lamp) const { return grids_[lamp].cells(); }
+  const LampGrid& grid(std::size_t lamp) const { return grids_[lamp]; }
   /// Adds the light of those unsure pixels that see the lamp; a row of the strip has `stride` pixels.
   ///
   /// One ray is traced for every four pixels. The other pixels take the result of their neighbors if these
