@@ -31,6 +31,7 @@ void number(OdeWorld& ode, const JointDescription& joint, dJointID id) {
   ode.hinges.push_back(id);
   ode.hingeHasMotor.push_back(joint.servo);
   dJointSetFeedback(id, &ode.hingeForces.emplace_back());
+  ode.restForces.emplace_back();
 }
 
 bool isSlider(dJointID joint) {

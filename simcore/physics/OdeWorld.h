@@ -19,6 +19,11 @@
 
 namespace simcore {
 
+/// A force and a torque.
+struct OdeWrench {
+  Vector3 force = Vector3::Zero(), torque = Vector3::Zero();
+};
+
 /// The data attached to each ODE geom.
 struct OdeGeom {
   dGeomID id = nullptr;
@@ -181,7 +186,7 @@ struct OdeWorld {
   dGeomID ray = nullptr;
   /// ODE's threading of this world: none.
   dThreadingImplementationID threading = nullptr;
-  /// What steps the islands in several threads instead; null: one thread does.
+  /// What steps the islands.
   std::unique_ptr<IslandThreads> islands;
   /// A deque because ODE keeps pointers to its elements.
   std::deque<OdeGeom> geoms;
@@ -194,6 +199,8 @@ struct OdeWorld {
   std::vector<int> hingeModels;
   /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
   std::deque<dJointFeedback> hingeForces;
+  /// What each of them exerted in the mean, since its model was last seen to move.
+  std::vector<OdeWrench> restForces;
   std::vector<OdeModel> models;
   /// Bodies that no joint holds, and those that may sleep. A deque because ODE keeps pointers to its
   /// elements.

@@ -42,10 +42,7 @@ void hitByRay(void* data, dGeomID a, dGeomID b) {
 
 Physics::Physics(const WorldDescription& world, Drives drives, std::shared_ptr<robotlink::ThreadPool> pool)
     : ode_(buildOdeWorld(world, drives == Drives::kKinematic)) {
-  const auto dynamic =
-      std::ranges::count_if(ode_->models, [](const OdeModel& m) { return m.bodyCount > 0 && !m.kinematic; });
-  if (pool && pool->threads() > 1 && dynamic > 1)
-    ode_->islands = std::make_unique<IslandThreads>(std::move(pool), ode_->world);
+  ode_->islands = std::make_unique<IslandThreads>(std::move(pool), ode_->world);
 }
 Physics::~Physics() = default;
 
@@ -64,11 +61,7 @@ void Physics::step(std::uint64_t seed) {
   moveFollowers(*ode_);
   prepareFreeBodies(*ode_);
   findContacts(*ode_);
-  if (ode_->islands) {
-    ode_->islands->step(kStepSeconds, static_cast<int>(ode_->hinges.size()) + ode_->contactCount);
-  } else {
-    dWorldQuickStep(ode_->world, kStepSeconds);
-  }
+  ode_->islands->step(kStepSeconds, static_cast<int>(ode_->hinges.size()) + ode_->contactCount, seed);
   letFreeBodiesRest(*ode_);
   letModelsSleep(*ode_);
   settleFollowers(*ode_);

@@ -63,6 +63,20 @@ bool watch(OdeModel& model) {
   return isQuiet(model);
 }
 
+/// Brings the means of what the joints of a model exert up to date, while it stays where it is. From step to
+/// step the solver's forces tremble by some percent.
+void averageForces(OdeWorld& ode, const OdeModel& model) {
+  const int steps = model.sleepers.front()->quietSteps;
+  if (steps == 0) return;
+  for (std::size_t i = model.firstHinge; i < model.firstHinge + model.hingeCount; ++i) {
+    const dJointFeedback& now = ode.hingeForces[i];
+    OdeWrench& mean = ode.restForces[i];
+    if (steps == 1) mean = {};
+    mean.force += (Vector3(now.f1[0], now.f1[1], now.f1[2]) - mean.force) / steps;
+    mean.torque += (Vector3(now.t1[0], now.t1[1], now.t1[2]) - mean.torque) / steps;
+  }
+}
+
 /// What touches each other, of the models that could sleep.
 class TouchingModels {
  public:
@@ -121,8 +135,12 @@ void keepContacts(OdeWorld& ode) {
   }
 }
 
-void sleep(OdeModel& model, int group) {
+void sleep(OdeWorld& ode, OdeModel& model, int group) {
   model.group = group;
+  for (std::size_t i = model.firstHinge; i < model.firstHinge + model.hingeCount; ++i) {
+    std::copy_n(ode.restForces[i].force.data(), 3, ode.hingeForces[i].f1);
+    std::copy_n(ode.restForces[i].torque.data(), 3, ode.hingeForces[i].t1);
+  }
   for (const OdeFreeBody* body : model.sleepers) {
     dBodySetLinearVel(body->id, 0, 0, 0);
     dBodySetAngularVel(body->id, 0, 0, 0);
@@ -149,6 +167,13 @@ void transferMotors(StateStream& stream, const OdeWorld& ode, const OdeModel& mo
     stream.within(motor.speed, -1e15, 1e15);
     stream.within(motor.limit, 0, 1e15);
     if (stream.isReading() && stream.good()) driveJoint(ode.hinges[i], motor.speed, motor.limit);
+  }
+}
+
+void transferRestForces(StateStream& stream, OdeWorld& ode, const OdeModel& model) {
+  for (std::size_t i = model.firstHinge; i < model.firstHinge + model.hingeCount; ++i) {
+    for (Vector3* vector : {&ode.restForces[i].force, &ode.restForces[i].torque})
+      for (int k = 0; k < 3; ++k) stream.within((*vector)[k], -1e15, 1e15);
   }
 }
 
@@ -189,7 +214,9 @@ void letModelsSleep(OdeWorld& ode) {
   if (!ode.sleeps) return;
   bool anyIsQuiet = false;
   for (OdeModel& model : ode.models) {
-    if (model.maySleep() && !model.isAsleep()) anyIsQuiet |= watch(model);
+    if (!model.maySleep() || model.isAsleep()) continue;
+    anyIsQuiet |= watch(model);
+    averageForces(ode, model);
   }
   if (anyIsQuiet) {
     const TouchingModels touching(ode);
@@ -199,7 +226,7 @@ void letModelsSleep(OdeWorld& ode) {
       if (model.isAsleep() || !isQuiet(model)) continue;
       const int group = touching.groupOf(i);
       if (group < 0) continue;
-      sleep(model, group);
+      sleep(ode, model, group);
       anySleeps = true;
     }
     if (anySleeps) keepContacts(ode);
@@ -220,6 +247,7 @@ void transferSleep(StateStream& stream, OdeWorld& ode) {
       for (int i = 0; i < 4; ++i) stream.within(body->quietRotation[i], -1.001, 1.001);
     }
     transferMotors(stream, ode, model);
+    transferRestForces(stream, ode, model);
     if (!stream.isReading()) continue;
     if (!stream.good()) model.group = OdeModel::kAwake;
     for (const OdeFreeBody* body : model.sleepers)

@@ -4,9 +4,10 @@
 // What sleeps are models without wheels that nothing guides and no joint ties to the world, together with all
 // such models that they touch, directly or through others: when all bodies of each of them have stayed within
 // fractions of a millimeter for half a second on at least three points, and none touches anything else that
-// can move. A robot sleeps while its servos are asked for what they do already. What they touch and with
-// which forces stays as it was. ODE's own auto-disabling would let a body sleep on one that moves slowly,
-// forgets contacts, and keeps counters that cannot be read for a snapshot.
+// can move. A robot sleeps while its servos are asked for what they do already. What they touch stays as
+// it was, as do the forces, of joints those in the mean of the time for which they stayed. ODE's own
+// auto-disabling would let a body sleep on one that moves slowly, forgets contacts, and keeps counters that
+// cannot be read for a snapshot.
 #pragma once
 
 #include "simcore/physics/OdeWorld.h"

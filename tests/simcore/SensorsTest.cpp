@@ -106,11 +106,19 @@ TEST(SensorsTest, aJointFeelsItsSpeedAndTheWeightThatItHolds) {
       <sensor name="wrist" type="force_torque"/>)"));
   ASSERT_TRUE(simulation);
   run(*simulation, 250);
+  // The solver's forces of one step are some percent beside those of the next one.
+  constexpr int kSteps = 50;
+  double torque = 0, force = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    run(*simulation, 1);
+    torque += std::abs(truth(*simulation, "cart/shoulder/load")[0]) / kSteps;
+    force += reading(*simulation, "cart/wrist")[2] / kSteps;
+  }
   const double weight = 0.2 * 9.81;
-  EXPECT_NEAR(std::abs(truth(*simulation, "cart/shoulder/load")[0]), 0.3 * weight, 0.02);
+  EXPECT_NEAR(torque, 0.3 * weight, 0.02);
+  EXPECT_NEAR(force, -weight, 0.05) << "the arm pulls the cart down";
   const double load = reading(*simulation, "cart/shoulder/load")[0] * 100;
   EXPECT_NEAR(load, std::round(load), 1e-9);
-  EXPECT_NEAR(reading(*simulation, "cart/wrist")[2], -weight, 0.05) << "the arm pulls the cart down";
   simulation->requestAngle(0, 1);
   run(*simulation, 20);
   EXPECT_NEAR(reading(*simulation, "cart/shoulder/speed")[0], 4, 0.5);

@@ -10,8 +10,9 @@ namespace robotlink {
 /// than many a job. Whoever else wants the processor gets it meanwhile. Returns whether it is fulfilled.
 template <typename Condition>
 bool waitBriefly(std::chrono::microseconds limit, Condition condition) {
-  // Most waits are over within the first looks, some 50 us.
-  constexpr int kFirstLooks = 1000, kLooks = 50;
+  // Most waits are over within the first looks, some 10 us; with more, those who look kept others from
+  // working.
+  constexpr int kFirstLooks = 200, kLooks = 50;
   const auto begin = std::chrono::steady_clock::now();
   for (int looks = kFirstLooks; true; looks = kLooks) {
     for (int i = 0; i < looks; ++i) {

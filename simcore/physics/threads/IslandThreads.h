@@ -3,8 +3,6 @@
 
 #include <ode/ode.h>
 
-#include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -16,26 +14,26 @@
 namespace simcore {
 
 /// Steps the islands of one ODE world (bodies that joints and contacts connect) in the threads of a pool,
-/// with the same bytes as dWorldQuickStep gives in one thread.
+/// with the same bytes for any number of threads.
 ///
 /// ODE calls it as its threading implementation (ode/threading.h). ODE's own implementations also divide the
 /// work within an island, which costs more than it gains and makes results depend on chance. Here an island
-/// is computed by one thread. What ODE does for one island after the other, and what depends on their order,
-/// is done in that order: drawing random numbers, and moving the solids in their spaces.
+/// is computed by one thread, with random numbers of its own. In which order islands move their solids in the
+/// spaces is left to chance: findContacts() depends on no order.
 ///
 /// For that it relies on ODE 0.16 asking for the number of threads twice in a step, once for the memory of
 /// islands and once for dividing them; if it is asked otherwise, the islands are stepped in one thread.
 class IslandThreads {
  public:
-  /// The pool must outlive it, and it must outlive the world.
+  /// Without a pool one thread does everything. It must outlive the world.
   IslandThreads(std::shared_ptr<robotlink::ThreadPool> pool, dWorldID world);
   ~IslandThreads();
   IslandThreads(const IslandThreads&) = delete;
   IslandThreads& operator=(const IslandThreads&) = delete;
 
-  /// As dWorldQuickStep, with the random numbers that the calling thread has been seeded with. With few
-  /// `joints`, contacts included, one thread does it.
-  void step(double seconds, int joints);
+  /// As dWorldQuickStep; the random numbers of the islands follow from `seed`. With few `joints`, contacts
+  /// included, one thread does it.
+  void step(double seconds, int joints, std::uint64_t seed);
   /// How many threads took part in the last step.
   int threadsOfStep() const { return threadsOfStep_; }
 
@@ -46,23 +44,13 @@ class IslandThreads {
   class Job;
   /// The functions that ODE calls.
   struct Functions;
-  /// Locks that ODE has asked for, by their names.
-  struct Locks;
 
   void runJobs(Call first);
-  /// Waits until all islands before `island` have been stepped.
-  void waitForTurn(std::size_t island);
-  /// Waits until the state of the random numbers at the beginning of an island is known, and returns it.
-  std::uint32_t randomStateOf(std::size_t island);
-  /// Says that so many numbers are drawn for an island altogether.
-  void announceNumbers(std::size_t island, std::uint64_t numbers);
-  void endIsland(std::size_t island, std::uint64_t numbers);
 
   const std::shared_ptr<robotlink::ThreadPool> pool_;
   const dWorldID world_;
-  /// How often the constraints of an island are shuffled.
-  const int shuffles_;
-  int threads_ = 1, threadsOfStep_ = 0;
+  std::uint64_t seed_ = 0;
+  int threads_ = 1, threadsOfStep_ = 1;
   /// How often ODE has asked for the number of threads in this step.
   int asked_ = 0;
   /// Null while no step is made.
@@ -72,23 +60,6 @@ class IslandThreads {
   std::mutex taking_;
   /// Protected by `taking_`.
   std::size_t islands_ = 0;
-
-  /// Protects the rest.
-  std::mutex mutex_;
-  std::condition_variable progressed_;
-  /// The states at the beginning of islands, as far as they are known in order.
-  std::vector<std::uint32_t> states_;
-  /// Keyed by island: the numbers that it draws, if known; and whether it has been stepped.
-  struct Progress {
-    bool isKnown = false, hasEnded = false;
-    std::uint64_t numbers = 0;
-  };
-  std::vector<Progress> progress_;
-  /// Islands that have ended without one before them that has not.
-  std::atomic<std::size_t> ended_{0};
-  /// As many as states_ has.
-  std::atomic<std::size_t> known_{0};
-  void extend();
 };
 
 }  // namespace simcore
