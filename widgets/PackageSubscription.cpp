@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
-#include "widgets/Requests.h"
+#include "robotlink/session/Session.h"
 
 namespace widgets {
 namespace {
@@ -23,7 +24,10 @@ void PackageSubscription::want(robotlink::Session& session, const std::string& r
     generation_ = generation;
     settled_.clear();
     seen_.clear();
+    refused_ = std::make_shared<std::set<std::string>>();
+    patience_ = kFirstPatience;
   }
+  tryAgain();
   const auto* message =
       session.store().latest(robot + '/' + robotlink::streams::kKeys, session.timeline().newest());
   if (message == nullptr || !seen_.insert(message->value).second) return;
@@ -38,10 +42,23 @@ void PackageSubscription::want(robotlink::Session& session, const std::string& r
     robotcontrol::Request request;
     request.mutable_set_key()->set_name(name);
     request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    request.set_robot(robot);
     // In a replay the table may be that of a program that does not run. The user need not know that its key
-    // cannot be switched on, so refusals are ignored.
-    ask(session, robot, std::move(request), nullptr, [](bool, const QString&) {});
+    // cannot be switched on, so refusals are not reported.
+    session.request(std::move(request), [refused = refused_, path = robot + '/' + package](
+                                            const robotcontrol::RequestResult& result) {
+      if (!result.accepted()) refused->insert(path);
+    });
   }
+}
+
+void PackageSubscription::tryAgain() {
+  if (refused_->empty() || ++calls_ < patience_) return;
+  calls_ = 0;
+  patience_ = std::min(2 * patience_, kMaxPatience);
+  for (const std::string& path : *refused_) settled_.erase(path);
+  refused_->clear();
+  seen_.clear();
 }
 
 }  // namespace widgets

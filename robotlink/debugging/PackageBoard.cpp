@@ -93,6 +93,8 @@ void PackageBoard::receive(Entry& entry) {
 
 void PackageBoard::endFrame() {
   for (auto& [name, entry] : entries_) {
+    // A log has each package once.
+    if (std::exchange(entry.isAwaited, false) && entry.value && !entry.recorded) publish(entry);
     if (!entry.sender) continue;
     if (entry.once) {
       pass(entry, replaced(entry, nullptr));
@@ -171,6 +173,11 @@ void PackageBoard::release(const std::string& package) {
 void PackageBoard::put(Entry& entry, PackagePtr package) {
   entry.value = std::move(package);
   ++entry.arrivals;
+  publish(entry);
+}
+
+void PackageBoard::publish(Entry& entry) {
+  entry.isAwaited = false;
   const bool asked = askedFor(entry);
   if (asked || entry.recorded) debug_.package(entry.name, entry.value).onlyRecorded = !asked;
 }
@@ -186,6 +193,9 @@ bool PackageBoard::show(const std::string& package, const robotcontrol::KeyMode&
   const auto found = entries_.find(package);
   if (found == entries_.end() || !found->second.shown) return false;
   found->second.mode.set(mode);
+  // Modes that count packages wait for the next one.
+  found->second.isAwaited =
+      mode.kind() == robotcontrol::KeyMode::ALWAYS || mode.kind() == robotcontrol::KeyMode::EVERY_MS;
   return true;
 }
 

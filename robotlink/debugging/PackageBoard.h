@@ -40,6 +40,8 @@ class PackageBoard {
     bool shown = false;
     /// When it is published on request.
     ModeCounter mode;
+    /// Its key was switched on and it has not been published since.
+    bool isAwaited = false;
     /// Published for the recorder in every frame, whatever the mode.
     bool recorded = false;
     /// Whether a user's value takes the place of the package in this process: it has the sender, or the
@@ -83,7 +85,8 @@ class PackageBoard {
 
   /// Copies the packages that the receivers took for this frame to the board.
   void beginFrame();
-  /// Sends values of the user in whose place no task has sent a package in this frame.
+  /// Sends values of the user in whose place no task has sent a package in this frame, and publishes those
+  /// packages of earlier frames whose keys were switched on in this one: some are sent rarely.
   void endFrame();
   /// Puts a package of a task on the board, publishes it if requested, and sends it to other processes.
   void send(Entry& entry, const PackagePtr& package);
@@ -108,6 +111,7 @@ class PackageBoard {
 
  private:
   void put(Entry& entry, PackagePtr package);
+  void publish(Entry& entry);
   /// Puts it on the board, and sends it to other processes.
   void pass(Entry& entry, const PackagePtr& package);
   void receive(Entry& entry);

@@ -45,8 +45,14 @@ void AnySender::send(const PackagePtr& package) {
     type_.store(package->GetDescriptor(), std::memory_order_release);
   }
   const std::lock_guard lock(mutex_);
+  newest_ = package;
   for (const Tap& tap : taps_) tap(package);
   for (const auto& link : links_) link->offer(package);
+}
+
+PackagePtr AnySender::newest() const {
+  const std::lock_guard lock(mutex_);
+  return newest_;
 }
 
 bool AnySender::delivered() const {

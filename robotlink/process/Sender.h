@@ -47,6 +47,9 @@ class AnySender {
   /// True if every receiver has got the last package.
   bool delivered() const;
 
+  /// The last package, whether there is a receiver or not; null before the first. Any thread.
+  PackagePtr newest() const;
+
   std::uint64_t sent() const { return sent_.load(std::memory_order_relaxed); }
 
   /// Whether its process has another value in place of the packages that are sent, for those who show the
@@ -62,10 +65,11 @@ class AnySender {
   EndOwner& process_;
   std::string package_;
   Blocking blocking_;
-  /// Protects links_ and taps_.
+  /// Protects links_, taps_ and newest_.
   mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Link>> links_;
   std::vector<Tap> taps_;
+  PackagePtr newest_;
   std::atomic<const google::protobuf::Descriptor*> type_{nullptr};
   std::atomic<std::uint64_t> sent_{0};
   std::atomic<bool> held_{false};

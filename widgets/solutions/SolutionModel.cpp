@@ -7,6 +7,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/StreamStore.h"
 #include "widgets/Theme.h"
 
@@ -71,6 +72,42 @@ std::set<TaskSolution> shadowsOf(const std::vector<const robotlink::StreamMessag
   return shadows;
 }
 
+std::map<TaskSolution, SolutionCost> costsOf(const robotlink::StreamStore& store, const std::string& robot,
+                                             const std::vector<TaskEntry>& tasks, robotlink::Instant until) {
+  constexpr robotlink::Duration kSpan = std::chrono::seconds(2);
+  std::map<TaskSolution, SolutionCost> costs;
+  std::set<std::string> processes;
+  for (const TaskEntry& task : tasks) processes.insert(task.process);
+  for (const std::string& process : processes) {
+    const auto* stream = store.find(robot + '/' + robotlink::streams::kStopwatches + process);
+    if (stream == nullptr) continue;
+    std::map<TaskSolution, int> runs;
+    robotlink::Instant first = until, last;
+    int frames = 0;
+    for (auto message = stream->messages.rbegin(); message != stream->messages.rend(); ++message) {
+      if (message->time > until) continue;
+      if (message->time < until - kSpan) break;
+      const auto* times = dynamic_cast<const robotcontrol::StopwatchTimes*>(message->value.get());
+      if (times == nullptr) continue;
+      if (frames++ == 0) last = message->time;
+      first = message->time;
+      for (const auto& entry : times->entries()) {
+        // "kalman (shadow)"
+        const TaskSolution solution{entry.task(), entry.solution().substr(0, entry.solution().find(' '))};
+        costs[solution].mean += entry.seconds();
+        ++runs[solution];
+      }
+    }
+    const double period = frames < 2 ? 0 : robotlink::seconds(last - first) / (frames - 1);
+    for (const auto& [solution, count] : runs) {
+      SolutionCost& cost = costs[solution];
+      cost.mean /= count;
+      cost.share = period > 0 ? cost.mean / period : 0;
+    }
+  }
+  return costs;
+}
+
 void SolutionModel::setTasks(std::vector<TaskEntry> tasks) {
   for (const TaskEntry& task : tasks) {
     firstActive_.emplace(task.name, task.active);
@@ -93,6 +130,16 @@ void SolutionModel::setShadows(std::set<TaskSolution> shadows) {
   shadows_ = std::move(shadows);
   pendingShadows_.clear();
   for (const TaskEntry& task : tasks_) taskChanged(task.name);
+}
+
+void SolutionModel::setCosts(std::map<TaskSolution, SolutionCost> costs) {
+  if (costs == costs_) return;
+  costs_ = std::move(costs);
+  for (int row = 0; row < rowCount({}); ++row) {
+    const QModelIndex task = index(row, 0);
+    if (const int solutions = rowCount(task); solutions > 0)
+      Q_EMIT dataChanged(index(0, kCost, task), index(solutions - 1, kCost, task));
+  }
 }
 
 void SolutionModel::refuseShadow(const TaskSolution& shadow) {
@@ -172,6 +219,13 @@ QVariant SolutionModel::shadowOf(const TaskEntry& task, const TaskEntry::Solutio
   return on ? Qt::Checked : Qt::Unchecked;
 }
 
+QString SolutionModel::costOf(const TaskEntry& task, const TaskEntry::Solution& solution) const {
+  const auto cost = costs_.find({task.name, solution.name});
+  if (cost == costs_.end()) return {};
+  const QString mean = tr("%1 ms").arg(1000 * cost->second.mean, 0, 'f', 2);
+  return cost->second.share > 0 ? tr("%1, %2 %").arg(mean).arg(100 * cost->second.share, 0, 'f', 1) : mean;
+}
+
 QString SolutionModel::stateOf(const TaskEntry& task, const TaskEntry::Solution& solution) const {
   const auto refusal = refusals_.find(task.name);
   if (refusal != refusals_.end() && refusal->second.solution == solution.name) {
@@ -207,7 +261,7 @@ QVariant SolutionModel::taskData(const TaskEntry& task, int column, int role) co
   if (role != Qt::DisplayRole) return {};
   if (column == kName) return QString::fromStdString(task.name);
   if (column == kProcess) return QString::fromStdString(task.process);
-  if (column == kShadow) return {};
+  if (column == kShadow || column == kCost) return {};
   const auto pending = pending_.find(task.name);
   const QString active = task.active.empty() ? tr("nothing") : QString::fromStdString(task.active);
   return pending == pending_.end() ? active
@@ -222,7 +276,7 @@ QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Sol
   if (column == kShadow && role == Qt::ToolTipRole && shadowOf(task, solution).isValid())
     return tr("Runs %1 beside the active solution, on the same inputs and without being used. What it "
               "publishes "
-              "is below shadow/%1; its time is in the view Timing.")
+              "is below shadow/%1; what it costs is in the next column.")
         .arg(QString::fromStdString(solution.name));
   switch (role) {
     case kTaskRole:
@@ -235,6 +289,7 @@ QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Sol
       return solution.hasParameters;
     case Qt::DisplayRole:
       if (column == kName) return QString::fromStdString(solution.name);
+      if (column == kCost) return costOf(task, solution);
       return column == kState ? stateOf(task, solution) : QString();
     case Qt::ToolTipRole: {
       QStringList lines{solution.help, refused ? stateOf(task, solution) : solution.unavailable};
@@ -280,8 +335,14 @@ Qt::ItemFlags SolutionModel::flags(const QModelIndex& index) const {
 }
 
 QVariant SolutionModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::ToolTipRole && section == kCost)
+    return tr(
+        "Mean time of a frame and share of the process's period, in the last two seconds, while the robot "
+        "measures its tasks (Measure in the view Timing)");
+  if (role != Qt::DisplayRole) return {};
   if (section == kShadow) return tr("Shadow");
+  if (section == kCost) return tr("Cost");
   return section == kName ? tr("Task and solutions") : section == kProcess ? tr("Process") : tr("State");
 }
 

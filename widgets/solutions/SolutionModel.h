@@ -9,9 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "robotlink/base/Clock.h"
+
 namespace robotlink {
 struct StreamMessage;
-}
+class StreamStore;
+}  // namespace robotlink
 
 namespace widgets {
 
@@ -51,15 +54,29 @@ using TaskSolution = std::pair<std::string, std::string>;
 /// null messages are skipped.
 std::set<TaskSolution> shadowsOf(const std::vector<const robotlink::StreamMessage*>& tables);
 
+/// What a solution takes of a process in real time, whether it is active or in the shadow.
+struct SolutionCost {
+  /// In s, for each frame in which it ran.
+  double mean = 0;
+  /// Of the period of its process, 0 to 1 if that keeps its rate; 0: not known.
+  double share = 0;
+  bool operator==(const SolutionCost&) const = default;
+};
+
+/// The costs of solutions of these tasks in the last two seconds before an instant, of those that a robot has
+/// measured.
+std::map<TaskSolution, SolutionCost> costsOf(const robotlink::StreamStore& store, const std::string& robot,
+                                             const std::vector<TaskEntry>& tasks, robotlink::Instant until);
+
 /// Tasks as rows with their solutions below them. A solution that was requested is shown as pending until a
 /// table confirms it; a refusal and its reason are shown at the solution until the task gets another request.
 /// GUI thread.
 class SolutionModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
-  /// Name, a check box for running in the shadow (solutions that can be chosen), process (tasks only), and
-  /// state.
-  enum Column { kName, kShadow, kProcess, kState, kColumns };
+  /// Name, a check box for running in the shadow (solutions that can be chosen), cost (solutions that run and
+  /// are measured), process (tasks only), and state.
+  enum Column { kName, kShadow, kCost, kProcess, kState, kColumns };
   enum Role {
     /// The task's name, for its solutions as well (QString).
     kTaskRole = Qt::UserRole + 1,
@@ -83,6 +100,8 @@ class SolutionModel final : public QAbstractItemModel {
   void forget();
   /// Replaces what runs in the shadow; what was requested counts until then.
   void setShadows(std::set<TaskSolution> shadows);
+  /// Replaces what solutions cost.
+  void setCosts(std::map<TaskSolution, SolutionCost> costs);
   /// The request for a shadow was refused.
   void refuseShadow(const TaskSolution& shadow);
   /// The solution was requested.
@@ -116,6 +135,8 @@ class SolutionModel final : public QAbstractItemModel {
   Choice choiceOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   /// Whether the box of a solution is checked; invalid for one without a box.
   QVariant shadowOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
+  /// Text of the column kCost; empty: it does not run, or is not measured.
+  QString costOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   /// Text of the column kState.
   QString stateOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   /// Announces changed data of a task and its solutions.
@@ -128,6 +149,7 @@ class SolutionModel final : public QAbstractItemModel {
   };
   std::vector<TaskEntry> tasks_;
   std::set<TaskSolution> shadows_;
+  std::map<TaskSolution, SolutionCost> costs_;
   /// What was requested for shadows since they were set.
   std::map<TaskSolution, bool> pendingShadows_;
   /// Requested solutions, by task.

@@ -27,6 +27,11 @@ const ViewRegistration kSolutionsViewRegistration{
      QT_TRANSLATE_NOOP("View", "Chooses how each task of the robot is done, and sets the parameters."),
      "solutions", false, create<SolutionsView>}};
 
+/// The debug key that measures tasks.
+constexpr char kTimingKey[] = "timing/tasks";
+/// Costs are updated twice a second.
+constexpr int kTicksOfCosts = 15;
+
 }  // namespace
 
 SolutionsView::SolutionsView(ViewContext& context, QWidget* parent) : View(context, parent) {
@@ -58,7 +63,8 @@ void SolutionsView::createViews() {
   tree_->setIndentation(14);
   tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
   tree_->addAction(inAllRobots_);
-  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kTitledNumber, ColumnKind::kName, ColumnKind::kText});
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kTitledNumber, ColumnKind::kNumber, ColumnKind::kName,
+                         ColumnKind::kText});
   hint_ = new EmptyHint(tree_);
   hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
   parameters_ = new ParameterPanel(session(), this);
@@ -118,6 +124,8 @@ void SolutionsView::tick() {
     shownKeys_ = std::move(keyValues);
     model_.setShadows(shadowsOf(keys));
   }
+  if (++ticks_ % kTicksOfCosts == 0)
+    model_.setCosts(costsOf(session().store(), robot, model_.tasks(), session().timeline().newest()));
   showHint();
   defaults_->setEnabled(model_.rowCount() > 0);
   inAllRobots_->setEnabled(session().robots().size() > 1 &&
@@ -165,6 +173,23 @@ void SolutionsView::select(const std::string& task, const std::string& solution)
       });
 }
 
+void SolutionsView::measure() {
+  const auto keys =
+      latestTable(session().store(), robot_, robotlink::streams::kKeys, session().timeline().newest());
+  for (const auto* message : keys) {
+    const auto* table =
+        message == nullptr ? nullptr : dynamic_cast<const robotcontrol::KeyTable*>(message->value.get());
+    for (int i = 0; table != nullptr && i < table->keys_size(); ++i) {
+      const auto& key = table->keys(i);
+      if (key.name() != kTimingKey || key.mode().kind() != robotcontrol::KeyMode::OFF) continue;
+      robotcontrol::Request request;
+      request.mutable_set_key()->set_name(kTimingKey);
+      request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+      return ask(session(), robot_, std::move(request), this, [](bool, const QString&) {});
+    }
+  }
+}
+
 void SolutionsView::requestShadow(const std::string& task, const std::string& solution, bool on) {
   robotcontrol::Request request;
   request.mutable_set_key()->set_name(robotlink::shadowKey(task, solution));
@@ -177,6 +202,7 @@ void SolutionsView::requestShadow(const std::string& task, const std::string& so
           if (robot == robot_) model_.refuseShadow({task, solution});
           return showOutcome(*state_, tr("%1 was refused: %2").arg(name, reason), true);
         }
+        if (on && robot == robot_) measure();
         showOutcome(*state_, on ? tr("%1 runs in the shadow").arg(name) : tr("%1 no longer runs").arg(name),
                     false);
       });

@@ -16,8 +16,8 @@ class ParameterPanel;
 
 /// The tasks of the selected robot and the solutions that exist for them. A click on a solution, or Space,
 /// requests a switch to it; a solution that cannot be chosen shows the reason. A check box lets a solution
-/// run in the shadow of the active one. The panel below edits the
-/// parameters of the current solution.
+/// run in the shadow of the active one, and has the robot measure its tasks, so that what both cost is shown.
+/// The panel below edits the parameters of the current solution.
 ///
 /// Registered as "solutions". GUI thread.
 class SolutionsView final : public View {
@@ -43,6 +43,8 @@ class SolutionsView final : public View {
   void select(const std::string& task, const std::string& solution);
   /// Requests that a solution runs in the shadow of the active one, or no longer, and shows the outcome.
   void requestShadow(const std::string& task, const std::string& solution, bool on);
+  /// Has the robot measure its tasks, if it does not, so that the costs are known.
+  void measure();
   /// Requests the current solution from all robots, this one included.
   void selectInAllRobots();
   /// Requests the layout's default solution for every task that runs another one.
@@ -53,6 +55,7 @@ class SolutionsView final : public View {
   void showCurrent(const QModelIndex& index);
 
   SolutionModel model_;
+  int ticks_ = 0;
   QTreeView* tree_ = nullptr;
   QSplitter* splitter_ = nullptr;
   ParameterPanel* parameters_ = nullptr;

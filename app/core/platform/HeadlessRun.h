@@ -16,6 +16,7 @@
 #include "app/core/platform/RecordOptions.h"
 #include "app/core/spread/SpreadOptions.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/debugging/DebugRoutes.h"
 
 namespace robotlink {
 struct Preset;
@@ -33,6 +34,8 @@ struct HeadlessChoices {
   std::map<std::string, std::string> solutions = {};
   /// What the programs start with besides; null: nothing.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
+  /// What runs in the shadow of the solutions that are used, in all programs that have the tasks.
+  std::vector<robotlink::ShadowName> shadows = {};
   RecordOptions record = {};
   /// Which of the layout's programs is run; without one, all processes are.
   SpreadOptions spread = {};

@@ -156,6 +156,17 @@ tl::expected<Preset, Errors> presetToStartWith(const std::string& nameOrFile) {
   return *preset;
 }
 
+std::shared_ptr<const Preset> withShadows(std::shared_ptr<const Preset> preset,
+                                          const std::vector<robotlink::ShadowName>& shadows) {
+  if (shadows.empty()) return preset;
+  Preset all = preset ? *preset : Preset();
+  auto& keys = all.parts[Preset::kKeys];
+  if (!keys) keys.emplace();
+  for (const auto& shadow : shadows)
+    keys->emplace(robotlink::shadowKey(shadow.task, shadow.solution), "always");
+  return std::make_shared<const Preset>(std::move(all));
+}
+
 std::vector<Request> requestsOf(const Preset& preset,
                                 const std::vector<robotcontrol::ParameterValues>& parameters) {
   std::vector<Request> requests;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/session/Presets.h"
 
 // Presets for programs that start with them: their debug keys, solutions and parameters. Views and settings
@@ -17,6 +19,11 @@ namespace app {
 /// folder. Fails if there is none, or with what it has that no program of this kind can have: each unknown
 /// key, task, solution or parameter.
 tl::expected<robotlink::Preset, robotlink::Errors> presetToStartWith(const std::string& nameOrFile);
+
+/// A preset with the keys that let solutions run in the shadow of those that are used; the same one if there
+/// are none. Null stands for an empty preset.
+std::shared_ptr<const robotlink::Preset> withShadows(std::shared_ptr<const robotlink::Preset> preset,
+                                                     const std::vector<robotlink::ShadowName>& shadows);
 
 /// The requests that apply a preset to a program which starts with these parameters. Parameters of solutions
 /// that the program does not have are left out.

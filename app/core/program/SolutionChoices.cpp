@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "robotlink/debugging/Solution.h"
 #include "robotlink/process/Layout.h"
 
 namespace app {
@@ -67,6 +68,18 @@ robotlink::Result<std::map<std::string, std::string>> solutionsOf(const std::vec
     solutions[choice->first] = choice->second;
   }
   return solutions;
+}
+
+robotlink::Result<std::vector<robotlink::ShadowName>> shadowsOf(const std::vector<std::string>& texts) {
+  std::vector<robotlink::ShadowName> shadows;
+  for (const std::string& text : texts) {
+    const auto choice = assignmentOf(text);
+    if (!choice || robotlink::SolutionRegistry::find(choice->first, choice->second) == nullptr)
+      return robotlink::failure("usage", "--shadow takes TASK=SOLUTION; there is no '" + text + "'", {},
+                                {text});
+    shadows.push_back({choice->first, choice->second});
+  }
+  return shadows;
 }
 
 Errors checkSolutions(const std::map<std::string, std::string>& solutions, const TaskCatalog& catalog,

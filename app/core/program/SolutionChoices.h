@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robotlink/base/Error.h"
+#include "robotlink/debugging/DebugRoutes.h"
 
 namespace robotlink {
 struct Layout;
@@ -20,6 +21,10 @@ namespace app {
 std::optional<std::pair<std::string, std::string>> assignmentOf(const std::string& text);
 /// The solutions that such texts choose, by task. Fails if one of them is no such text.
 robotlink::Result<std::map<std::string, std::string>> solutionsOf(const std::vector<std::string>& texts);
+
+/// The solutions that such texts let run in the shadow of those that are used. Fails if one of them is no
+/// such text, or if there is no such solution.
+robotlink::Result<std::vector<robotlink::ShadowName>> shadowsOf(const std::vector<std::string>& texts);
 
 /// Checks the solutions that the user chose (task to solution) for robots with these layouts. Returns an
 /// error for each task or solution that does not exist and for each task that none of the layouts has; empty

@@ -8,6 +8,7 @@
 
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/platform/RobotName.h"
+#include "app/core/program/PresetOverrides.h"
 #include "app/core/program/ShippedFiles.h"
 
 namespace app {
@@ -68,7 +69,7 @@ void applyChoices(const HeadlessChoices& choices, RealTimeOptions& program) {
   if (!choices.layout.empty()) program.layout = layoutNamed(choices.layout);
   program.map = textOf(values, kMapField);
   for (const auto& [task, solution] : choices.solutions) program.solutions[task] = solution;
-  program.preset = choices.preset;
+  program.preset = withShadows(choices.preset, choices.shadows);
   program.team = teamOf(values);
   program.spread = choices.spread;
   program.hosting.ownProcesses = flagOf(values, ownProcessField().name);

@@ -344,8 +344,15 @@ ExitStatus statusOf(const HeadlessRecording& recording, const ReplayStatus& stat
   return damaged ? kDoneWithLosses : kDone;
 }
 
-tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const RecordOptions& record,
-                                             bool errorsWanted, const HeadlessConsole& console) {
+/// What is done with a replay.
+struct HeadlessAims {
+  RecordOptions record;
+  std::vector<robotlink::ShadowName> shadows;
+  bool errors = false;
+};
+
+tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const HeadlessAims& aims,
+                                             const HeadlessConsole& console) {
   if (const auto read = readInputs(options, console); !read) return tl::unexpected(Errors{read.error()});
   options.progress = console.progress;
   const auto both = std::make_shared<HeadlessReplay>(console.errors);
@@ -356,8 +363,9 @@ tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const Record
   ReplayRun& run = *both->run;
   const HeadlessReplayEnd end(both);
   warnOfUnusedChoices(run, console.errors);
-  if (errorsWanted) recording.measureErrors(run.field());
-  if (const auto opened = recording.open(record); !opened) return tl::unexpected(Errors{opened.error()});
+  if (const auto done = run.runShadows(aims.shadows); !done) return tl::unexpected(Errors{done.error()});
+  if (aims.errors) recording.measureErrors(run.field());
+  if (const auto opened = recording.open(aims.record); !opened) return tl::unexpected(Errors{opened.error()});
   const auto start = std::chrono::steady_clock::now();
   // A jump to the beginning publishes the latched messages from before the log's first instant.
   if (Errors errors = run.jump(run.begin()); !errors.empty()) return tl::unexpected(std::move(errors));
@@ -407,14 +415,19 @@ Result<HeadlessPlatform::Run> prepareReplay(const HeadlessChoices& choices) {
   options->patience = std::chrono::milliseconds(std::llround(1000 * patience));
   // Somebody may look at a program in a process of its own with a debugger for any time.
   options->own.patience = patience > 0 ? options->patience : kNoEnd;
-  return [options = std::move(*options), record = choices.record, errors](const HeadlessConsole& console) {
-    return replay(options, record, errors, console);
+  const HeadlessAims aims{choices.record, choices.shadows, errors};
+  return [options = std::move(*options), aims](const HeadlessConsole& console) {
+    return replay(options, aims, console);
   };
 }
 
 Result<HeadlessServing> prepareServedReplay(const HeadlessChoices& choices, const HeadlessConsole& console) {
   auto options = replayOptionsOf(choices);
   if (!options) return tl::unexpected(options.error());
+  if (!choices.shadows.empty())
+    return robotlink::failure("usage",
+                              "--shadow is not possible with --listen and a log; whoever watches it "
+                              "can switch shadows on");
   if (auto read = readInputs(*options, console); !read) return tl::unexpected(read.error());
   return HeadlessServing{ReplayFeed::opening(std::move(*options))};
 }

@@ -13,6 +13,7 @@
 #include "app/core/replay/ReplayLogs.h"
 #include "app/core/replay/ReplayOptions.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace app {
@@ -105,6 +106,9 @@ class ReplayRun {
   /// Passes a request to a robot's program; overrides are kept over jumps. Call jump(now()) to see its effect
   /// at once.
   robotlink::Result<void> request(const robotcontrol::Request& request);
+  /// Lets solutions run in the shadow of those that are used, in all programs that can. Fails with a reason
+  /// if none can. Call jump() to see their effect.
+  robotlink::Result<void> runShadows(const std::vector<robotlink::ShadowName>& shadows);
   /// What the programs will answer in their next frames to what they were asked, if they have not answered
   /// yet, with the tables and parameters that follow from it; by robot.
   using Answers = std::pair<std::string, std::shared_ptr<const robotlink::SharedDebugQueue>>;

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "app/core/replay/ReplayRun.h"
+#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Hosting.pb.h"
+#include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 
 namespace app {
@@ -89,6 +91,35 @@ std::vector<ReplayRun::Answers> ReplayRun::answersToCome() {
     }
   }
   return all;
+}
+
+robotlink::Result<void> ReplayRun::runShadows(const std::vector<robotlink::ShadowName>& shadows) {
+  for (const auto& [task, solution] : shadows) {
+    robotcontrol::Request wanted;
+    wanted.mutable_set_key()->set_name(robotlink::shadowKey(task, solution));
+    wanted.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    std::string refusal = "no robot of the log is known here";
+    for (const std::string& robot : robots()) {
+      wanted.set_robot(robot);
+      wanted.set_id(wanted.id() + 1);
+      if (const auto asked = request(wanted); !asked) refusal = asked.error().text;
+    }
+    bool runs = false;
+    for (const auto& [robot, queue] : answersToCome()) {
+      for (const auto& message : queue->messages) {
+        const auto* result = message.as<robotcontrol::RequestResult>();
+        if (result == nullptr) continue;
+        runs = runs || result->accepted();
+        if (!result->accepted()) refusal = robot + ": " + result->reason();
+      }
+    }
+    if (!runs)
+      return robotlink::failure("replay.shadow",
+                                solution + " of " + task + " cannot run in the shadow; " + refusal +
+                                    ". A task runs if what it yields is recomputed (--package)",
+                                {}, {task, solution});
+  }
+  return {};
 }
 
 }  // namespace app

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -81,14 +82,21 @@ std::string groupOf(const std::string& figure) {
   return word.find('/') == std::string::npos ? std::string() : word;
 }
 
-/// The range that a plot shows.
+/// The range that a plot shows. It begins at 0, unless what is shown is so far from there that it could not
+/// be told apart.
 struct Range {
-  double low = 0, high = 0;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
 
   void include(double value) {
     if (!std::isfinite(value)) return;
     low = std::min(low, value);
     high = std::max(high, value);
+  }
+  void complete() {
+    if (low > high) low = high = 0;
+    const double spread = high - low;
+    if (low > 0 && low < 2 * spread) low = 0;
+    if (high < 0 && -high < 2 * spread) high = 0;
   }
   double place(double value) const {
     const double share = high > low ? (value - low) / (high - low) : 0.5;
@@ -132,6 +140,7 @@ std::string plotOf(const Comparison::Row& row, const std::vector<std::string>& v
     range.include(mean.low);
     range.include(mean.high);
   }
+  range.complete();
   const double height = kLineHeight * static_cast<double>(variants.size()) + 24;
   std::string svg = fmt::format("<svg width='{}' height='{}' role='img'>", kWidth, height);
   double y = kLineHeight / 2;
@@ -198,13 +207,23 @@ std::string differenceTable(const Comparison& comparison, const std::vector<Diff
   std::string rows;
   for (const Difference& one : differences) {
     if (!one.isReal()) continue;
-    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{}</td></tr>\n",
-                        escaped(one.figure), escaped(one.first), escaped(one.second),
-                        changeText(comparison, one), intervalText(one.change, one.unit), one.subjects);
+    rows +=
+        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{:.2g}</td><td>{}</td></tr>\n",
+                    escaped(one.figure), escaped(one.first), escaped(one.second), changeText(comparison, one),
+                    intervalText(one.change, one.unit), one.chance, one.subjects);
   }
-  if (rows.empty()) return "<p>None: these runs do not tell the variants apart. More of them may.</p>\n";
+  if (rows.empty()) {
+    const bool areFew = std::ranges::all_of(
+        differences, [](const Difference& one) { return one.subjects < kFewestForChance; });
+    return areFew
+               ? fmt::format(
+                     "<p>None: fewer than {} runs of each variant tell nothing apart, however much "
+                     "they differ.</p>\n",
+                     kFewestForChance)
+               : std::string("<p>None: these runs do not tell the variants apart. More of them may.</p>\n");
+  }
   return "<div class=wide><table><tr><th>figure</th><th>from</th><th>to</th><th></th><th>change</th>"
-         "<th>runs</th></tr>\n" +
+         "<th>by chance</th><th>runs</th></tr>\n" +
          rows + "</table></div>\n";
 }
 
@@ -259,11 +278,12 @@ std::string summaryCsv(const Comparison& comparison) {
 }
 
 std::string differencesCsv(const Comparison& comparison) {
-  std::string csv = "figure,unit,from,to,runs,change,low,high,real\n";
+  std::string csv = "figure,unit,from,to,runs,change,low,high,chance,real\n";
   for (const Difference& one : comparison.differences())
-    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", csvField(one.figure), one.unit, csvField(one.first),
-                       csvField(one.second), one.subjects, csvNumber(one.change.mean),
-                       csvNumber(one.change.low), csvNumber(one.change.high), one.isReal() ? "yes" : "no");
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csvField(one.figure), one.unit, csvField(one.first),
+                    csvField(one.second), one.subjects, csvNumber(one.change.mean), csvNumber(one.change.low),
+                    csvNumber(one.change.high), csvNumber(one.chance), one.isReal() ? "yes" : "no");
   return csv;
 }
 
@@ -279,7 +299,10 @@ std::string reportHtml(const Comparison& comparison, const ReportTitle& title) {
   for (const ReportTable& table : title.tables) html += plainTable(table);
   html +=
       "<h2>Differences that are real</h2>\n<p class=note>Changes between two variants on the same subjects, "
-      "whose 95 % bounds (bootstrap, in brackets) exclude 0. All others are in differences.csv.</p>\n" +
+      "whose 95 % bounds (bootstrap, in brackets) exclude 0, and that are not by chance: of those listed, "
+      "about one in "
+      "20 may be (permutation test, corrected for the number of figures). All others are in "
+      "differences.csv.</p>\n" +
       differenceTable(comparison, differences);
   html +=
       "<h2>Figures</h2>\n<p class=note>Means over the runs, in brackets the bounds that hold the mean with "

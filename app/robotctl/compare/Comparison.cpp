@@ -107,6 +107,7 @@ MeanInterval Comparison::meanOf(const Row& row, const std::string& variant) {
 
 std::vector<Difference> Comparison::differences() const {
   std::vector<Difference> all;
+  std::vector<double> chances;
   for (const Row& row : rows_) {
     for (std::size_t i = 0; i < variants_.size(); ++i) {
       for (std::size_t j = i + 1; j < variants_.size(); ++j) {
@@ -117,11 +118,14 @@ std::vector<Difference> Comparison::differences() const {
           if (const auto other = second->second.bySubject.find(subject);
               other != second->second.bySubject.end())
             changes.push_back(other->second - value);
-        all.push_back(
-            {row.name, row.unit, variants_[i], variants_[j], changes.size(), bootstrapMean(changes)});
+        all.push_back({row.name, row.unit, variants_[i], variants_[j], changes.size(), bootstrapMean(changes),
+                       chanceOf(changes)});
+        chances.push_back(all.back().chance);
       }
     }
   }
+  const std::vector<double> together = corrected(chances);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].chance = together[i];
   return all;
 }
 

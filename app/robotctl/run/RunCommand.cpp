@@ -21,7 +21,7 @@ namespace {
 
 struct RunArguments {
   HeadlessChoices choices;
-  std::vector<std::string> solutions;
+  std::vector<std::string> solutions, shadows;
   std::string preset;
   bool asJson = false;
   ListenOptions listen;
@@ -75,6 +75,9 @@ int runPlatform(RunArguments& arguments) {
   auto solutions = solutionsOf(arguments.solutions);
   if (!solutions) return usage(solutions.error());
   arguments.choices.solutions = std::move(*solutions);
+  auto shadows = shadowsOf(arguments.shadows);
+  if (!shadows) return usage(shadows.error());
+  arguments.choices.shadows = std::move(*shadows);
   if (!arguments.preset.empty()) {
     auto preset = presetToStartWith(arguments.preset);
     if (!preset) return printErrors(preset.error());
@@ -142,6 +145,10 @@ void addRunCommand(CLI::App& app, int& status) {
       "--layout", choices.layout,
       "A process layout: a file, or the name of a shipped one; else that of the log or of the robot");
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of the layout's");
+  command->add_option(
+      "--shadow", arguments->shadows,
+      "TASK=SOLUTION that runs beside the one that is used, on the same inputs; with --errors "
+      "it has figures of its own, and --record has what it yields, draws and takes");
   command->add_option("--preset", arguments->preset,
                       "A preset (a file, or a name of one of yours) with the keys, solutions and parameters "
                       "that a robot's program starts with");

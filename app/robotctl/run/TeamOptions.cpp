@@ -5,8 +5,6 @@
 
 #include "app/core/program/PresetOverrides.h"
 #include "app/core/program/SolutionChoices.h"
-#include "robotlink/debugging/DebugRoutes.h"
-#include "robotlink/debugging/Solution.h"
 #include "robotlink/session/Presets.h"
 
 namespace app {
@@ -28,24 +26,10 @@ tl::expected<void, Errors> choosePreset(const std::string& text, RunOptions& run
 
 /// Puts shadows into the presets with which programs start.
 robotlink::Result<void> chooseShadows(const std::vector<std::string>& texts, RunOptions& run) {
-  robotlink::Preset::Values keys;
-  for (const std::string& text : texts) {
-    const auto choice = assignmentOf(text);
-    if (!choice || robotlink::SolutionRegistry::find(choice->first, choice->second) == nullptr)
-      return robotlink::failure("usage", "--shadow takes TASK=SOLUTION; there is no '" + text + "'", {},
-                                {text});
-    keys[robotlink::shadowKey(choice->first, choice->second)] = "always";
-  }
-  if (keys.empty()) return {};
-  const auto add = [&](std::shared_ptr<const robotlink::Preset>& to) {
-    robotlink::Preset preset = to ? *to : robotlink::Preset();
-    auto& all = preset.parts[robotlink::Preset::kKeys];
-    if (!all) all.emplace();
-    all->insert(keys.begin(), keys.end());
-    to = std::make_shared<const robotlink::Preset>(std::move(preset));
-  };
-  add(run.preset);
-  for (auto& [name, preset] : run.robotPresets) add(preset);
+  const auto shadows = shadowsOf(texts);
+  if (!shadows) return tl::unexpected(shadows.error());
+  run.preset = withShadows(run.preset, *shadows);
+  for (auto& [name, preset] : run.robotPresets) preset = withShadows(preset, *shadows);
   return {};
 }
 

@@ -143,6 +143,10 @@ void DebugProcess::showOnRequest(AnySender& sender) {
   implementation_->joinOwnKeys();
 }
 
+PackagePtr DebugProcess::newest(const std::string& package) const {
+  return implementation_->requested.newest(package);
+}
+
 void DebugProcess::offer(const PackagePtr& package) {
   implementation_->packages.offer(package);
 }

@@ -88,6 +88,8 @@ class DebugProcess final : public Process {
   /// The tables of the whole program, merged from those of the other processes.
   void describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys,
                 robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const;
+  /// The last package of a platform that no task reads; null if there is none.
+  PackagePtr newest(const std::string& package) const;
   /// Without its cells (ColorTableInUse.h); none: no task of the program uses one.
   std::optional<robotcontrol::ColorTable> colorTableInUse() const;
   /// The key-frame motions, with `more` among them; none: no task of the program plays any.

@@ -125,11 +125,12 @@ void RequestPreview::describeHeld(robotcontrol::ProcessTable::Process& process) 
 void RequestPreview::describePackage(const Request& request) {
   const std::string package = packageOfKey(request.set_key().name());
   if (package.empty() || request.set_key().mode().kind() == robotcontrol::KeyMode::OFF) return;
+  PackagePtr newest = program_.debugProcess().newest(package);
   for (const Process* process : program_.processes()) {
     const auto* tasks = dynamic_cast<const TaskProcess*>(process);
-    PackagePtr newest = tasks == nullptr ? nullptr : tasks->newest(package);
-    if (newest) queue().messages.push_back({package, {}, std::move(newest)});
+    if (tasks != nullptr && !newest) newest = tasks->newest(package);
   }
+  if (newest) queue().messages.push_back({package, {}, std::move(newest)});
 }
 
 void RequestPreview::describeMotion(const Request&) {

@@ -33,6 +33,11 @@ bool RequestedPackages::show(const std::string& package, const robotcontrol::Key
   return true;
 }
 
+PackagePtr RequestedPackages::newest(const std::string& package) const {
+  const auto found = packages_.find(package);
+  return found == packages_.end() ? nullptr : found->second.sender->newest();
+}
+
 bool RequestedPackages::publishNews() {
   bool expired = false;
   for (auto& [name, package] : packages_) {

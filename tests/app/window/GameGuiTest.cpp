@@ -120,6 +120,11 @@ class GameGuiTest : public WindowTest {
         static_cast<int>(Qt::Checked), kWaitMs);
     QVERIFY(desk.isActive("field-monte-carlo"));
     QVERIFY(desk.newest("red1/shadow/kalman/models/pose") == nullptr);
+    // What both cost.
+    for (const char* name : {"kalman", "field-monte-carlo"})
+      QTRY_VERIFY_WITH_TIMEOUT(
+          desk.solution(name, SolutionModel::kCost).data().toString().contains(QStringLiteral(" ms, ")),
+          kWaitMs);
     // Switching takes the particles away; the shadow goes on.
     widgets::test::clickCell(desk.find<QTreeView>("solutionsTree"), desk.solution("odometry"));
     QTRY_VERIFY_WITH_TIMEOUT(desk.isActive("odometry"), kWaitMs);

@@ -193,3 +193,18 @@ TEST(RequestPreview, aProcessThatHasFailedRefusesWithItsReason) {
   EXPECT_EQ(preview.add(select("behavior", "obey")), robot.select("behavior", "obey").reason());
   EXPECT_NE(preview.add(select("behavior", "obey")).find("no covariance"), std::string::npos);
 }
+
+TEST(RequestPreview, aPackageOfThePlatformIsPublishedAlthoughNoTaskReadsIt) {
+  ToyRobot robot;
+  const auto published = [&] {
+    RequestPreview preview(*robot.program);
+    EXPECT_TRUE(preview.answer(setKey("package/oracle/classes", KeyMode::ALWAYS)));
+    const auto queue = preview.takeQueue(robot.clock.now());
+    return last<foxglove::RawImage>(*queue, "oracle/classes") != nullptr;
+  };
+  EXPECT_FALSE(published()) << "it is only made for those who receive it";
+  ASSERT_TRUE(robot.setKey("package/oracle/classes", KeyMode::ALWAYS).accepted());
+  robot.run(20);
+  ASSERT_TRUE(robot.setKey("package/oracle/classes", KeyMode::OFF).accepted());
+  EXPECT_TRUE(published());
+}

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/TestFolder.h"
 #include "tests/robotlink/debugging/ToyRobot.h"
@@ -166,6 +167,22 @@ TEST(TaskProcessTest, anyPackageCanBeSeenOnRequest) {
   ASSERT_EQ(1U, robot.on("camera/image").size());
   EXPECT_TRUE(robot.on("camera/image")[0]->has_image());
   EXPECT_GT(robot.on("joints/request").size(), 90U);
+}
+
+TEST(TaskProcessTest, aPackageThatIsSentRarelyIsPublishedOnceWhenItsKeyIsSwitchedOn) {
+  ToyRobot robot;
+  auto motion = std::make_shared<robotcontrol::RemoteMotion>();
+  motion->mutable_motion()->mutable_walk()->set_x(0.25);
+  robot.program->debugProcess().offer(motion);
+  robot.run(20);
+  ASSERT_TRUE(robot.on(kRemoteMotion.name).empty());
+  EXPECT_TRUE(robot.setKey(packageKey(kRemoteMotion.name), KeyMode::ALWAYS).accepted());
+  robot.run(50);
+  ASSERT_EQ(1U, robot.on(kRemoteMotion.name).size());
+  // Modes that count wait for the next one.
+  EXPECT_TRUE(robot.setKey(packageKey(kRemoteMotion.name), KeyMode::N_TIMES, 1).accepted());
+  robot.run(50);
+  EXPECT_EQ(1U, robot.on(kRemoteMotion.name).size());
 }
 
 TEST(TaskProcessTest, wrongKeysAreRefusedWithTheNearestName) {

@@ -115,6 +115,46 @@ class SolutionsViewTest : public QObject {
     QVERIFY(hint().contains(QStringLiteral("red1 has no solutions")));
   }
 
+  void whatSolutionsCostIsShownOnceTheRobotMeasures() {
+    Bench bench({.answers = true});
+    auto view = bench.open<widgets::SolutionsView>();
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    QAbstractItemModelTester tester(tree.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    robotcontrol::KeyTable keys;
+    keys.add_keys()->set_name("timing/tasks");
+    keys.mutable_keys(0)->mutable_mode()->set_kind(robotcontrol::KeyMode::OFF);
+    bench.push("red1/tables/keys", keys, 1);
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    const auto cost = [&](const char* name) {
+      return find(tree, QString::fromLatin1(name), SolutionModel::kCost).data().toString();
+    };
+    QCOMPARE(cost("regions"), QString());
+    QVERIFY(tree.model()->setData(find(tree, QStringLiteral("regions"), SolutionModel::kShadow), Qt::Checked,
+                                  Qt::CheckStateRole));
+    bench.tick(*view);
+    QCOMPARE(bench.requests.size(), std::size_t{2});
+    QCOMPARE(bench.requests[0].set_key().name(), std::string("shadow/ball-percept/regions"));
+    QCOMPARE(bench.requests[1].set_key().name(), std::string("timing/tasks"));
+    for (int frame = 0; frame < 50; ++frame) {
+      robotcontrol::StopwatchTimes times;
+      const auto add = [&](const char* solution, double seconds) {
+        auto& entry = *times.add_entries();
+        entry.set_task("ball-percept");
+        entry.set_solution(solution);
+        entry.set_seconds(seconds);
+      };
+      add("scan-lines", frame < 25 ? 0.001 : 0.003);
+      add("regions (shadow)", 0.0005);
+      bench.push("red1/stopwatches/cognition", times, 1 + 0.04 * frame);
+    }
+    for (int i = 0; i < 20; ++i) bench.tick(*view);
+    QCOMPARE(cost("scan-lines"), QStringLiteral("2.00 ms, 5.0 %"));
+    QCOMPARE(cost("regions"), QStringLiteral("0.50 ms, 1.3 %"));
+    QCOMPARE(cost("oracle"), QString());
+    QCOMPARE(cost("ball-percept"), QString());
+  }
+
   void oneClickSwitchesAndTheSwitchIsPendingUntilTheRobotConfirms() {
     Bench bench;
     auto view = bench.open<widgets::SolutionsView>();

@@ -50,5 +50,35 @@ TEST(Bootstrap, skewedValuesHaveSkewedBounds) {
   EXPECT_GT(interval.high, 10);
 }
 
+TEST(Chance, isThatOfTheSigns) {
+  EXPECT_EQ(chanceOf({}), 1);
+  EXPECT_EQ(chanceOf({3}), 1);
+  EXPECT_EQ(chanceOf({1, 2, 3}), 0.25) << "three runs that agree tell nothing";
+  EXPECT_EQ(chanceOf(std::vector<double>(kFewestForChance, 1)), 2.0 / 64);
+  EXPECT_GT(chanceOf(std::vector<double>(kFewestForChance - 1, 1)), 0.05);
+  EXPECT_EQ(chanceOf({1, -1, 1, -1}), 1);
+  EXPECT_EQ(chanceOf({1, 1, -1}), 1);
+  EXPECT_EQ(chanceOf({0, 0, 0, 0}), 1);
+}
+
+TEST(Chance, ofManyValuesIsThatOfTheNormalDistribution) {
+  std::vector<double> values;
+  for (int i = 0; i < 100; ++i) values.push_back(i < 60 ? 1 : -1);
+  // 2 (1 - Phi(19 / 10)), with the correction for continuity.
+  EXPECT_NEAR(chanceOf(values), 0.0569, 0.01);
+  EXPECT_EQ(chanceOf(values), chanceOf(values));
+}
+
+TEST(Chance, isCorrectedForTheNumberOfTests) {
+  EXPECT_TRUE(corrected({}).empty());
+  EXPECT_EQ(corrected({0.03}), std::vector<double>{0.03});
+  const auto four = corrected({0.04, 0.01, 0.5, 0.02});
+  EXPECT_NEAR(four[0], 0.04 * 4 / 3, 1e-12);
+  EXPECT_NEAR(four[1], 0.04, 1e-12);
+  EXPECT_EQ(four[2], 0.5);
+  EXPECT_NEAR(four[3], 0.04, 1e-12);
+  for (const double one : corrected(std::vector<double>(30, 0.04))) EXPECT_NEAR(one, 0.04, 1e-12);
+}
+
 }  // namespace
 }  // namespace app

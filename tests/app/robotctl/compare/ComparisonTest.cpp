@@ -72,6 +72,28 @@ TEST_F(ComparisonTest, whatIsRealIsFoundOnTheSameSubjects) {
   EXPECT_FALSE(all[1].isReal()) << "the cost goes up as often as down";
 }
 
+TEST_F(ComparisonTest, fewRunsAreNotReal) {
+  Comparison few;
+  for (int seed = 0; seed < 3; ++seed) {
+    few.add("old", std::to_string(seed), {{"error", "m", 5.0 + 0.1 * seed}});
+    few.add("new", std::to_string(seed), {{"error", "m", 1.0 + 0.1 * seed}});
+  }
+  const auto all = few.differences();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_LT(all[0].change.high, 0);
+  EXPECT_FALSE(all[0].isReal());
+  EXPECT_THAT(reportHtml(few, {"few", "robotctl compare", {}}), HasSubstr("fewer than 6 runs"));
+}
+
+TEST_F(ComparisonTest, aPlotShowsWhatIsFarFromZeroLarge) {
+  Comparison far;
+  for (int seed = 0; seed < 3; ++seed) far.add("a", std::to_string(seed), {{"height", "m", 100.0 + seed}});
+  EXPECT_THAT(reportHtml(far, {"far", "robotctl compare", {}}), HasSubstr(">100 m</text>"));
+  Comparison near;
+  for (int seed = 0; seed < 3; ++seed) near.add("a", std::to_string(seed), {{"height", "m", 1.0 + seed}});
+  EXPECT_THAT(reportHtml(near, {"near", "robotctl compare", {}}), HasSubstr(">0 m</text>"));
+}
+
 TEST_F(ComparisonTest, aSubjectThatOnlyOneWasTriedOnCountsForNoDifference) {
   comparison_.add("old", "seed 99", {{"error", "m", 1e6}});
   EXPECT_EQ(comparison_.differences()[0].subjects, 12U);
