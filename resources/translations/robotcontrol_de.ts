@@ -14940,12 +14940,28 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <translation>veröffentlicht %1</translation>
     </message>
     <message>
-        <source>Runs %1 beside the active solution, on the same inputs and without being used. What it publishes is below shadow/%1; its time is in the view Timing.</source>
-        <translation>Führt %1 neben der aktiven Lösung aus, mit denselben Eingaben und ohne benutzt zu werden. Was sie veröffentlicht, steht unter shadow/%1, ihre Zeit in der Ansicht Laufzeiten.</translation>
-    </message>
-    <message>
         <source>Shadow</source>
         <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Runs %1 beside the active solution, on the same inputs and without being used. What it publishes is below shadow/%1; what it costs is in the next column.</source>
+        <translation>Führt %1 neben der aktiven Lösung aus, mit denselben Eingaben und ohne dass es benutzt wird. Was es veröffentlicht, ist unter shadow/%1; was es kostet, steht in der nächsten Spalte.</translation>
+    </message>
+    <message>
+        <source>Mean time of a frame and share of the process&apos;s period, in the last two seconds, while the robot measures its tasks (Measure in the view Timing)</source>
+        <translation>Mittlere Zeit je Frame und Anteil an der Periode des Prozesses in den letzten zwei Sekunden, während der Roboter seine Aufgaben misst (Messen in der Ansicht Zeiten)</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Kosten</translation>
     </message>
 </context>
 <context>
