@@ -11,15 +11,19 @@ using robotlink::Vector2;
 
 namespace {
 
-double angleOf(const Vector2& way) {
+double headingOf(const Vector2& way) {
   return std::atan2(way.y(), way.x());
 }
 
-Vector2 unit(double angle) {
+Vector2 inDirection(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
 }  // namespace
+
+double angleOf(KickSide side) {
+  return side == KickSide::kAhead ? 0 : (side == KickSide::kLeft ? 0.5 : -0.5) * robotlink::kPi;
+}
 
 Intention BallSkills::walk(const Vector2& velocity, double turn) const {
   Intention intention;
@@ -45,12 +49,12 @@ Vector2 BallSkills::around(const Vector2& way, const std::vector<Vector2>& robot
   const double distance = way.norm();
   if (distance < 0.05) return way;
   double best = 0;
-  const double direction = angleOf(way);
+  const double direction = headingOf(way);
   for (const Vector2& robot : robots) {
     const double apart = robot.norm();
     // Beyond the aim, or behind: not in the way.
     if (apart > options_.robotRange || apart > distance + 0.1 || apart < 0.05) continue;
-    const double beside = normalizedAngle(angleOf(robot) - direction);
+    const double beside = normalizedAngle(headingOf(robot) - direction);
     const double half = std::asin(std::min(1.0, options_.robotRadius / apart));
     if (std::abs(beside) >= half) continue;
     // Turns away from its middle; a robot that is met head-on is passed on the right, by both.
@@ -69,7 +73,7 @@ Intention BallSkills::walkTo(const Vector2& place, double direction,
     const Vector2 velocity = options_.walkGain * way;
     return walk(velocity, options_.turnGain * normalizedAngle(direction));
   }
-  const double heading = angleOf(way);
+  const double heading = headingOf(way);
   // A trot does not turn and walk well at the same time: the wider the turn, the slower the walk.
   const double share = std::clamp(1.5 - std::abs(heading) / 0.6, 0.0, 1.0);
   // Begins to turn to the last direction before it arrives.
@@ -79,11 +83,11 @@ Intention BallSkills::walkTo(const Vector2& place, double direction,
 }
 
 double BallSkills::offset(const Vector2& ball, double aim) {
-  return normalizedAngle(aim - angleOf(ball));
+  return normalizedAngle(aim - headingOf(ball));
 }
 
 Vector2 BallSkills::placeBehind(const Vector2& ball, double aim) const {
-  const Vector2 behind = ball - unit(aim) * options_.standOff;
+  const Vector2 behind = ball - inDirection(aim) * options_.standOff;
   const Vector2 line = behind;  // from the robot, which is the origin
   const double length = line.norm();
   if (length < 1e-6) return behind;
@@ -101,7 +105,7 @@ Vector2 BallSkills::placeBehind(const Vector2& ball, double aim) const {
   }
   const double turn = std::asin(options_.passing / apart);
   const double reach = std::sqrt(apart * apart - options_.passing * options_.passing);
-  return unit(angleOf(ball) + side * turn) * std::max(0.1, reach);
+  return inDirection(headingOf(ball) + side * turn) * std::max(0.1, reach);
 }
 
 Intention BallSkills::approach(const Vector2& ball, double aim, const std::vector<Vector2>& robots) const {
@@ -109,7 +113,7 @@ Intention BallSkills::approach(const Vector2& ball, double aim, const std::vecto
   // Near the ball it looks at it: it circles it with its head toward it.
   if (ball.norm() < 2 * options_.standOff + 0.1) {
     const Vector2 way = around(place, robots);
-    const double facing = place.norm() < 0.12 ? 0.5 * (aim + angleOf(ball)) : angleOf(ball);
+    const double facing = place.norm() < 0.12 ? 0.5 * (aim + headingOf(ball)) : headingOf(ball);
     return walk(options_.walkGain * std::max(1.0, 0.12 / std::max(0.02, way.norm())) * way,
                 options_.turnGain * facing);
   }
@@ -124,23 +128,30 @@ Intention BallSkills::dribble(const Vector2& ball, double aim) const {
   return walk({options_.forwardSpeed * slow, left}, std::clamp(1.2 * aim, -0.6, 0.6) + 1.0 * beside);
 }
 
-Intention BallSkills::position(const Vector2& ball, double aim) const {
-  const Vector2 way(ball.x() - options_.kickX, ball.y());
+Vector2 BallSkills::kickSpot(KickSide side) const {
+  if (side == KickSide::kAhead) return {options_.kickX, 0};
+  return {options_.sideX, side == KickSide::kLeft ? options_.sideY : -options_.sideY};
+}
+
+Intention BallSkills::position(const Vector2& ball, double aim, KickSide side) const {
+  const Vector2 way = ball - kickSpot(side);
   // Sideways first, so that no paw pushes the ball away.
   const double free = std::abs(way.y()) > 0.06 ? 0.3 : 1.0;
   const double ahead =
       std::clamp(options_.positionGain * way.x() * free, -options_.positionSpeed, options_.positionSpeed);
-  return walk({ahead, options_.positionGain * way.y()}, 0.8 * aim);
+  return walk({ahead, options_.positionGain * way.y()}, options_.positionTurn * aim);
 }
 
-bool BallSkills::canKick(const Vector2& ball) const {
-  return std::abs(ball.x() - options_.kickX) < options_.kickToleranceX &&
-         std::abs(ball.y()) < options_.kickToleranceY;
+bool BallSkills::canKick(const Vector2& ball, KickSide side) const {
+  const Vector2 off = ball - kickSpot(side);
+  const bool isAhead = side == KickSide::kAhead;
+  return std::abs(off.x()) < (isAhead ? options_.kickToleranceX : options_.sideToleranceX) &&
+         std::abs(off.y()) < (isAhead ? options_.kickToleranceY : options_.sideToleranceY);
 }
 
 double BallSkills::secondsTo(const Vector2& ball, double aim) const {
   const double detour = std::abs(offset(ball, aim)) / robotlink::kPi * 0.6;
-  return (ball.norm() + detour) / options_.forwardSpeed + std::abs(angleOf(ball)) / options_.turnSpeed;
+  return (ball.norm() + detour) / options_.forwardSpeed + std::abs(headingOf(ball)) / options_.turnSpeed;
 }
 
 }  // namespace modules

@@ -9,6 +9,11 @@
 
 namespace modules {
 
+/// Where a kick sends the ball, as seen from the robot.
+enum class KickSide { kAhead, kLeft, kRight };
+/// The angle of that direction in the robot's frame, rad.
+double angleOf(KickSide side);
+
 /// How a robot on legs walks to places and to the ball: controllers without memory, on plain values in the
 /// robot's frame (x to the front, meters, radians).
 ///
@@ -38,8 +43,12 @@ class BallSkills {
     double passing = 0.26;
     /// Where the ball must be for a kick, and how exactly, m.
     double kickX = 0.16, kickToleranceX = 0.035, kickToleranceY = 0.04;
+    /// The same of the kick to the left; that to the right is its mirror image.
+    double sideX = 0.21, sideY = 0.03, sideToleranceX = 0.02, sideToleranceY = 0.025;
     /// How fast it walks to there, 1/s, and at most, m/s.
     double positionGain = 1.8, positionSpeed = 0.08;
+    /// How fast it turns to the goal there, 1/s.
+    double positionTurn = 0.8;
     /// Sideward gain and limit of the error beside which it slows down while it pushes the ball, 1/s and m.
     double dribbleGain = 2.5, dribbleWidth = 0.05;
   };
@@ -61,9 +70,9 @@ class BallSkills {
   /// Pushes the ball into the direction `aim`, with the ball between the fore paws.
   Intention dribble(const robotlink::Vector2& ball, double aim) const;
   /// Walks the last centimeters to where a kick reaches the ball, and turns to `aim`.
-  Intention position(const robotlink::Vector2& ball, double aim) const;
-  /// Whether a kick straight ahead reaches the ball.
-  bool canKick(const robotlink::Vector2& ball) const;
+  Intention position(const robotlink::Vector2& ball, double aim, KickSide side) const;
+  /// Whether a kick reaches the ball.
+  bool canKick(const robotlink::Vector2& ball, KickSide side) const;
   /// How well the robot is placed: the angle between the way to the ball and the aim; 0 is straight behind.
   static double offset(const robotlink::Vector2& ball, double aim);
   /// How long it takes to be behind the ball, s.
@@ -72,6 +81,8 @@ class BallSkills {
  private:
   /// A walk within the limits of speed, whose direction is kept.
   Intention walk(const robotlink::Vector2& velocity, double turn) const;
+  /// Where the ball must be for a kick.
+  robotlink::Vector2 kickSpot(KickSide side) const;
   /// The way to a place, turned so that it passes other robots.
   robotlink::Vector2 around(const robotlink::Vector2& way,
                             const std::vector<robotlink::Vector2>& robots) const;

@@ -16,52 +16,43 @@ namespace {
 constexpr double kNever = 1e3;
 /// Added to the bid of a player that has not seen the ball itself, s.
 constexpr double kHearsayPenalty = 2;
-/// Directions that are tried on either side of the wanted one, to half a turn.
-constexpr int kDirections = 12;
 /// How far a ball rolls without being touched by anybody, m.
 constexpr double kMoved = 0.12;
 
 }  // namespace
 
 SoccerMind::SoccerMind(const robotlink::FieldDescription& field, const Options& options)
-    : options_(options), places_(field, options.places), skills_(options.skills), roles_(options.roles) {}
+    : options_(options),
+      places_(field, options.places),
+      skills_(options.skills),
+      kicks_(places_, options.kicks),
+      roles_(options.roles) {}
 
 void SoccerMind::setOptions(const Options& options) {
   options_ = options;
   skills_.setOptions(options.skills);
+  kicks_.setOptions(options.kicks);
   roles_.setOptions(options.roles);
 }
 
-double SoccerMind::directionInTeam(const Vector2& ball) const {
-  Vector2 way;
-  if (roles_.role() == Role::kGoalie) {
-    // Away from the own goal, to the side on which the ball is.
-    way = ball - places_.ownGoal() + Vector2(0.3, 0);
-  } else {
-    way = places_.aim(ball, now_.opponents) - ball;
-  }
-  if (way.norm() < 0.05) way = Vector2::UnitX();
-  // Near a wall or in a corner there may be no room behind the ball: then the direction next to the wanted
-  // one is taken from whose side the ball can be reached.
-  const double wanted = std::atan2(way.y(), way.x());
-  for (int i = 0; i <= 2 * kDirections; ++i) {
-    const double turn = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2) * robotlink::kPi / kDirections;
-    const Vector2 direction(std::cos(wanted + turn), std::sin(wanted + turn));
-    const Vector2 behind = ball - direction * options_.skills.standOff;
-    if ((places_.reachable(behind) - behind).norm() < 0.02) return wanted + turn;
-  }
-  return wanted;
-}
-
-double SoccerMind::playDirection() const {
+double SoccerMind::playDirection() {
   const auto ball = now_.ballInTeam();
-  if (!ball) return std::atan2(now_.ball.y(), now_.ball.x());
-  return normalizedAngle(directionInTeam(*ball) - now_.pose->heading);
+  if (!ball) {
+    side_ = KickSide::kAhead;
+    return std::atan2(now_.ball.y(), now_.ball.x());
+  }
+  const BallSkills::Options& skills = options_.skills;
+  const KickPlanner::Choice choice =
+      kicks_.choose({*now_.pose, *ball, now_.opponents, skills.standOff, skills.forwardSpeed,
+                     skills.sidewardSpeed, skills.turnSpeed},
+                    isAtBall_);
+  side_ = choice.side;
+  return normalizedAngle(choice.heading() - now_.pose->heading);
 }
 
 std::optional<double> SoccerMind::aim() const {
   if (!now_.knowsBall) return std::nullopt;
-  return aim_;
+  return aim_ + angleOf(side_);
 }
 
 double SoccerMind::distanceToGoal() const {
@@ -77,7 +68,8 @@ bool SoccerMind::isUnderPressure() const {
 }
 
 bool SoccerMind::shouldKick() const {
-  return distanceToGoal() < options_.kickRange || isUnderPressure() || roles_.role() == Role::kGoalie;
+  return !now_.pose || distanceToGoal() < options_.kickRange || isUnderPressure() ||
+         roles_.role() == Role::kGoalie;
 }
 
 bool SoccerMind::isAtPlace() const {
@@ -90,12 +82,18 @@ bool SoccerMind::mustGlance() const {
   return now_.time - glancedAt_ > options_.glanceAgain + options_.glanceTime;
 }
 
+bool SoccerMind::coversBall() const {
+  return !now_.ballFromTeam && lastBall_.norm() < options_.coveredDistance &&
+         now_.ballAge > options_.coveredAfter && machine_.stateTime() > options_.coveredAfter;
+}
+
 void SoccerMind::observe(const GameSituation& now) {
   if (!started_) fieldSeenAt_ = now.time;
   started_ = true;
   const bool wasPlaying = now_.phase == GameSituation::Phase::kPlaying && now_.time > 0;
   now_ = now;
   if (now.seesField) fieldSeenAt_ = now.time;
+  if (now.seesBall()) lastBall_ = now.ball;
   if (now.phase == GameSituation::Phase::kPlaying) {
     if (!wasPlaying) {
       playingSince_ = now.time;
@@ -119,6 +117,7 @@ Intention SoccerMind::decide(const GameSituation& now) {
   observe(now);
   intention_ = {};
   target_.reset();
+  isAtBall_ = false;
   machine_.advance(now.time);
   return intention_;
 }
@@ -155,11 +154,21 @@ void SoccerMind::approachBall() {
 }
 
 void SoccerMind::kickBall() {
+  isAtBall_ = true;
   if (now_.playsMotion) kickBegan_ = true;
   // Requested only until it begins: a motion that is still requested when it ends is repeated.
   intention_ = {};
   intention_.motion = kickBegan_ ? Intention::Motion::kStand : Intention::Motion::kKick;
-  intention_.kick = options_.kick;
+  intention_.kick = side_ == KickSide::kAhead  ? options_.kick
+                    : side_ == KickSide::kLeft ? options_.kickLeft
+                                               : options_.kickRight;
+  intention_.head = Intention::Head::kTrack;
+}
+
+void SoccerMind::stepBack() {
+  intention_ = {};
+  intention_.motion = Intention::Motion::kWalk;
+  intention_.forward = -options_.skills.backwardSpeed;
   intention_.head = Intention::Head::kTrack;
 }
 

@@ -6,6 +6,7 @@
 
 #include "modules/behavior/BallSkills.h"
 #include "modules/behavior/GameSituation.h"
+#include "modules/behavior/KickPlanner.h"
 #include "modules/behavior/OptionMachine.h"
 #include "modules/behavior/RoleAssignment.h"
 #include "modules/behavior/TeamPlaces.h"
@@ -21,12 +22,16 @@ class SoccerMind {
     BallSkills::Options skills;
     TeamPlaces::Options places;
     RoleAssignment::Options roles;
+    KickPlanner::Options kicks;
     /// Search: time for which it looks about before it turns, of a turn, and of the walk after it, s.
     double lookAboutTime = 2.0, turnTime = 7, wanderTime = 5;
     /// Time without colors of the field after which it stands still, s.
     double blindAfter = 1;
     /// Time without seeing the ball after which it is searched, s.
     double lostAfter = 3;
+    /// A ball that was nearer than this when it vanished may lie under the body, m; then the robot steps back
+    /// after, and for some time, s.
+    double coveredDistance = 0.17, coveredAfter = 0.6, stepBackTime = 1.6;
     /// How long it looks for beacons and goals, and how often at the earliest, s.
     double glanceTime = 1.2, glanceAgain = 6;
     /// Distance of the ball from which on it does so while it walks, m.
@@ -51,6 +56,8 @@ class SoccerMind {
     double kickOffWait = 6;
     /// The key-frame motion of a kick straight ahead.
     std::string kick = "kick-forward";
+    /// Those to the sides.
+    std::string kickLeft = "kick-to-left", kickRight = "kick-to-right";
   };
 
   /// `field` is that of the places.
@@ -79,27 +86,29 @@ class SoccerMind {
 
   /// Brings everything up to date that conditions and actions read.
   void observe(const GameSituation& now);
-  /// The direction in which the ball is to be played, as an angle in the robot's frame; the direction to the
-  /// ball while the robot does not know where it is.
-  double playDirection() const;
-  /// The direction in the team's frame, such that the robot finds room behind the ball.
-  double directionInTeam(const robotlink::Vector2& ball) const;
+  /// Chooses the kick, and returns the direction to which the robot turns for it, in the robot's frame; the
+  /// direction to the ball while the robot does not know where it is.
+  double playDirection();
   /// The angle up to which a ball that is played now goes into the goal; unset if the pose is unknown.
   double distanceToGoal() const;
   bool isUnderPressure() const;
   bool shouldKick() const;
   bool isAtPlace() const;
   bool mustGlance() const;
+  /// The ball was at its paws and is not seen any more: it may lie under the body.
+  bool coversBall() const;
 
   // Actions.
   void stand(Intention::Head head);
   void walkToPlace(const robotlink::Pose2& placeInTeam);
   void approachBall();
   void kickBall();
+  void stepBack();
 
   Options options_;
   TeamPlaces places_;
   BallSkills skills_;
+  KickPlanner kicks_;
   RoleAssignment roles_;
   OptionMachine machine_;
   GameSituation now_;
@@ -107,9 +116,15 @@ class SoccerMind {
   std::optional<robotlink::Vector2> target_;
   /// In the robot's frame, rad.
   double aim_ = 0;
+  /// The kick for which it turns there.
+  KickSide side_ = KickSide::kAhead;
+  /// The last action was one at the ball, where the choice of a kick is kept.
+  bool isAtBall_ = false;
   double secondsToBall_ = 1e3;
   /// Where the player of the present option has its place, in the team's frame.
   robotlink::Pose2 place_;
+  /// Where it saw the ball last, in the robot's frame at that time.
+  robotlink::Vector2 lastBall_ = robotlink::Vector2::UnitX();
   /// 1 to the left, -1 to the right.
   double turnDirection_ = 1;
   double fieldSeenAt_ = 0, glancedAt_ = -1e9, playingSince_ = 0;

@@ -141,6 +141,7 @@ void SoccerOptions::buildStrike(Option& strike, Option& search) const {
   };
   strike.state("approach", "Walks to the place behind the ball, around it if need be.")
       .does([&p] { p.approachBall(); })
+      .to("step back", "the ball vanished before its paws", [&p] { return p.coversBall(); })
       .to("search", "the ball is lost", isLost())
       .to("glance", "near the ball, but where is the goal?",
           [&p, isNear] { return isNear(1.2) && !p.now_.pose && p.mustGlance(); })
@@ -157,6 +158,10 @@ void SoccerOptions::buildStrike(Option& strike, Option& search) const {
 
 void SoccerOptions::buildAtBall(Option& strike) const {
   SoccerMind& p = player_;
+  strike.state("step back", "Uncovers a ball that may lie under the body.")
+      .does([&p] { p.stepBack(); })
+      .to("approach", "there is the ball", [&p] { return p.now_.seesBall() && p.now_.ball.norm() > 0.2; })
+      .to("search", "it is not there", after(&SoccerMind::Options::stepBackTime));
   const auto isAway = [&p] { return p.now_.ball.norm() > p.options_.dribbleLost; };
   const auto isBeside = [&p] {
     return std::abs(BallSkills::offset(p.now_.ball, p.aim_)) > p.options_.alignLost ||
@@ -168,17 +173,20 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .to("approach", "the ball is away", isAway)
       .to("approach", "the goal is elsewhere", isBeside)
       .to("kick", "the ball is before the paws, and the goal near or an opponent", [&p] {
-        return p.shouldKick() && p.skills_.canKick(p.now_.ball) && p.now_.seesBall() &&
+        return p.shouldKick() && p.skills_.canKick(p.now_.ball, p.side_) && p.now_.seesBall() &&
                std::abs(p.aim_) < p.options_.kickTolerance;
       });
   strike.state("position", "Walks the last centimeters to where the kick reaches the ball.")
-      .does([&p] { p.intention_ = p.skills_.position(p.now_.ball, p.aim_); })
+      .does([&p] {
+        p.intention_ = p.skills_.position(p.now_.ball, p.aim_, p.side_);
+        p.isAtBall_ = true;
+      })
       .to("search", "the ball is lost", isLost())
       .to("approach", "the ball is away", isAway)
       .to("approach", "the goal is elsewhere", isBeside)
       .to("kick", "the ball is before the paws",
           [&p] {
-            return p.skills_.canKick(p.now_.ball) && p.now_.seesBall() &&
+            return p.skills_.canKick(p.now_.ball, p.side_) && p.now_.seesBall() &&
                    std::abs(p.aim_) < p.options_.kickTolerance;
           })
       .to("approach", "positioning takes too long", after(&SoccerMind::Options::positionTime));

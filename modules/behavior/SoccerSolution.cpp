@@ -66,6 +66,10 @@ double& placing(SoccerChoices& o) {
   return o.player.places.*Member;
 }
 template <auto Member>
+double& kicking(SoccerChoices& o) {
+  return o.player.kicks.*Member;
+}
+template <auto Member>
 double& role(SoccerChoices& o) {
   return o.player.roles.*Member;
 }
@@ -77,6 +81,7 @@ using S = SituationReader::Options;
 using P = SoccerMind::Options;
 using T = TeamPlaces::Options;
 using R = RoleAssignment::Options;
+using K = KickPlanner::Options;
 
 const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {{kSkills, Skills::kForwardSpeedFieldNumber}, skill<&B::forwardSpeed>, kAboveZero},
@@ -93,10 +98,15 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {{kSkills, Skills::kKickXFieldNumber}, skill<&B::kickX>, kAtLeastZero},
     {{kSkills, Skills::kKickToleranceXFieldNumber}, skill<&B::kickToleranceX>, kAtLeastZero},
     {{kSkills, Skills::kKickToleranceYFieldNumber}, skill<&B::kickToleranceY>, kAtLeastZero},
+    {{kSkills, Skills::kSideXFieldNumber}, skill<&B::sideX>, kAtLeastZero},
+    {{kSkills, Skills::kSideYFieldNumber}, skill<&B::sideY>},
+    {{kSkills, Skills::kSideToleranceXFieldNumber}, skill<&B::sideToleranceX>, kAtLeastZero},
+    {{kSkills, Skills::kSideToleranceYFieldNumber}, skill<&B::sideToleranceY>, kAtLeastZero},
     {{kSkills, Skills::kDribbleGainFieldNumber}, skill<&B::dribbleGain>, kAtLeastZero},
     {{kSkills, Skills::kDribbleWidthFieldNumber}, skill<&B::dribbleWidth>, kAboveZero},
     {{kSkills, Skills::kPositionGainFieldNumber}, skill<&B::positionGain>, kAboveZero},
     {{kSkills, Skills::kPositionSpeedFieldNumber}, skill<&B::positionSpeed>, kAboveZero},
+    {{kSkills, Skills::kPositionTurnFieldNumber}, skill<&B::positionTurn>, kAboveZero},
     {{kReading, Reading::kPositionDeviationFieldNumber}, reading<&S::positionDeviation>, kAboveZero},
     {{kReading, Reading::kHeadingDeviationFieldNumber}, reading<&S::headingDeviation>, kAboveZero},
     {{kReading, Reading::kMinimumColoredFieldNumber}, reading<&S::minimumColored>, kShare},
@@ -132,11 +142,24 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {Fields::kStrikerAdvantageFieldNumber, role<&R::strikerAdvantage>, kAtLeastZero},
     {Fields::kDefenderAdvantageFieldNumber, role<&R::defenderAdvantage>, kAtLeastZero},
     {Fields::kLonelyAfterFieldNumber, role<&R::lonelyAfter>, kAtLeastZero},
+    {Fields::kKickLengthFieldNumber, kicking<&K::kickLength>, kAboveZero},
+    {Fields::kKickSpreadFieldNumber, kicking<&K::kickSpread>, kAtLeastZero},
+    {Fields::kSideLengthFieldNumber, kicking<&K::sideLength>, kAboveZero},
+    {Fields::kSideSpreadFieldNumber, kicking<&K::sideSpread>, kAtLeastZero},
+    {Fields::kSecondsPerKickFieldNumber, kicking<&K::secondsPerKick>, kAtLeastZero},
+    {Fields::kSecondsPerMeterFieldNumber, kicking<&K::secondsPerMeter>, kAtLeastZero},
+    {Fields::kWallSecondsFieldNumber, kicking<&K::wallSeconds>, kAtLeastZero},
+    {Fields::kKeepSecondsFieldNumber, kicking<&K::keepSeconds>, kAtLeastZero},
+    {Fields::kCoveredDistanceFieldNumber, playing<&P::coveredDistance>, kAtLeastZero},
+    {Fields::kCoveredAfterFieldNumber, playing<&P::coveredAfter>, kAtLeastZero},
+    {Fields::kStepBackTimeFieldNumber, playing<&P::stepBackTime>, kAtLeastZero},
     {Fields::kMessagePeriodFieldNumber, &SoccerChoices::messagePeriod, kAboveZero}};
 
 SoccerChoices choices(const robotcontrol::SoccerParameters& parameters) {
   SoccerChoices chosen = kSoccerTable.read(parameters);
   if (!parameters.kick().empty()) chosen.player.kick = parameters.kick();
+  if (!parameters.kick_left().empty()) chosen.player.kickLeft = parameters.kick_left();
+  if (!parameters.kick_right().empty()) chosen.player.kickRight = parameters.kick_right();
   return chosen;
 }
 

@@ -133,11 +133,15 @@ Vector2 TeamPlaces::inside(const Vector2& place) const {
 }
 
 Vector2 TeamPlaces::reachable(const Vector2& place) const {
-  const double x = goalX_ - kHalfRobot, y = touchY_ - kHalfRobot;
+  return within(place, kHalfRobot);
+}
+
+Vector2 TeamPlaces::within(const Vector2& place, double distance) const {
+  const double x = goalX_ - distance, y = touchY_ - distance;
   Vector2 result(std::clamp(place.x(), -x, x), std::clamp(place.y(), -y, y));
   // The triangles in the corners, whose ramps a robot does not climb.
   const double beyond = std::abs(result.x()) + std::abs(result.y()) -
-                        (goalX_ + touchY_ - cornerSide_ - kHalfRobot * std::numbers::sqrt2);
+                        (goalX_ + touchY_ - cornerSide_ - distance * std::numbers::sqrt2);
   if (beyond > 0)
     result -= 0.5 * beyond * Vector2(std::copysign(1, result.x()), std::copysign(1, result.y()));
   return result;

@@ -57,6 +57,8 @@ class TeamPlaces {
   robotlink::Vector2 inside(const robotlink::Vector2& place) const;
   /// The nearest place at which a robot fits beside the walls and the ramps in the corners.
   robotlink::Vector2 reachable(const robotlink::Vector2& place) const;
+  /// The nearest place whose distance from walls and ramps is not less than `distance`.
+  robotlink::Vector2 within(const robotlink::Vector2& place, double distance) const;
 
  private:
   robotlink::Pose2 facing(const robotlink::Vector2& place, const robotlink::Vector2& ball) const;

@@ -175,7 +175,8 @@ TEST_F(SoccerPlayerTest, aBallThatLiesBehindItIsWalkedAround) {
   play(now, 3);
   ASSERT_TRUE(player_.target());
   EXPECT_GT((*player_.target() - now.ball).norm(), 0.2) << "not through the ball";
-  EXPECT_NEAR(std::abs(*player_.aim()), 0, 0.1) << "it plays toward the goal before it";
+  EXPECT_LT(std::abs(*player_.aim()), 1)
+      << "it plays toward the goal before it, or past it for a shorter way";
 }
 
 TEST_F(SoccerPlayerTest, kicksOnceWhenTheBallIsBeforeItsPawsAndTheGoalAhead) {

@@ -40,15 +40,19 @@ std::size_t portIndex(const Ports& ports, const std::string& path) {
 }  // namespace
 
 GaitParameters shippedGait(const std::filesystem::path& resources, FootMode mode) {
-  const char* name = mode == FootMode::kRectangle ? "rectangle" : "half-ellipse";
-  std::ifstream file(resources / "parameters/ers210" /
-                     (std::string("motion.wheel-model-") + name + ".textproto"));
+  return shippedGait(
+      resources, mode == FootMode::kRectangle ? "wheel-model-rectangle" : "wheel-model-half-ellipse", mode);
+}
+
+GaitParameters shippedGait(const std::filesystem::path& resources, const std::string& solution,
+                           FootMode mode) {
+  std::ifstream file(resources / "parameters/ers210" / ("motion." + solution + ".textproto"));
   std::stringstream text;
   text << file.rdbuf();
   robotcontrol::GaitMotionParameters message;
   if (!google::protobuf::TextFormat::ParseFromString(text.str(), &message)) {
-    loaded(robotlink::Result<int>(
-        robotlink::failure("walking.gait", std::string("the gait cannot be read: ") + name)));
+    loaded(
+        robotlink::Result<int>(robotlink::failure("walking.gait", "the gait cannot be read: " + solution)));
   }
   return gaitParameters(message, mode);
 }

@@ -12,6 +12,9 @@ namespace modules {
 
 /// The gait of resources/parameters/ers210/motion.wheel-model-*.textproto.
 GaitParameters shippedGait(const std::filesystem::path& resources, FootMode mode);
+/// That of another file there: "wheel-model-fast".
+GaitParameters shippedGait(const std::filesystem::path& resources, const std::string& solution,
+                           FootMode mode);
 
 /// An ERS-210 in the physics of the field, moved by a MotionEngine without a robot program, for tests and
 /// measurements of motion. Frames of 8 ms. If something cannot be loaded, the test program prints an error

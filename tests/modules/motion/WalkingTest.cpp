@@ -70,6 +70,46 @@ TEST(WalkingTest, aMinuteOfChangingRequestsIsWalkedWithoutAFall) {
   }
 }
 
+WalkingRobot::Options fastOptions(std::uint64_t seed) {
+  WalkingRobot::Options options;
+  options.resources = kResources;
+  options.gait = shippedGait(kResources, "wheel-model-fast", FootMode::kRectangle);
+  options.seed = seed;
+  return options;
+}
+
+TEST(FastGaitTest, walksMuchFasterThanTheDefaultAndStraight) {
+  WalkingRobot usual(options()), fast(fastOptions(7));
+  usual.placeBall({-1, 1});
+  fast.placeBall({-1, 1});
+  const auto before = usual.walk({1, 0, 0}, 4), now = fast.walk({1, 0, 0}, 4);
+  EXPECT_GT(now.speed.x, 1.15 * before.speed.x);
+  EXPECT_NEAR(now.speed.x, fast.engine().speed().x, 0.1 * now.speed.x) << "odometry";
+  EXPECT_NEAR(now.speed.y, 0, 0.02);
+  EXPECT_NEAR(now.speed.rotation, 0, 0.05);
+  EXPECT_GT(now.leastUpright, 0.98);
+}
+
+TEST(FastGaitTest, kicksToTheSidesAreSquare) {
+  for (const double side : {1.0, -1.0}) {
+    WalkingRobot robot(fastOptions(1));
+    robot.head() = {-1.1, 0, 0, 0};
+    robot.run({}, 1);
+    robot.placeBall({0.166, side * 0.05});
+    robot.run({}, 0.2);
+    const robotlink::Vector3 before = robot.ball();
+    const robotlink::Pose2 stand = robotlink::groundPose(robot.pose());
+    robot.run(keyFrames(side > 0 ? "kick-to-left" : "kick-to-right"), 0.3);
+    robot.run({}, 4);
+    const robotlink::Vector3 way = robot.ball() - before;
+    const robotlink::Vector2 moved =
+        Eigen::Rotation2Dd(-stand.heading) * robotlink::Vector2(way.x(), way.y());
+    EXPECT_GT(side * moved.y(), 0.5);
+    EXPECT_LT(std::abs(moved.x()), 0.6 * std::abs(moved.y()));
+    EXPECT_GT(robot.upright(), 0.98);
+  }
+}
+
 TEST(WalkingTest, theSameRunGivesTheSameBytes) {
   std::uint64_t digests[2];
   for (std::uint64_t& digest : digests) {

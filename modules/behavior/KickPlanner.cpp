@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/behavior/KickPlanner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace modules {
+
+using robotlink::kPi;
+using robotlink::normalizedAngle;
+using robotlink::Vector2;
+
+namespace {
+
+/// The directions that are compared, all around; the number after them is the direct one to the goal.
+constexpr int kCircle = 24;
+/// How far a rolling ball is followed at a time, m, and how far its middle is from a wall that it touches.
+constexpr double kRollStep = 0.1, kBallRadius = 0.042;
+/// A ball nearer to a wall than this is beside it, m.
+constexpr double kBesideWall = 0.2;
+/// How far a place behind the ball may be within a wall before there is no room, m.
+constexpr double kTight = 0.02;
+/// The share of a turn that is not made on the way.
+constexpr double kTurnShare = 0.4;
+/// What a ball costs that rolls into the own goal, s.
+constexpr double kOwnGoal = 100;
+
+double wayAngle(const Vector2& way) {
+  return std::atan2(way.y(), way.x());
+}
+
+Vector2 towards(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+}  // namespace
+
+/// The time for the way behind the ball, straight or along a circle around it, and for turning there.
+double KickPlanner::secondsBehind(const Situation& now, double heading) const {
+  const Vector2 fromBall = now.robot.translation() - now.ball;
+  const double distance = std::max(fromBall.norm(), now.standOff);
+  const double around = std::abs(normalizedAngle(wayAngle(fromBall) - heading - kPi));
+  // From where the tangent of the circle touches it, the rest is along the circle.
+  const double touch = std::acos(now.standOff / distance);
+  const double arc = std::max(0.0, around - touch) * now.standOff;
+  const Vector2 behind = now.ball - towards(heading) * now.standOff;
+  const double straight = around < touch ? (behind - now.robot.translation()).norm()
+                                         : std::sqrt(distance * distance - now.standOff * now.standOff);
+  const double turn = std::abs(normalizedAngle(heading - now.robot.heading));
+  return straight / now.forwardSpeed + arc / now.sidewardSpeed + kTurnShare * turn / now.turnSpeed;
+}
+
+/// The time from a kick on, for which the ball is followed as it rolls, along walls too.
+double KickPlanner::secondsAfter(const Situation& now, const Choice& choice) const {
+  const Vector2 goal = places_.opponentGoal();
+  const double half = 0.5 * places_.goalWidth() - kBallRadius - 0.04;
+  const double length = choice.side == KickSide::kAhead ? options_.kickLength : options_.sideLength;
+  const Vector2 step = kRollStep * towards(choice.direction);
+  Vector2 ball = now.ball;
+  for (double way = 0; way < length; way += kRollStep) {
+    const Vector2 next = ball + step;
+    if (std::abs(next.x()) > goal.x() - kBallRadius && std::abs(next.y()) < half)
+      return next.x() > 0 ? 0 : kOwnGoal;
+    ball = places_.within(next, kBallRadius);
+  }
+  const bool isBesideWall = (places_.within(ball, kBesideWall) - ball).norm() > 0.01;
+  const double turn = std::abs(normalizedAngle(wayAngle(goal - ball) - choice.heading()));
+  return options_.secondsPerKick + options_.secondsPerMeter * (goal - ball).norm() +
+         turn * now.standOff / now.sidewardSpeed + (isBesideWall ? options_.wallSeconds : 0);
+}
+
+std::optional<double> KickPlanner::secondsToGoal(const Situation& now, const Choice& choice) const {
+  const Vector2 behind = now.ball - towards(choice.heading()) * now.standOff;
+  if ((places_.reachable(behind) - behind).norm() > kTight) return std::nullopt;
+  // The mean over the spread, by the three points of a Gauss-Hermite quadrature.
+  const double spread = choice.side == KickSide::kAhead ? options_.kickSpread : options_.sideSpread;
+  const double aside = std::sqrt(3.0) * spread;
+  const double after =
+      (4 * secondsAfter(now, choice) + secondsAfter(now, {choice.side, choice.direction - aside}) +
+       secondsAfter(now, {choice.side, choice.direction + aside})) /
+      6;
+  return secondsBehind(now, choice.heading()) + after;
+}
+
+KickPlanner::Choice KickPlanner::choose(const Situation& now, bool keeps) {
+  const Vector2 way = places_.aim(now.ball, now.opponents) - now.ball;
+  const double toGoal = way.norm() < 0.05 ? 0 : wayAngle(way);
+  const auto choiceOf = [&](const std::pair<KickSide, int>& one) {
+    return Choice{one.first, one.second == kCircle ? toGoal : 2 * kPi * one.second / kCircle};
+  };
+  if (keeps && last_) return choiceOf(*last_);
+  std::pair best(KickSide::kAhead, kCircle);
+  std::optional<double> least;
+  for (const KickSide side : {KickSide::kAhead, KickSide::kLeft, KickSide::kRight}) {
+    for (int number = kCircle; number >= 0; --number) {
+      const std::pair one(side, number);
+      auto seconds = secondsToGoal(now, choiceOf(one));
+      if (!seconds) continue;
+      if (one == last_) *seconds -= options_.keepSeconds;
+      if (!least || *seconds < *least) {
+        least = seconds;
+        best = one;
+      }
+    }
+  }
+  last_ = best;
+  return choiceOf(best);
+}
+
+}  // namespace modules

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "modules/behavior/BallSkills.h"
+#include "modules/behavior/TeamPlaces.h"
+#include "robotlink/base/Geometry.h"
+
+namespace modules {
+
+/// Chooses the direction in which a player plays the ball, and the kick ahead or to a side: those after which
+/// the ball is soonest in the opponent's goal, by an estimate of the time for walking to the ball, and for
+/// what is left of the way after a kick that rolls along walls. All in the team's frame, meters, seconds and
+/// rad.
+///
+/// Of two choices that are about as good it keeps the one that it made last. Not thread-safe.
+class KickPlanner {
+ public:
+  struct Options {
+    /// How far a kick ahead and one to a side move the ball, m.
+    double kickLength = 0.7, sideLength = 0.9;
+    /// How far their directions are off, as a standard deviation, rad.
+    double kickSpread = 0.2, sideSpread = 0.25;
+    /// Estimated time for each kick, s, and for each meter that the ball is still away from the goal.
+    double secondsPerKick = 4, secondsPerMeter = 9;
+    /// What a ball beside a wall costs: it is hard to play away from there, s.
+    double wallSeconds = 8;
+    /// How much sooner another direction has to be to be chosen instead of the last one, s.
+    double keepSeconds = 1.5;
+    bool operator==(const Options&) const = default;
+  };
+  struct Choice {
+    KickSide side = KickSide::kAhead;
+    /// Of the ball's way.
+    double direction = 0;
+    /// That of the robot.
+    double heading() const { return direction - angleOf(side); }
+  };
+  /// Where a kick begins, and what is in its way.
+  struct Situation {
+    robotlink::Pose2 robot;
+    robotlink::Vector2 ball;
+    std::vector<robotlink::Vector2> opponents;
+    /// Distance of the player's place from the ball, m, and its speeds, m/s and rad/s.
+    double standOff = 0.27, forwardSpeed = 0.18, sidewardSpeed = 0.12, turnSpeed = 1.1;
+  };
+
+  /// `places` must outlive it.
+  KickPlanner(const TeamPlaces& places, const Options& options) : places_(places), options_(options) {}
+  void setOptions(const Options& options) { options_ = options; }
+
+  /// `keeps` stays with the last choice if there is one, as is best while the ball is at the paws.
+  Choice choose(const Situation& now, bool keeps = false);
+  /// Estimated time until the ball is in the goal with such a kick; nothing if there is no room behind the
+  /// ball for it.
+  std::optional<double> secondsToGoal(const Situation& now, const Choice& choice) const;
+
+ private:
+  double secondsBehind(const Situation& now, double heading) const;
+  double secondsAfter(const Situation& now, const Choice& choice) const;
+
+  const TeamPlaces& places_;
+  Options options_;
+  /// The last choice: a kick, and the number of a direction of the circle, or that of the goal.
+  std::optional<std::pair<KickSide, int>> last_;
+};
+
+}  // namespace modules
