@@ -12,8 +12,6 @@
 namespace simcore {
 namespace {
 
-// The fraction of the remaining angle that a servo tries to turn in one step; with 1 it would overshoot.
-constexpr double kServoGain = 0.4;
 // A command is reached within this share of the range of the actuator.
 constexpr double kReached = 0.01;
 // How many commands of a servo may wait: one in each step of the longest delay.
@@ -140,7 +138,7 @@ void Actuation::drivePosition(const Servo& servo, ServoMotor& motor) const {
   const ServoState& state = motor.state;
   const double missing = state.target - physics_.angle(state.hinge);
   const double speed =
-      std::clamp(kServoGain * missing / kStepSeconds, -servo.maximumSpeed, servo.maximumSpeed);
+      std::clamp(kStiffServoShare * missing / kStepSeconds, -servo.maximumSpeed, servo.maximumSpeed);
   physics_.setMotor(state.hinge, speed, servo.maximumTorque * state.torqueShare);
 }
 

@@ -69,7 +69,7 @@ class FollowerStep {
     std::size_t hinge = model_.firstHinge;
     follower_.joints.assign(type_.joints.size(), 0);
     for (std::size_t i = 0; i < type_.joints.size(); ++i) {
-      if (type_.joints[i].hasPosition()) follower_.joints[i] = jointPosition(ode_.hinges[hinge++]);
+      if (type_.joints[i].hasPosition()) follower_.joints[i] = jointPosition(ode_, hinge++);
     }
     follower_.ground = lowest();
     follower_.known = true;

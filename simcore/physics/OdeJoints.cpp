@@ -18,6 +18,20 @@ dJointID attached(dJointID id, const Ends& ends) {
   return id;
 }
 
+/// Whether a servo turns a joint to a position as fast as it can, rather than by gains.
+bool isStiffServo(const JointDescription& joint) {
+  return joint.servo && joint.control.kind == MotorControl::Kind::kPosition && !joint.control.usesGains();
+}
+
+/// How far the stops of a joint are beyond the range in which its servo turns it, rad and m. ODE lets a motor
+/// at a stop exert all of its torque, however little it needs, so that the joint would leap off the stop and
+/// fall back for ever; within the stops it is a motor that keeps its speed.
+double beyondServo(const JointDescription& joint) {
+  constexpr double kTurn = 0.01, kWay = 0.001;
+  if (!isStiffServo(joint)) return 0;
+  return joint.kind == JointKind::kSlider ? kWay : kTurn;
+}
+
 template <typename Set>
 void setStops(dJointID id, Set set, int low, int high, double lower, double upper) {
   // Set twice, because ODE ignores a lower stop above the upper one.
@@ -26,10 +40,27 @@ void setStops(dJointID id, Set set, int low, int high, double lower, double uppe
   set(id, low, lower);
 }
 
+/// Null: the world, which does not turn.
+Eigen::Matrix3d rotationOf(dBodyID body) {
+  if (body == nullptr) return Eigen::Matrix3d::Identity();
+  const dReal* r = dBodyGetRotation(body);
+  Eigen::Matrix3d rotation;
+  rotation << r[0], r[1], r[2], r[4], r[5], r[6], r[8], r[9], r[10];
+  return rotation;
+}
+
+OdeHingeZero zeroOf(dJointID hinge, const Vector3& axis) {
+  const Vector3 along = axis.normalized(), across = along.unitOrthogonal();
+  const Eigen::Matrix3d parent = rotationOf(dJointGetBody(hinge, 1)).transpose();
+  return {parent * along, parent * across, rotationOf(dJointGetBody(hinge, 0)).transpose() * across};
+}
+
 /// Gives a joint the next number.
-void number(OdeWorld& ode, const JointDescription& joint, dJointID id) {
+void number(OdeWorld& ode, const JointDescription& joint, dJointID id, const Vector3& axis) {
   ode.hinges.push_back(id);
+  ode.hingeZeros.push_back(zeroOf(id, axis));
   ode.hingeHasMotor.push_back(joint.servo);
+  ode.hingeIsStiff.push_back(isStiffServo(joint));
   dJointSetFeedback(id, &ode.hingeForces.emplace_back());
   ode.restForces.emplace_back();
 }
@@ -43,16 +74,18 @@ dJointID addHinge(OdeWorld& ode, const JointDescription& joint, const Ends& ends
   const dJointID id = attached(dJointCreateHinge(ode.world, nullptr), ends);
   dJointSetHingeAnchor(id, anchor.x(), anchor.y(), anchor.z());
   dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
-  setStops(id, dJointSetHingeParam, dParamLoStop, dParamHiStop, joint.lower, joint.upper);
-  number(ode, joint, id);
+  const double beyond = beyondServo(joint);
+  setStops(id, dJointSetHingeParam, dParamLoStop, dParamHiStop, joint.lower - beyond, joint.upper + beyond);
+  number(ode, joint, id, axis);
   return id;
 }
 
 dJointID addSlider(OdeWorld& ode, const JointDescription& joint, const Ends& ends, const Vector3& axis) {
   const dJointID id = attached(dJointCreateSlider(ode.world, nullptr), ends);
   dJointSetSliderAxis(id, axis.x(), axis.y(), axis.z());
-  setStops(id, dJointSetSliderParam, dParamLoStop, dParamHiStop, joint.lower, joint.upper);
-  number(ode, joint, id);
+  const double beyond = beyondServo(joint);
+  setStops(id, dJointSetSliderParam, dParamLoStop, dParamHiStop, joint.lower - beyond, joint.upper + beyond);
+  number(ode, joint, id, axis);
   return id;
 }
 
@@ -114,8 +147,13 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
     ode.resistances.push_back({id, joint.damping, joint.friction});
 }
 
-double jointPosition(dJointID joint) {
-  return isSlider(joint) ? dJointGetSliderPosition(joint) : dJointGetHingeAngle(joint);
+double jointPosition(const OdeWorld& ode, std::size_t hinge) {
+  const dJointID joint = ode.hinges[hinge];
+  if (isSlider(joint)) return dJointGetSliderPosition(joint);
+  const OdeHingeZero& zero = ode.hingeZeros[hinge];
+  const Vector3 now =
+      rotationOf(dJointGetBody(joint, 1)).transpose() * (rotationOf(dJointGetBody(joint, 0)) * zero.inChild);
+  return std::atan2(zero.axisInParent.dot(zero.inParent.cross(now)), zero.inParent.dot(now));
 }
 
 double jointRate(dJointID joint) {

@@ -16,8 +16,12 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
 /// damping times the present speed, which is stable for any step, unlike a torque computed from the speed.
 void resist(OdeWorld& ode);
 
-// The position and speed of a hinge or a slider, rad or m, and its axis in the world.
-double jointPosition(dJointID joint);
+/// The position of a hinge or a slider, by its index in OdeWorld::hinges: m or rad, -pi to pi. ODE's own
+/// angle of a hinge contains how far its axes are tilted against each other, which near 0 lets it leap
+/// between two values of opposite signs, 3 mrad apart for the head of an ERS-210, so that a servo would never
+/// rest.
+double jointPosition(const OdeWorld& ode, std::size_t hinge);
+// Its speed, and its axis in the world.
 double jointRate(dJointID joint);
 Vector3 jointAxis(dJointID joint);
 /// Where what it exerts is measured, in the world: the anchor of a hinge, the child's center of mass for a

@@ -24,6 +24,11 @@ struct OdeWrench {
   Vector3 force = Vector3::Zero(), torque = Vector3::Zero();
 };
 
+/// From where a hinge measures its angle: directions at right angles to its axis that are the same at 0.
+struct OdeHingeZero {
+  Vector3 axisInParent = Vector3::UnitZ(), inParent = Vector3::UnitX(), inChild = Vector3::UnitX();
+};
+
 /// The data attached to each ODE geom.
 struct OdeGeom {
   dGeomID id = nullptr;
@@ -194,8 +199,12 @@ struct OdeWorld {
   std::vector<OdeBody> bodies;
   /// Hinges and sliders of all moving models, in order.
   std::vector<dJointID> hinges;
+  /// Of sliders: without meaning.
+  std::vector<OdeHingeZero> hingeZeros;
   /// Whether a motor drives each of them, and the models that they are of.
   std::vector<bool> hingeHasMotor;
+  /// Whether that is a servo which turns it to a position as fast as it can, rather than by gains.
+  std::vector<bool> hingeIsStiff;
   std::vector<int> hingeModels;
   /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
   std::deque<dJointFeedback> hingeForces;

@@ -89,7 +89,7 @@ Vector3 Physics::angularVelocityOf(std::size_t body) const {
 }
 
 double Physics::angle(std::size_t hinge) const {
-  return jointPosition(ode_->hinges[hinge]);
+  return jointPosition(*ode_, hinge);
 }
 
 double Physics::rate(std::size_t hinge) const {

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 namespace {
 
 const std::vector<robotlink::ShadowName> kLastPercept{{"ball-model", "last-percept"}};
-constexpr char kBall[] = "red1/models/ball", kShadowBall[] = "red1/shadow/last-percept/models/ball",
+constexpr char kShadowedBall[] = "red1/models/ball", kShadowBall[] = "red1/shadow/last-percept/models/ball",
                kDrawing[] = "red1/drawings/robot/ball-model/ball",
                kShadowDrawing[] = "red1/shadow/last-percept/drawings/robot/ball-model/ball",
                kTimes[] = "red1/stopwatches/cognition";
@@ -65,13 +65,13 @@ TEST_F(ReplayShadowTest, whatItYieldsDrawsAndTakesStandsBesideTheActiveOne) {
   ASSERT_TRUE(shadowed.run->jump(shadowed.run->begin()).empty());
   shadowed.playToEnd();
   EXPECT_GT(shadowed.countOn(kShadowBall), 20U);
-  EXPECT_EQ(shadowed.countOn(kShadowBall), shadowed.countOn(kBall));
-  EXPECT_NE(shadowed.digestOn(kShadowBall), shadowed.digestOn(kBall));
+  EXPECT_EQ(shadowed.countOn(kShadowBall), shadowed.countOn(kShadowedBall));
+  EXPECT_NE(shadowed.digestOn(kShadowBall), shadowed.digestOn(kShadowedBall));
   EXPECT_GT(shadowed.countOn(kDrawing), 20U);
   EXPECT_GT(shadowed.countOn(kShadowDrawing), 20U);
   EXPECT_EQ(timed(shadowed), (std::set<std::string>{"kalman", "last-percept (shadow)"}));
   // Nothing that was computed without it is different.
-  EXPECT_EQ(shadowed.digestOn(kBall), alone.digestOn(kBall));
+  EXPECT_EQ(shadowed.digestOn(kShadowedBall), alone.digestOn(kShadowedBall));
   EXPECT_EQ(shadowed.status().differences(0).different(), 0U);
   EXPECT_TRUE(shadowed.troubles.empty());
 }

@@ -95,8 +95,8 @@ TEST(RestTruth, robotsOfTheShippedScenesStandForAMinute) {
     ASSERT_TRUE(simulation);
     const Drift drift = driftOf(**simulation);
     SCOPED_TRACE(drift.body);
-    compare({name, "0", 0, 0.01, "m"}, drift.way);
-    compare({turning, "0", 0, 0.02, "rad"}, drift.turn);
+    compare({name, "0", 0, 0.001, "m"}, drift.way);
+    compare({turning, "0", 0, 0.001, "rad"}, drift.turn);
   }
 }
 
