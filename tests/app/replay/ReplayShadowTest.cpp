@@ -18,7 +18,7 @@ const std::vector<robotlink::ShadowName> kLastPercept{{"ball-model", "last-perce
 constexpr char kShadowedBall[] = "red1/models/ball", kShadowBall[] = "red1/shadow/last-percept/models/ball",
                kDrawing[] = "red1/drawings/robot/ball-model/ball",
                kShadowDrawing[] = "red1/shadow/last-percept/drawings/robot/ball-model/ball",
-               kTimes[] = "red1/stopwatches/cognition";
+               kTimes[] = "red1/stopwatches/modeling";
 
 class ReplayShadowTest : public ::testing::Test {
  protected:

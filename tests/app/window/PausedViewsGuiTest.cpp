@@ -110,15 +110,6 @@ class PausedViewsGuiTest : public WindowTest {
     QCOMPARE(desk.workbench.session().timeline().newest(), instant);
   }
 
-  void plotsOpenedInAPauseShowThePast() {
-    PausedDesk desk(home_);
-    QVERIFY(desk.runAndPause("game2002-1", 1, "robot.key package/behavior/motion always"));
-    QVERIFY(desk.run("robot.select blue1"));
-    widgets::View* view = desk.open("plots");
-    QVERIFY(desk.run("plots.add blue1/behavior/motion.walk.x"));
-    QTRY_VERIFY_WITH_TIMEOUT(view->numbers().value_or(QString()).count(QLatin1Char('\n')) > 5, kWaitMs);
-  }
-
   void theBehaviorOfAnotherRobotIsShownInAPause() {
     PausedDesk desk(home_);
     QVERIFY(desk.runAndPause("game2002-1", 1));

@@ -54,9 +54,11 @@ TEST_P(FieldLocalizer, isGoodWhilePlaying) {
   });
   game.run(10);
   EXPECT_GT(place.count(), 200);
-  // Without particles that begin anew, the filter takes longer where few landmarks are seen.
-  EXPECT_LT(place.mean(), GetParam() == std::string("kalman") ? 0.25 : 0.15);
-  EXPECT_LT(heading.mean(), robotlink::radians(8));
+  // Without particles that begin anew, the filter takes longer where few landmarks are seen, and suffers more
+  // from the odometry of the gait of games, which drifts while the robot turns.
+  const bool isKalman = GetParam() == std::string("kalman");
+  EXPECT_LT(place.mean(), isKalman ? 0.5 : 0.15);
+  EXPECT_LT(heading.mean(), robotlink::radians(isKalman ? 12 : 8));
 }
 
 TEST_P(FieldLocalizer, saysSomethingUnderEachOfItsKeys) {
