@@ -160,7 +160,15 @@ void ColumnFit::schedule() {
   later_.start(static_cast<int>(std::max<qint64>(0, kFitInterval - elapsed)));
 }
 
+int ColumnFit::pinned(int column) const {
+  // Columns that were added since it was fitted last, or that it was never fitted with, have the width of
+  // none.
+  if (column < 0 || column >= static_cast<int>(needs_.size())) return 0;
+  return needs_[static_cast<std::size_t>(column)].pinned;
+}
+
 void ColumnFit::pin(int column, int width) {
+  countColumns();
   if (column < 0 || column >= static_cast<int>(needs_.size())) return;
   needs_[static_cast<std::size_t>(column)].pinned = width <= 0 ? 0 : std::clamp(width, kMinWidth, kMaxWidth);
   schedule();

@@ -61,7 +61,7 @@ class ColumnFit final : public QObject {
   static ColumnFit* of(const QHeaderView& header);
 
   /// The width that the user gave the column; 0: none.
-  int pinned(int column) const { return needs_[static_cast<std::size_t>(column)].pinned; }
+  int pinned(int column) const;
   /// Sets the width of a column as if the user had done so; 0 fits it again.
   void pin(int column, int width);
   /// Makes room for a text even while no cell has it, such as a value that can be chosen.

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QHeaderView>
+#include <QJsonArray>
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QTest>
@@ -166,6 +167,19 @@ class ColumnFitTest : public QObject {
     // A double click on the edge fits the column again.
     Q_EMIT other.view.horizontalHeader()->sectionHandleDoubleClicked(0);
     QTRY_VERIFY(other.whole(0, 0));
+  }
+
+  void columnsThatWereNeverFittedAreKeptAndRestored() {
+    QStandardItemModel model(2, 2);
+    QTableView view;
+    view.setModel(&model);
+    new ColumnFit(view, kNumber);
+    // Nobody has seen the table yet.
+    const QJsonValue state = headerState(*view.horizontalHeader());
+    QCOMPARE(state[QLatin1String("columns")].toArray().size(), 2);
+    restoreHeader(*view.horizontalHeader(), state);
+    model.setColumnCount(4);
+    QCOMPARE(headerState(*view.horizontalHeader())[QLatin1String("columns")][3][1].toInt(), 0);
   }
 
   void aHiddenColumnTakesNoRoomAndIsFittedWhenItIsShown() {
