@@ -16,7 +16,7 @@ namespace modules {
 /// what is left of the way after a kick that rolls along walls. All in the team's frame, meters, seconds and
 /// rad.
 ///
-/// Of two choices that are about as good it keeps the one that it made last. Not thread-safe.
+/// It keeps its last choice as long as no other one is clearly better. Not thread-safe.
 class KickPlanner {
  public:
   struct Options {
@@ -34,9 +34,9 @@ class KickPlanner {
   };
   struct Choice {
     KickSide side = KickSide::kAhead;
-    /// Of the ball's way.
+    /// Where the ball goes, in the field, rad.
     double direction = 0;
-    /// That of the robot.
+    /// Where the robot looks when it kicks, rad.
     double heading() const { return direction - angleOf(side); }
   };
   /// Where a kick begins, and what is in its way.

@@ -199,7 +199,7 @@ struct OdeWorld {
   std::vector<OdeBody> bodies;
   /// Hinges and sliders of all moving models, in order.
   std::vector<dJointID> hinges;
-  /// Of sliders: without meaning.
+  /// Keyed as `hinges`; those of sliders mean nothing.
   std::vector<OdeHingeZero> hingeZeros;
   /// Whether a motor drives each of them, and the models that they are of.
   std::vector<bool> hingeHasMotor;

@@ -58,7 +58,7 @@ std::set<TaskSolution> shadowsOf(const std::vector<const robotlink::StreamMessag
 struct SolutionCost {
   /// In s, for each frame in which it ran.
   double mean = 0;
-  /// Of the period of its process, 0 to 1 if that keeps its rate; 0: not known.
+  /// Its share of the period of its process, 0 to 1 if that keeps its rate; 0: not known.
   double share = 0;
   bool operator==(const SolutionCost&) const = default;
 };
