@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSortFilterProxyModel>
@@ -131,6 +132,15 @@ QLabel* addLabel(QHBoxLayout* footer, const char* name, const QString& text) {
   label->setTextFormat(Qt::PlainText);
   footer->addWidget(label);
   return label;
+}
+
+QScrollArea* makeScrollArea(QWidget* parent, QWidget* content) {
+  auto* area = new QScrollArea(parent);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidget(content);
+  return area;
 }
 
 QLabel* makeNote(QWidget* parent, const char* name, const QString& text) {

@@ -19,6 +19,7 @@ class QLineEdit;
 class QMenu;
 class QModelIndex;
 class QSortFilterProxyModel;
+class QScrollArea;
 class QSplitter;
 class QTableView;
 class QToolButton;
@@ -71,6 +72,9 @@ struct SplitterPart {
 /// Creates a splitter. `name` is its object name.
 QSplitter* makeSplitter(QWidget* parent, const char* name, Qt::Orientation orientation,
                         std::initializer_list<SplitterPart> parts);
+/// Creates an area without a frame in which a content scrolls where it does not get the room that it needs:
+/// in a low dock its rows would be squeezed otherwise.
+QScrollArea* makeScrollArea(QWidget* parent, QWidget* content);
 /// Creates a row for short texts below a picture. Returns its layout; the row itself is the layout's
 /// parentWidget().
 QHBoxLayout* makeFooter(QWidget* parent);

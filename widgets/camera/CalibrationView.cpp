@@ -101,10 +101,10 @@ QTabWidget* CalibrationView::createTabs() {
   tabs_->setObjectName(QStringLiteral("cameraTabs"));
   lensPanel_ = new LensPanel(tabs_);
   placePanel_ = new PlacePanel(*marks_, tabs_);
-  tabs_->addTab(lensPanel_, tr("Lens"));
-  tabs_->addTab(placePanel_, tr("Place"));
+  tabs_->addTab(makeScrollArea(tabs_, lensPanel_), tr("Lens"));
+  tabs_->addTab(makeScrollArea(tabs_, placePanel_), tr("Place"));
   settingsPanel_ = new SettingsPanel(tabs_);
-  tabs_->addTab(settingsPanel_, tr("Settings"));
+  tabs_->addTab(makeScrollArea(tabs_, settingsPanel_), tr("Settings"));
   return tabs_;
 }
 
@@ -183,7 +183,7 @@ std::string CalibrationView::robot() const {
 }
 
 bool CalibrationView::shows(const QWidget* panel) const {
-  return tabs_->currentWidget() == panel;
+  return tabs_->currentWidget()->isAncestorOf(panel);
 }
 
 bool CalibrationView::picksMarks() const {

@@ -144,11 +144,8 @@ void BaseStateView::createViews() {
   rows->setContentsMargins(4, 2, 4, 4);
   for (StateRows* group : {base_, motion_, link_}) rows->addWidget(group);
   rows->addStretch(1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidgetResizable(true);
+  auto* scroll = makeScrollArea(this, body_);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(body_);
   hint_ = new EmptyHint(scroll);
   problem_ = makeNote(this, "baseProblem", tr("What was refused"));
   problem_->setMargin(6);

@@ -5,8 +5,10 @@
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTableView>
 #include <QToolButton>
@@ -41,6 +43,9 @@ constexpr std::array<std::pair<ControlGame::Action, GameState::Phase>, 4> kGameP
      {ControlGame::SET, GameState::SET},
      {ControlGame::PLAY, GameState::PLAYING},
      {ControlGame::FINISH, GameState::FINISHED}}};
+
+/// The table of robots keeps room for so many rows in a low dock.
+constexpr int kRowsAtLeast = 4;
 
 QString clockText(double seconds) {
   const int all = static_cast<int>(std::ceil(seconds));
@@ -111,6 +116,7 @@ void GameView::createViews() {
 
   table_ = makeTable(contents_, {"gamePlayers", tr("Robots"), {}}, &players_);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setMinimumHeight((kRowsAtLeast + 1) * table_->verticalHeader()->defaultSectionSize());
   new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kName,
                           ColumnKind::kText, ColumnKind::kNumber});
   auto* penalties = makeToolRow(contents_, 0);
@@ -135,7 +141,7 @@ void GameView::createViews() {
   layout->addWidget(layout_);
   layout->addWidget(radio_);
   layout->addWidget(outcome_);
-  makeColumn(this)->addWidget(contents_, 1);
+  makeColumn(this)->addWidget(makeScrollArea(this, contents_), 1);
   hint_ = new EmptyHint(this);
 }
 

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
@@ -137,16 +136,11 @@ QWidget* MotionView::createBody() {
 }
 
 void MotionView::createViews() {
-  auto* scroll = new QScrollArea(this);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidgetResizable(true);
-  scroll->setFocusPolicy(Qt::NoFocus);
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addWidget(createTop());
   steering_ = new SteeringBar(context().commands, this);
   layout->addWidget(steering_);
-  scroll->setWidget(createBody());
-  layout->addWidget(scroll, 1);
+  layout->addWidget(makeScrollArea(this, createBody()), 1);
 }
 
 void MotionView::connectSignals() {

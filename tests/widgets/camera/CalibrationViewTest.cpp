@@ -125,6 +125,14 @@ class CalibrationViewTest : public QObject {
     QCOMPARE(exposure.value(), 0.0);
   }
 
+  void rowsKeepTheirHeightsInALowDock() {
+    CameraScene bench;
+    auto view = bench.open<CalibrationView>({700, 220});
+    const auto& number = child<QSpinBox>(*view, "lensColumns");
+    QVERIFY2(number.height() >= number.minimumSizeHint().height(),
+             qPrintable(QString::number(number.height())));
+  }
+
   void withoutABoardNothingIsTaken() {
     CameraScene bench;
     auto view = bench.open<CalibrationView>();

@@ -85,12 +85,8 @@ void ColorSpaceView::createViews() {
   canvas_ = new ColorSpaceCanvas(this);
   hint_ = new EmptyHint(canvas_);
   panel_ = new ColorSpacePanel;
-  // In a low dock the panel scrolls.
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
+  auto* scroll = makeScrollArea(this, panel_);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(panel_);
   scroll->setMinimumWidth(std::max(kPanelWidth, panel_->minimumSizeHint().width() + 18));
   assemble({createToolRow()}, canvas_, {scroll, showPanel_, kPanelWidth}, {createFooter()});
 }
