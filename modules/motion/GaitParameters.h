@@ -42,6 +42,10 @@ struct GaitParameters {
   double factorX = 0.995, factorBackward = 1, factorY = 1.053, factorRotation = 1.003;
   /// Rotation in rad/s per m/s to the front and to the left, against the drift of the robot.
   double counterRotationX = 0, counterRotationY = 1.29;
+  /// By how much paws move slower to the front against a drift ahead when the robot turns or walks aside: m/s
+  /// per (rad/s)^2 and per (m/s)^2. It counts less the faster the robot walks ahead or backward, and not at
+  /// all from `counterForwardUntil` (m/s) on.
+  double counterForwardRotation = 0, counterForwardSideways = 0, counterForwardUntil = 0.1;
   /// How far the hind paws move to the front per m/s of walking backwards, so that they continue to carry
   /// their share.
   double hindShiftBackward = 0.19;

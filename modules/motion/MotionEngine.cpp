@@ -45,6 +45,7 @@ void MotionEngine::advance(const Frame& frame) {
   if (mode_ == Mode::kGait && wantsKeyFrames && gait_.standing() && blended_ >= options_.blendTime) {
     mode_ = Mode::kKeyFrames;
     player_ = robotlink::MotionPlayer(motions_);
+    played_ = {};
     player_.start(positions_);
     player_.request(desired.motion, robotlink::MotionPlayer::Repeat::kOnce);
     executed_ = desired;
@@ -114,6 +115,7 @@ void MotionEngine::runKeyFrames(const MotionCommand& desired, Duration time) {
     player_.clear();
   }
   player_.advance(time);
+  countKeyFrames(time);
   const auto angles = player_.angles();
   bool moved = false;
   double most = 0;
@@ -129,6 +131,22 @@ void MotionEngine::runKeyFrames(const MotionCommand& desired, Duration time) {
   } else if (!player_.motion().empty()) {
     executed_.motion = player_.motion();
   }
+}
+
+/// Moves the odometry by the part of the present motion that was played; by all of it at its end.
+void MotionEngine::countKeyFrames(Duration time) {
+  const std::string motion = player_.motion();
+  if (motion != played_.motion) {
+    if (!played_.motion.empty()) odometry_ = played_.begin * played_.displacement.pose;
+    played_ = {motion, odometry_, player_.displacement()};
+  }
+  if (motion.empty()) return;
+  played_.elapsed += time;
+  const auto& [whole, duration] = played_.displacement;
+  const double part = duration.count() > 0
+                          ? std::min(1.0, robotlink::seconds(played_.elapsed) / robotlink::seconds(duration))
+                          : 0;
+  odometry_ = played_.begin * robotlink::Pose2{whole.x * part, whole.y * part, whole.heading * part};
 }
 
 void MotionEngine::runGait(const MotionCommand& desired, Duration time) {

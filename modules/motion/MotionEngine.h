@@ -79,7 +79,7 @@ class MotionEngine {
   const MotionCommand& executed() const { return executed_; }
   /// Whether the present motion can be left now.
   bool stable() const;
-  /// The pose by dead reckoning since start().
+  /// The pose by dead reckoning since start(): the speeds of the gait, and what motions say of themselves.
   const robotlink::Pose2& odometry() const { return odometry_; }
   /// The robot's present velocity according to the gait.
   WalkSpeed speed() const;
@@ -99,6 +99,7 @@ class MotionEngine {
   /// Starts moving the legs from their present angles to the stand.
   void beginBlend();
   void runKeyFrames(const MotionCommand& desired, robotlink::Duration time);
+  void countKeyFrames(robotlink::Duration time);
   void runJoints(const MotionCommand& desired, std::span<const double> measured, double seconds);
   void moveHead(const HeadAngles& wanted, double seconds);
   /// Moves joints that nothing controls to their stance.
@@ -120,6 +121,15 @@ class MotionEngine {
   robotlink::Pose2 odometry_;
   MotionCommand executed_;
   std::string refusal_;
+  /// The key-frame motion whose displacement is being added to odometry_.
+  struct Played {
+    std::string motion;
+    /// The odometry at its begin.
+    robotlink::Pose2 begin;
+    robotlink::MotionNet::Displacement displacement;
+    robotlink::Duration elapsed{};
+  };
+  Played played_;
 };
 
 }  // namespace modules

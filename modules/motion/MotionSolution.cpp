@@ -72,10 +72,10 @@ const robotlink::SolutionRegistration kHalfEllipse =
                                  "wheel model of the legs; swings the paws "
                                  "forward along half an ellipse.");
 
-const robotlink::SolutionRegistration kFast = described<RectangleMotion>(
-    "wheel-model-fast",
-    "As wheel-model-rectangle, with a gait that was tuned for speed in games: "
-    "short, quick steps; it drifts forward a little when it turns or walks aside.");
+const robotlink::SolutionRegistration kFast =
+    described<RectangleMotion>("wheel-model-fast",
+                               "As wheel-model-rectangle, with a gait that was tuned for speed in games: "
+                               "short, quick steps.");
 
 WalkSpeed walkSpeed(const robotcontrol::Velocity2& from) {
   return {from.x(), from.y(), from.rotation()};

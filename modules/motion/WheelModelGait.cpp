@@ -78,7 +78,10 @@ Vector3 WheelModelGait::standInHip(Leg leg) const {
 
 Vector3 WheelModelGait::stepVector(Leg leg) const {
   const GaitParameters& p = parameters_;
-  const double forward = speed_.x * (speed_.x < 0 ? p.factorBackward : p.factorX);
+  const double still = std::max(0.0, 1 - std::abs(speed_.x) / p.counterForwardUntil);
+  const double drift = p.counterForwardRotation * speed_.rotation * speed_.rotation +
+                       p.counterForwardSideways * speed_.y * speed_.y;
+  const double forward = speed_.x * (speed_.x < 0 ? p.factorBackward : p.factorX) - still * drift;
   const double sideways = speed_.y * p.factorY;
   const double turn =
       speed_.rotation * p.factorRotation + speed_.x * p.counterRotationX + speed_.y * p.counterRotationY;

@@ -44,6 +44,7 @@ class Compiler {
         fail(file, 1, "motion.duplicate-motion", "another file already is the motion '" + file.name + "'");
       }
       net_->motions.push_back(file.name);
+      net_->displacements.push_back({file.odometry, playTime(file)});
       lines += static_cast<int>(file.lines.size());
       collectLabels(file, node);
     }
@@ -55,6 +56,14 @@ class Compiler {
       fail(files_.back(), 0, "motion.too-many-labels",
            "all motions together have at most " + std::to_string(kMaxMotionLabels) + " labels");
     }
+  }
+
+  static Duration playTime(const MotionFile& file) {
+    Duration time{};
+    for (const MotionLine& line : file.lines) {
+      if (const auto* frame = std::get_if<KeyFrame>(&line.statement)) time += frame->duration;
+    }
+    return time;
   }
 
   void collectLabels(const MotionFile& file, int& node) {

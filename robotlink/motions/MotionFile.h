@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robotlink/base/Clock.h"
+#include "robotlink/base/Geometry.h"
 
 namespace robotlink {
 
@@ -69,8 +70,8 @@ struct MotionLine {
 /// compileMotions() compiles. See robotlink/motions/MOTIONS.md.
 ///
 /// Angles are in rad whatever the unit in the text. A plain value that knows no other files, so labels are
-/// not checked here. The header lines (`motion_id`, and our own `joints`, `units`, `time`) are not in
-/// `lines`.
+/// not checked here. The header lines (`motion_id`, and our own `joints`, `units`, `time`, `odometry`) are
+/// not in `lines`.
 struct MotionFile {
   enum class AngleUnit { kDegrees, kMilliradians };
   enum class TimeUnit { kMilliseconds, kTicks };
@@ -87,6 +88,8 @@ struct MotionFile {
   /// The units of numbers in the text.
   AngleUnit angleUnit = AngleUnit::kDegrees;
   TimeUnit timeUnit = TimeUnit::kMilliseconds;
+  /// Where the robot stands after the motion, in its frame before it: m, rad.
+  Pose2 odometry;
   std::vector<MotionLine> lines;
 
   bool operator==(const MotionFile&) const = default;

@@ -44,8 +44,18 @@ struct MotionNet {
 
   /// Names, in the order of angles and shares.
   std::vector<std::string> joints;
+  /// How a motion moves the robot.
+  struct Displacement {
+    /// Where it stands afterward, in its frame before it: m, rad.
+    Pose2 pose;
+    /// How long the key frames of the motion take together.
+    Duration duration{};
+  };
+
   /// Names, in the order of the files.
   std::vector<std::string> motions;
+  /// In the order of `motions`.
+  std::vector<Displacement> displacements;
   std::vector<Node> nodes;
   /// The node at the label "start" of the motion "extern".
   int entry = 0;

@@ -63,6 +63,12 @@ std::string MotionPlayer::motion() const {
   return finished_ || playing == none_ ? "" : net_->motions[static_cast<std::size_t>(playing)];
 }
 
+MotionNet::Displacement MotionPlayer::displacement() const {
+  const auto playing = static_cast<std::size_t>(net_->nodes[node_].motion);
+  return finished_ || playing >= net_->displacements.size() ? MotionNet::Displacement()
+                                                            : net_->displacements[playing];
+}
+
 void MotionPlayer::advance(Duration frame) {
   left_ = frame;
   if (hardness_) {

@@ -40,6 +40,8 @@ class MotionPlayer {
   bool moves(std::size_t joint) const { return moved_[joint]; }
   /// The motion being played, "" if there is none.
   std::string motion() const;
+  /// How the motion being played moves the robot; nothing if there is none.
+  MotionNet::Displacement displacement() const;
 
  private:
   void run();

@@ -2,6 +2,7 @@
 #include "robotlink/motions/MotionReader.h"
 
 #include <algorithm>
+#include <array>
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Geometry.h"
@@ -11,6 +12,8 @@
 
 namespace robotlink {
 namespace {
+
+constexpr double kMaxOdometryMillimeters = 1000, kMaxOdometryDegrees = 180;
 
 constexpr std::string_view kBlanks(" \t\r\f\v\0", 6);
 
@@ -86,9 +89,12 @@ class Reader {
     } else if (key == "time" && single && (words[2].text == "ms" || words[2].text == "ticks")) {
       motion_.timeUnit =
           words[2].text == "ms" ? MotionFile::TimeUnit::kMilliseconds : MotionFile::TimeUnit::kTicks;
+    } else if (key == "odometry" && words.size() == 5) {
+      readOdometry(words);
     } else {
       fail(words[0].column, "motion.bad-header",
-           "expected 'motion_id = NAME', 'joints = NAME...', 'units = deg|mrad' or 'time = ms|ticks'");
+           "expected 'motion_id = NAME', 'joints = NAME...', 'units = deg|mrad', 'time = ms|ticks' or "
+           "'odometry = AHEAD LEFT TURN'");
     }
     if (columnsUsed_ && key != "motion_id") {
       fail(words[0].column, "motion.late-header",
@@ -104,6 +110,24 @@ class Reader {
     } else {
       motion_.name = word.text;
     }
+  }
+
+  /// Millimeters ahead and to the left, degrees counter-clockwise.
+  void readOdometry(const std::vector<MotionWord>& words) {
+    std::array<double, 3> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const MotionWord& word = words[i + 2];
+      const auto value = number(word.text);
+      if (!value || std::abs(*value) > (i < 2 ? kMaxOdometryMillimeters : kMaxOdometryDegrees)) {
+        fail(
+            word.column, "motion.bad-odometry",
+            "'" + std::string(word.text) + "' is not " +
+                (i < 2 ? "a number of millimeters from -1000 to 1000" : "an angle from -180 to 180 degrees"));
+        return;
+      }
+      values[i] = *value;
+    }
+    motion_.odometry = {values[0] / 1000, values[1] / 1000, radians(values[2])};
   }
 
   void readJoints(const std::vector<MotionWord>& words) {

@@ -26,9 +26,10 @@ std::shared_ptr<const robotlink::MotionNet> motions() {
   std::vector<robotlink::MotionFile> files;
   std::string table = "motion_id = extern\nlabel start\n";
   for (const char* name : {"kick", "get-up-left"}) {
-    const std::string text = std::string("motion_id = ") + name +
-                             "\njoints = legFL1 legFR1\nlabel start\n57.2958 0 1 160\n0 0 1 160\n"
-                             "transition allMotions extern start\n";
+    const std::string text =
+        std::string("motion_id = ") + name +
+        "\njoints = legFL1 legFR1\nodometry = 20 -5 30\nlabel start\n57.2958 0 1 160\n0 0 1 160\n"
+        "transition allMotions extern start\n";
     files.push_back(robotlink::readMotion(text, name).value());
     table += std::string("transition ") + name + " " + name + " start\n";
   }
@@ -80,6 +81,17 @@ TEST_F(MotionEngineTest, odometryAddsUpTheWalk) {
   EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kWalk);
   EXPECT_NEAR(engine_.odometry().x, 2.0 * 0.1 - 0.0125, 0.003);
   EXPECT_EQ(engine_.speed().x, 0.1);
+}
+
+TEST_F(MotionEngineTest, aMotionMovesTheOdometryByWhatItsFileSays) {
+  run({}, 100);
+  run(keyFrames("kick"), 20);
+  EXPECT_NEAR(engine_.odometry().heading, robotlink::radians(15), robotlink::radians(1))
+      << "half of it is played";
+  run({}, 100);
+  EXPECT_NEAR(engine_.odometry().x, 0.02, 1e-12);
+  EXPECT_NEAR(engine_.odometry().y, -0.005, 1e-12);
+  EXPECT_NEAR(engine_.odometry().heading, robotlink::radians(30), 1e-12);
 }
 
 TEST_F(MotionEngineTest, aWalkStandsBeforeKeyFramesBeginAndThenGoesOn) {

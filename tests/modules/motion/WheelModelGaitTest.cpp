@@ -51,6 +51,23 @@ TEST(WheelModelGaitTest, pawsOnTheGroundMoveLikeWheels) {
   }
 }
 
+TEST(WheelModelGaitTest, aDriftAheadIsCounteredUnlessTheRobotWalksAheadAnyway) {
+  GaitParameters parameters;
+  parameters.counterForwardRotation = 0.03;
+  parameters.counterForwardSideways = 2;
+  parameters.counterForwardUntil = 0.1;
+  const auto stepOfFrontPaws = [&](const WalkSpeed& speed) {
+    WheelModelGait gait(parameters);
+    run(gait, speed, 100);
+    return 0.5 * (gait.stepVector(Leg::kFrontLeft) + gait.stepVector(Leg::kFrontRight)).x();
+  };
+  const double seconds = parameters.stepFrames * 0.008 * parameters.groundPhase[0];
+  EXPECT_NEAR(stepOfFrontPaws({0, 0, 1}) / seconds, -0.03, 1e-9);
+  EXPECT_NEAR(stepOfFrontPaws({0, 0.1, 0}) / seconds, -0.02, 1e-9);
+  const double ahead = stepOfFrontPaws({0.1, 0, 0});
+  EXPECT_NEAR(stepOfFrontPaws({0.1, 0.02, 0.2}), ahead, 1e-9);
+}
+
 TEST(WheelModelGaitTest, diagonalLegsAreOnTheGroundTogether) {
   WheelModelGait gait = levelGait();
   run(gait, {0.1, 0, 0}, 60);
