@@ -21,6 +21,16 @@ void LastBall::update(double time, const Pose2& robotInOdometry, const std::opti
   estimate_.deviation = 0.03 + 0.05 * estimate_.position.norm() + 0.05 * estimate_.secondsSinceSeen;
 }
 
+void LastBall::forget() {
+  seenAt_.reset();
+  estimate_.known = false;
+}
+
+void BallFilter::forget() {
+  seenAt_.reset();
+  estimate_.known = false;
+}
+
 void BallFilter::restart(const Vector2& position, double deviation) {
   state_ << position, 0, 0;
   const double square = deviation * deviation;

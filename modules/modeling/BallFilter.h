@@ -41,6 +41,8 @@ class LastBall {
   /// Call it once a frame. `time` is that of any clock, s; `robotInOdometry` is the pose by dead reckoning.
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
+  /// The ball is unknown until the next percept, with which the estimator starts again.
+  void forget();
   BallEstimate estimate() const { return estimate_; }
 
  private:
@@ -78,6 +80,8 @@ class BallFilter {
   /// Call it once a frame; the arguments are those of LastBall::update().
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
+  /// As LastBall::forget().
+  void forget();
   BallEstimate estimate() const { return estimate_; }
 
  private:

@@ -46,6 +46,7 @@ const robotlink::SolutionRegistration kLastPercept =
         "The ball stays where it was seen last, while the robot moves by dead reckoning.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
+        .uses(robotlink::kCameraPose)
         .yields(robotlink::kBallModel)
         .keys({&kBallKey, &kBallPositionKey, &kBallAgeKey})
         .parameters<robotcontrol::LastPerceptBallParameters>();
@@ -58,6 +59,7 @@ const robotlink::SolutionRegistration kFiltered =
         "A Kalman filter over place and velocity of the ball in the frame of dead reckoning.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
+        .uses(robotlink::kCameraPose)
         .yields(robotlink::kBallModel)
         .keys({&kBallKey, &kBallPositionKey, &kBallAgeKey})
         .parameters<robotcontrol::FilteredBallParameters>();

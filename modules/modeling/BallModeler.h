@@ -8,9 +8,11 @@
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/ViewFrustum.h"
 
 namespace modules {
 
@@ -47,6 +49,7 @@ class BallModeler : public robotlink::Solution {
 
   /// For drawings of the derived classes.
   robotlink::DebugContext& debug_;
+  double ballRadius_;  ///< m
 
  private:
   void draw(const BallEstimate& ball) {
@@ -66,7 +69,6 @@ class BallModeler : public robotlink::Solution {
     }
   }
 
-  double ballRadius_;
   robotlink::Output<robotcontrol::BallModel> model_;
 };
 
@@ -79,6 +81,7 @@ class PerceptBallModeler : public BallModeler {
       : BallModeler(context),
         percept_(context.input(robotlink::kBallPercept)),
         motion_(context.input(robotlink::kMotionStatus)),
+        camera_(context.input(robotlink::kCameraPose)),
         estimator_(options) {}
 
   void execute() override {
@@ -90,6 +93,7 @@ class PerceptBallModeler : public BallModeler {
     const robotlink::Pose2 odometry = motion_ ? robotlink::pose2(motion_->odometry()) : robotlink::Pose2{};
     estimator_.setOptions(options());
     estimator_.update(time, odometry, seen);
+    if (isGone()) estimator_.forget();
     publish(estimator_.estimate(), percept_->timestamp());
     drawMore(estimator_, odometry);
   }
@@ -98,13 +102,35 @@ class PerceptBallModeler : public BallModeler {
   virtual typename Estimator::Options options() const = 0;
   /// Percepts with less confidence are ignored.
   virtual double minimumConfidence() const = 0;
+  /// After so many images in a row that should show the ball and do not, it is forgotten; 0: never.
+  virtual int absentImages() const { return 0; }
   /// What the estimator has to show beyond the estimate.
   virtual void drawMore(const Estimator& /*estimator*/, const robotlink::Pose2& /*robotInOdometry*/) {}
 
  private:
+  /// Where a ball that is there is found in nearly each image: so far away, m, and in this part of the image.
+  static constexpr double kSureFrom = 0.25, kSureUpTo = 1.5, kSurePart = 0.8;
+
+  /// Counts the images that should show the ball and do not.
+  bool isGone() {
+    const BallEstimate ball = estimator_.estimate();
+    const double distance = ball.position.norm();
+    if (percept_->seen() || !ball.known || absentImages() <= 0) {
+      absent_ = 0;
+    } else if (camera_ && distance > kSureFrom && distance < kSureUpTo &&
+               robotlink::ViewFrustum(*camera_).shows({ball.position.x(), ball.position.y(), ballRadius_},
+                                                      kSurePart)) {
+      ++absent_;
+    }
+    return absentImages() > 0 && absent_ >= absentImages();
+  }
+
   robotlink::Input<robotcontrol::BallPercept> percept_;
   robotlink::Input<robotcontrol::MotionStatus> motion_;
+  robotlink::Input<robotcontrol::CameraPose> camera_;
   Estimator estimator_;
+  /// Images in a row without the ball that should show it.
+  int absent_ = 0;
 };
 
 }  // namespace modules

@@ -15,6 +15,7 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
+#include "robotlink/packages/ViewFrustum.h"
 
 namespace app {
 namespace {
@@ -25,6 +26,7 @@ using robotlink::Pose2;
 using robotlink::Pose3;
 using robotlink::Vector2;
 using robotlink::Vector3;
+using robotlink::ViewFrustum;
 
 /// How far away a thing may be that counts as missed if it is not reported, m.
 constexpr double kNear = 2;
@@ -33,6 +35,8 @@ constexpr double kNear = 2;
 constexpr double kInvented = 0.3, kInventedShare = 0.25;
 /// The relative error counts up to this distance, m; nearer things than the second are taken as that far.
 constexpr double kRelativeUpTo = 1.5, kRelativeFrom = 0.1;
+/// A ball model whose percept is older does not count as seen, s.
+constexpr double kJustSeen = 0.1;
 /// Landmarks are looked at up to this distance, m, at about half of their height, m.
 constexpr double kLandmarkDistance = 4, kLandmarkHeight = 0.2;
 /// Another robot's height of which the center is looked at, m.
@@ -55,27 +59,9 @@ struct Thing {
 };
 
 /// What a robot sees, as its true camera shows it.
-class View {
- public:
-  explicit View(const OracleWorld& truth) {
-    const robotcontrol::CameraPose& camera = truth.camera();
-    if (!truth.has_camera() || camera.horizontal_angle() <= 0 || camera.vertical_angle() <= 0) return;
-    cameraInverse_ = robotlink::pose3(camera.camera_in_robot()).inverse();
-    across_ = std::tan(camera.horizontal_angle() / 2);
-    along_ = std::tan(camera.vertical_angle() / 2);
-  }
-  /// Whether a point of the robot's frame is inside of the image; x of the camera points into it.
-  bool shows(const Vector3& point) const {
-    if (!cameraInverse_) return false;
-    const Vector3 seen = *cameraInverse_ * point;
-    return seen.x() > 0.05 && std::abs(seen.y()) < across_ * seen.x() &&
-           std::abs(seen.z()) < along_ * seen.x();
-  }
-
- private:
-  std::optional<Pose3> cameraInverse_;
-  double across_ = 0, along_ = 0;
-};
+ViewFrustum viewOf(const OracleWorld& truth) {
+  return ViewFrustum(truth.camera());
+}
 
 Pose2 robotIn(const OracleWorld& truth) {
   return robotlink::pose2(truth.robot_in_field());
@@ -105,6 +91,8 @@ void compareBallModel(const google::protobuf::Message& value, const OracleWorld&
   ++errors.reported;
   errors.invented += isInvented((reported - ball).norm(), ball.norm()) ? 1 : 0;
   noteBall(errors, reported, ball);
+  if (model->seconds_since_seen() <= kJustSeen && ball.norm() <= kRelativeUpTo)
+    note(errors, "relative-seen", "", (reported - ball).norm() / std::max(ball.norm(), kRelativeFrom));
 }
 
 void compareTeamBall(const google::protobuf::Message& value, const OracleWorld& truth,
@@ -128,7 +116,7 @@ void compareBallPercept(const google::protobuf::Message& value, const OracleWorl
   if (percept == nullptr || !truth.has_ball_in_field()) return;
   const Vector2 ball = ballInRobot(truth);
   const Vector3 center(ball.x(), ball.y(), truth.ball_in_field().z());
-  const bool isDue = ball.norm() <= kNear && View(truth).shows(center);
+  const bool isDue = ball.norm() <= kNear && viewOf(truth).shows(center);
   errors.there += isDue ? 1 : 0;
   errors.missed += isDue && !percept->seen() ? 1 : 0;
   if (!percept->seen()) return;
@@ -182,7 +170,7 @@ void compareRobots(const google::protobuf::Message& value, const OracleWorld& tr
                    PackageErrors& errors) {
   const auto* percepts = dynamic_cast<const robotcontrol::RobotPercepts*>(&value);
   if (percepts == nullptr) return;
-  const View view(truth);
+  const ViewFrustum view = viewOf(truth);
   std::vector<Thing> others;
   for (const OracleWorld::Robot& other : truth.others()) {
     const Vector2 place = robotIn(truth).inverse() * robotlink::pose2(other.pose_in_field()).translation();
@@ -223,7 +211,7 @@ void compareLandmarks(const google::protobuf::Message& value, const OracleWorld&
   const auto* percepts = dynamic_cast<const robotcontrol::LandmarkPercepts*>(&value);
   if (percepts == nullptr || field == nullptr || !truth.has_robot_in_field()) return;
   std::map<std::string, Thing> landmarks;
-  const View view(truth);
+  const ViewFrustum view = viewOf(truth);
   for (const auto& [name, position] : landmarksOf(*field)) {
     const Vector2 place = robotIn(truth).inverse() * position;
     const bool isDue =

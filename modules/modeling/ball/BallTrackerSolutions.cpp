@@ -29,6 +29,8 @@ constexpr robotlink::ParameterRange kBallEvidence{0, 1, true};
 template <typename Options>
 struct BallOptions : Options {
   double minimumConfidence = 0.2;
+  /// As PerceptBallModeler::absentImages().
+  int absentImages = 10;
 };
 
 using RollingOptions = BallOptions<RollingBallFilter::Options>;
@@ -36,6 +38,7 @@ using RollingFields = robotcontrol::KalmanBallParameters;
 const robotlink::ParameterTable<RollingOptions> kRollingTable{
     {RollingFields::kMemoryFieldNumber, &RollingOptions::memory, kAtLeastZero},
     {RollingFields::kMinimumConfidenceFieldNumber, &RollingOptions::minimumConfidence, kShare},
+    {RollingFields::kAbsentImagesFieldNumber, &RollingOptions::absentImages, kAtLeastZero},
     {RollingFields::kDecelerationFieldNumber, &RollingOptions::deceleration, kAtLeastZero},
     {RollingFields::kAccelerationFieldNumber, &RollingOptions::acceleration, kAtLeastZero},
     {RollingFields::kDriftFieldNumber, &RollingOptions::drift, kAtLeastZero},
@@ -58,6 +61,7 @@ class KalmanBall final : public PerceptBallModeler<RollingBallFilter> {
  private:
   RollingBallFilter::Options options() const override { return kRollingTable.read(parameters_); }
   double minimumConfidence() const override { return kRollingTable.read(parameters_).minimumConfidence; }
+  int absentImages() const override { return kRollingTable.read(parameters_).absentImages; }
   void drawMore(const RollingBallFilter& filter, const Pose2&) override {
     if (!debug_.on(kRollingKey)) return;
     debug_.plot(kRollingKey, "probability", filter.rolling());
@@ -73,6 +77,7 @@ const robotlink::SolutionRegistration kKalmanBall =
         "Two Kalman filters with velocity, of a resting and of a rolling ball, mixed by how well they fit.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
+        .uses(robotlink::kCameraPose)
         .yields(robotlink::kBallModel)
         .keys({&kBallKey, &kBallPositionKey, &kBallAgeKey, &kRollingKey})
         .parameters<RollingFields>(kRollingTable.rules<RollingFields>());
@@ -83,6 +88,7 @@ const robotlink::ParameterTable<BallParticleOptions> kBallParticleTable{
     {BallParticleFields::kParticlesFieldNumber, &BallParticleOptions::particles, kAtLeastOne},
     {BallParticleFields::kMemoryFieldNumber, &BallParticleOptions::memory, kAtLeastZero},
     {BallParticleFields::kMinimumConfidenceFieldNumber, &BallParticleOptions::minimumConfidence, kShare},
+    {BallParticleFields::kAbsentImagesFieldNumber, &BallParticleOptions::absentImages, kAtLeastZero},
     {BallParticleFields::kDecelerationFieldNumber, &BallParticleOptions::deceleration, kAtLeastZero},
     {BallParticleFields::kStartRateFieldNumber, &BallParticleOptions::startRate, kAtLeastZero},
     {BallParticleFields::kStopRateFieldNumber, &BallParticleOptions::stopRate, kAtLeastZero},
@@ -112,6 +118,7 @@ class ParticleBallModeler final : public PerceptBallModeler<ParticleBall> {
   }
   ParticleBall::Options options() const override { return kBallParticleTable.read(parameters_); }
   double minimumConfidence() const override { return kBallParticleTable.read(parameters_).minimumConfidence; }
+  int absentImages() const override { return kBallParticleTable.read(parameters_).absentImages; }
   void drawMore(const ParticleBall& filter, const Pose2& robotInOdometry) override {
     if (!debug_.on(kBallParticlesKey)) return;
     auto drawing = debug_.robotDrawing(kBallParticlesKey);
@@ -134,6 +141,7 @@ const robotlink::SolutionRegistration kParticleBall =
         "A particle filter over place and velocity of the ball; each particle rests or rolls.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
+        .uses(robotlink::kCameraPose)
         .yields(robotlink::kBallModel)
         .keys({&kBallKey, &kBallPositionKey, &kBallAgeKey, &kBallParticlesKey})
         .parameters<BallParticleFields>(kBallParticleTable.rules<BallParticleFields>());

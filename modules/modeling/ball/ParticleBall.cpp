@@ -127,6 +127,13 @@ void ParticleBall::summarize(const Pose2& robotInOdometry) {
   estimate_.deviation = std::sqrt(0.5 * squares / static_cast<double>(particles_.size()));
 }
 
+void ParticleBall::forget() {
+  seenAt_.reset();
+  estimate_.known = false;
+  particles_.clear();
+  recent_.clear();
+}
+
 void ParticleBall::update(double time, const Pose2& robotInOdometry,
                           const std::optional<BallMeasurement>& seen) {
   const double seconds = updatedAt_ ? time - *updatedAt_ : 0;

@@ -55,6 +55,8 @@ class ParticleBall {
   /// Call it once a frame; the arguments are those of LastBall::update().
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
+  /// As LastBall::forget().
+  void forget();
   BallEstimate estimate() const { return estimate_; }
   /// Empty before the first percept.
   const std::vector<Particle>& particles() const { return particles_; }

@@ -141,6 +141,11 @@ RollingBallFilter::Model RollingBallFilter::combined() const {
   return mean;
 }
 
+void RollingBallFilter::forget() {
+  seenAt_.reset();
+  estimate_.known = false;
+}
+
 void RollingBallFilter::update(double time, const Pose2& robotInOdometry,
                                const std::optional<BallMeasurement>& seen) {
   const double seconds = updatedAt_ ? time - *updatedAt_ : 0;

@@ -42,6 +42,8 @@ class RollingBallFilter {
   /// Call it once a frame; the arguments are those of LastBall::update().
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
+  /// As LastBall::forget().
+  void forget();
   BallEstimate estimate() const { return estimate_; }
   /// The probability that the ball rolls, 0 to 1.
   double rolling() const { return models_[kRoll].probability; }
