@@ -28,6 +28,7 @@
 #include "widgets/motions/MotionFiles.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneDialogs.h"
+#include "widgets/sceneedit/SceneEdits.h"
 
 namespace app {
 namespace {
@@ -58,6 +59,21 @@ void MainWindow::createKeys() {
   undoOrder_->add(&widgets::colorBench(context_).undoStack());
   undoOrder_->add(&widgets::openLogs(context_).undoStack());
   undoOrder_->add(&widgets::motionBench(context_).undoStack());
+  auto& scene = widgets::sceneEdits(context_);
+  const auto step = [this, &scene](robotlink::Result<void> (widgets::SceneEdits::*act)()) {
+    const auto done = (scene.*act)();
+    if (done) return;
+    // After what the key says itself.
+    const QString reason = QString::fromStdString(done.error().describe());
+    QMetaObject::invokeMethod(
+        this, [this, reason] { statusBar()->showMessage(reason, kDoneShownMs); }, Qt::QueuedConnection);
+  };
+  undoOrder_->add({&scene, [&scene] { return scene.canUndo(); }, [&scene] { return scene.canRedo(); },
+                   [step] { step(&widgets::SceneEdits::undo); },
+                   [step] { step(&widgets::SceneEdits::redo); }});
+  connect(&scene, &widgets::SceneEdits::historyChanged, undoOrder_, [this, &scene] {
+    if (scene.canUndo() || scene.canRedo()) undoOrder_->touch(&scene);
+  });
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { findUndoStacks(now); });
   actions_->setGuard([this](const QString& command) { return mayReplace(command); });
   addReplayKeys();
@@ -103,7 +119,7 @@ void MainWindow::addColorKeys() {
 }
 
 void MainWindow::addEditingKeys() {
-  const auto report = [this](QUndoStack* stack, const QString& done, const QString& nothing) {
+  const auto report = [this](const QObject* stack, const QString& done, const QString& nothing) {
     const QString what = stack == nullptr ? QString() : stack->objectName();
     statusBar()->showMessage(stack == nullptr ? nothing
                              : what.isEmpty() ? done

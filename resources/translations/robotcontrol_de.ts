@@ -5915,6 +5915,22 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <source>The value to hold</source>
         <translation>Der Wert, der gehalten wird</translation>
     </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Drehung</translation>
+    </message>
 </context>
 <context>
     <name>widgets::BaseStateView</name>
@@ -13044,6 +13060,26 @@ Verzeichnung %8</translation>
         <source>upper limit</source>
         <translation>obere Grenze</translation>
     </message>
+    <message>
+        <source>solid %1</source>
+        <translation>Körper %1</translation>
+    </message>
+    <message>
+        <source>visible %1</source>
+        <translation>sichtbar %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>It is placed with what it belongs to</source>
+        <translation>Es wird mit dem bewegt, wozu es gehört</translation>
+    </message>
+    <message>
+        <source>%1 (cannot be changed here: no single number of the scene&apos;s files says it)</source>
+        <translation>%1 (hier nicht zu ändern: Keine einzelne Zahl in den Dateien der Szene sagt es)</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PropertiesView</name>
@@ -14558,10 +14594,6 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Von oben</translation>
     </message>
     <message>
-        <source>Looks down on the field</source>
-        <translation>Blickt auf das Feld hinab</translation>
-    </message>
-    <message>
         <source>Over the shoulder</source>
         <translation>Über die Schulter</translation>
     </message>
@@ -14712,6 +14744,14 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>faded</source>
         <translation>blass</translation>
+    </message>
+    <message>
+        <source>From above: looks down on the scene</source>
+        <translation>Von oben: blickt auf die Szene herab</translation>
+    </message>
+    <message>
+        <source>%1 has no shape to be shown.</source>
+        <translation>%1 hat keine Form, die gezeigt werden könnte.</translation>
     </message>
 </context>
 <context>

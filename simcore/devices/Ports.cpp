@@ -56,7 +56,7 @@ std::pair<int, const char*> commandOf(GuidedMotion::Kind kind) {
   return {};
 }
 
-/// Adds the ports of one moving model after the other, numbering bodies and hinges as Physics does.
+/// Adds the ports of one model after the other, numbering bodies and hinges of moving ones as Physics does.
 class Collector {
  public:
   explicit Collector(Ports& ports) : ports_(ports) {}
@@ -64,8 +64,8 @@ class Collector {
   void add(const ModelInstance& model, int index) {
     model_ = index;
     name_ = model.name;
-    if (model.type->isStatic) return;
     type_ = model.type.get();
+    if (type_->isStatic) return addStatic(model);
     firstHinge_ = hinge_;
     firstDoor_ = ports_.doors.size();
     servos_.assign(model.type->joints.size(), kNoServo);
@@ -90,6 +90,19 @@ class Collector {
   }
 
  private:
+  /// Adds the sensors of a model that never moves, as far as they look around: those of the world, which is
+  /// body 0.
+  void addStatic(const ModelInstance& model) {
+    bodies_ = {0, 0};
+    for (SensorDescription sensor : type_->sensors) {
+      if (!looksAround(sensor.kind)) continue;
+      const LinkDescription& link = type_->links[static_cast<std::size_t>(sensor.link)];
+      sensor.poseInLink = model.poseInWorld * link.poseInModel * sensor.poseInLink;
+      sensor.link = 0;
+      addSensor(sensor);
+    }
+  }
+
   PortInfo port(const std::string& path, const char* type, std::vector<int> shape, const char* unit) const {
     return {name_ + "/" + path, name_, type, std::move(shape), unit};
   }
@@ -345,8 +358,7 @@ class Collector {
     camera.info = port(sensor.name + "/image", "image", {sensor.height, sensor.width, 3}, "");
     camera.model = {sensor.width,         sensor.height,     sensor.horizontalAngle,
                     sensor.verticalAngle, sensor.vignetting, sensor.distortion};
-    // Body 0 of a RenderScene is the world.
-    camera.body = static_cast<int>(body_) + sensor.link + 1;
+    camera.body = bodies_.first + sensor.link;
     camera.cameraInBody = sensor.poseInLink;
     camera.period = robotlink::fromSeconds(1 / sensor.rate);
     camera.noise = sensor.errors.of(0).stddev;

@@ -183,6 +183,12 @@ void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, 
     result.link = linkIndex;
     result.poseInLink = resolvedPose(sensor.SemanticPose(), "", sensor.Element(), context);
     if (!readByType(sensor, model.links[static_cast<std::size_t>(linkIndex)], result, context)) continue;
+    if (context.isStatic && !looksAround(result.kind)) {
+      context.omit(
+          sensor.Element(), "sensor '" + sensor.Name() + "' of a static model",
+          "of its sensors, only cameras, lidars and sonars work; fix the model to the world by a joint");
+      continue;
+    }
     readOwnErrors(sensor.Element(), result.errors, context);
     model.sensors.push_back(result);
     for (SensorDescription& depth : depthOfColorCamera(sensor, result)) model.sensors.push_back(depth);

@@ -80,4 +80,10 @@ struct SensorDescription {
   ImageGeometry image;
 };
 
+/// Whether a sensor measures what is around it, and not what happens to its own body.
+inline bool looksAround(SensorDescription::Kind kind) {
+  using enum SensorDescription::Kind;
+  return kind == kCamera || kind == kImage || kind == kSonar || kind == kLaser;
+}
+
 }  // namespace simcore

@@ -232,6 +232,32 @@ TEST(SensorsTest, sensorsThatAreNotKnownAreLeftOut) {
   }
 }
 
+TEST(SensorsTest, aStaticModelLooksAround) {
+  const auto simulation = cartWith("", "", R"(
+    <model name="pole"><static>true</static><pose>-2 0 0.05 0 0 0</pose><link name="head"><pose>0.5 0 0 0 0 0</pose>
+      <sensor name="eye" type="camera"><update_rate>10</update_rate>
+        <camera><horizontal_fov>1</horizontal_fov><image><width>40</width><height>30</height></image></camera></sensor>
+      <sensor name="scanner" type="gpu_lidar"><update_rate>10</update_rate><lidar><scan><horizontal><samples>3</samples>
+        <min_angle>-0.1</min_angle><max_angle>0.1</max_angle></horizontal></scan>
+        <range><min>0.1</min><max>10</max></range></lidar></sensor>
+      <sensor name="compass" type="magnetometer"/></link></model>)",
+                                   {.noise = false});
+  ASSERT_TRUE(simulation);
+  run(*simulation, 1);
+  // The cart's front is 1.3 m before it.
+  const auto ranges = reading(*simulation, "pole/scanner");
+  ASSERT_EQ(ranges.size(), 3U);
+  EXPECT_NEAR(ranges[1], 1.3, 1e-3);
+  ASSERT_EQ(simulation->cameras().size(), 1U);
+  EXPECT_EQ(simulation->cameras()[0].info.path, "pole/eye/image");
+  const auto percepts = simulation->truePercepts(0);
+  EXPECT_TRUE(std::ranges::any_of(percepts, [](const TruePercept& each) { return each.model == "cart"; }));
+  EXPECT_FALSE(simulation->read("pole/compass"));
+  EXPECT_TRUE(std::ranges::any_of(simulation->scene().leftOut(), [](const LeftOut& each) {
+    return each.what == "sensor 'compass' of a static model";
+  }));
+}
+
 TEST(SensorsTest, wrongDescriptionsAreErrorsWithTheirLines) {
   const SceneFolder folder;
   const auto errorsOf = [&](const std::string& sensor) {

@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -24,7 +25,16 @@ namespace {
 constexpr int kActuatorSteps = 1000;
 /// The range of an actuator that names none.
 constexpr double kUnknownRange = 1000;
-constexpr int kMaxPanelHeight = 220;
+
+/// What a value of an actuator with several values is called.
+QString valueName(const robotcontrol::WorldPort& port, int value) {
+  if (port.type() == "wheel_speeds")
+    return value == 0 ? ActuatorPanel::tr("left") : ActuatorPanel::tr("right");
+  const std::array motion{ActuatorPanel::tr("ahead"), ActuatorPanel::tr("left"), ActuatorPanel::tr("turn")};
+  if (port.type() == "motion" && port.shape_size() == 1 && port.shape(0) == 3 && value < 3)
+    return motion[static_cast<std::size_t>(value)];
+  return QString::number(value);
+}
 
 }  // namespace
 
@@ -35,10 +45,7 @@ ActuatorPanel::ActuatorPanel(robotlink::Session& session, const SceneTreeModel& 
   describe(*release_,
            {"actuatorsRelease", tr("Release"), tr("Lets the robots' programs set these actuators again")});
   outcome_ = makeNote(this, "actuatorsOutcome", tr("Whether the actuators could be set"));
-  area_ = new QScrollArea(this);
-  area_->setWidgetResizable(true);
-  area_->setFrameShape(QFrame::NoFrame);
-  area_->setMaximumHeight(kMaxPanelHeight);
+  area_ = makeScrollArea(this, new QWidget);
   auto* row = new QHBoxLayout;
   row->addWidget(outcome_, 1);
   row->addWidget(release_);
@@ -81,7 +88,7 @@ void ActuatorPanel::addRow(const robotcontrol::WorldPort& port, int value, int v
   Row row{port.path(), port.robot(), value, isKnown ? port.minimum() : -kUnknownRange,
           isKnown ? port.maximum() : kUnknownRange};
   const QString path = QString::fromStdString(port.path());
-  const QString name = values == 1 ? path : QStringLiteral("%1 [%2]").arg(path).arg(value);
+  const QString name = values == 1 ? path : QStringLiteral("%1 [%2]").arg(path, valueName(port, value));
   const QString unit = QString::fromStdString(port.unit());
   const QByteArray suffix = (path + QLatin1Char('-') + QString::number(value)).toUtf8();
   row.slider = new QSlider(Qt::Horizontal, contents_);
@@ -119,6 +126,20 @@ void ActuatorPanel::addRow(const robotcontrol::WorldPort& port, int value, int v
   rows_.push_back(row);
 }
 
+double ActuatorPanel::present(const Row& row) const {
+  constexpr std::array<std::pair<std::string_view, const char*>, 4> kSiblings{{{"/request", "/position"},
+                                                                               {"/speed_request", "/speed"},
+                                                                               {"/torque_request", "/load"},
+                                                                               {"/force_request", "/load"}}};
+  for (const auto& [request, measured] : kSiblings) {
+    if (!row.port.ends_with(request)) continue;
+    const std::string sensor = row.port.substr(0, row.port.size() - request.size()) + measured;
+    if (const auto* reading = model_.reading(sensor); reading != nullptr && reading->values_size() > 0)
+      return reading->values(0);
+  }
+  return 0;
+}
+
 int ActuatorPanel::stepOf(const Row& row, double value) {
   return static_cast<int>(std::lround(kActuatorSteps * (value - row.minimum) / (row.maximum - row.minimum)));
 }
@@ -134,7 +155,8 @@ void ActuatorPanel::refresh() {
     row.field->setFont(font);
     if (row.slider->isSliderDown() || row.field->hasFocus() || row.slider->hasFocus()) continue;
     const bool hasValue = held != nullptr && row.value < held->values_size();
-    const double value = hasValue ? held->values(row.value) : std::clamp(0.0, row.minimum, row.maximum);
+    const double value =
+        hasValue ? held->values(row.value) : std::clamp(present(row), row.minimum, row.maximum);
     row.slider->setValue(stepOf(row, value));
     row.field->setValue(value);
   }

@@ -2,9 +2,11 @@
 #include "widgets/objects/PropertiesModel.h"
 
 #include <QFont>
+#include <QGuiApplication>
 #include <QStringList>
 
 #include "robotcontrol/World.pb.h"
+#include "widgets/Theme.h"
 #include "widgets/objects/PropertyRule.h"
 
 namespace widgets {
@@ -68,34 +70,46 @@ QString PropertiesModel::titleOf(const std::string& name) {
   return found == kTitles.end() ? QString::fromStdString(name) : tr(found->second);
 }
 
+void PropertiesModel::addRows(const robotcontrol::WorldObject& object, const QString& part, bool isWritable,
+                              std::vector<PropertyRow>& rows) const {
+  for (const auto& property : object.properties()) {
+    PropertyRow row{property.name(), textOf(property), QString::fromStdString(property.unit()), part};
+    row.file = property.file();
+    row.element.assign(property.element().begin(), property.element().end());
+    row.count = property.values_size();
+    row.isEditable = isWritable && !row.file.empty() && row.count > 0;
+    for (const auto* edits : {&taken_, &edits_}) {
+      const auto edit = edits->find({row.file, row.element});
+      if (row.file.empty() || edit == edits->end()) continue;
+      row.isChanged = edits == &edits_;
+      row.value = QString::fromStdString(edit->second);
+    }
+    rows.push_back(std::move(row));
+  }
+}
+
 void PropertiesModel::show(const robotcontrol::WorldObject* object, const std::optional<ObjectPose>& pose,
-                           bool isWritable) {
+                           bool isWritable, std::span<const robotcontrol::WorldObject* const> parts) {
   std::vector<PropertyRow> rows;
   for (int i = 0; pose && i < static_cast<int>(pose->size()); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    PropertyRow row{kPoseNames[at], QString::number((*pose)[at], 'f', 4),
-                    i < kPositions ? QStringLiteral("m") : QStringLiteral("rad"), i};
+    PropertyRow row{kPoseNames[at],
+                    QString::number((*pose)[at], 'f', 4),
+                    i < kPositions ? QStringLiteral("m") : QStringLiteral("rad"),
+                    {},
+                    i};
     row.isEditable = object != nullptr && object->is_movable();
     rows.push_back(std::move(row));
   }
-  if (object != nullptr) {
-    for (const auto& property : object->properties()) {
-      PropertyRow row{property.name(), textOf(property), QString::fromStdString(property.unit())};
-      row.file = property.file();
-      row.element.assign(property.element().begin(), property.element().end());
-      row.count = property.values_size();
-      row.isEditable = isWritable && !row.file.empty() && row.count > 0;
-      for (const auto* edits : {&taken_, &edits_}) {
-        const auto edit = edits->find({row.file, row.element});
-        if (row.file.empty() || edit == edits->end()) continue;
-        row.isChanged = edits == &edits_;
-        row.value = QString::fromStdString(edit->second);
-      }
-      rows.push_back(std::move(row));
-    }
+  if (object != nullptr) addRows(*object, {}, isWritable, rows);
+  for (const auto* part : parts) {
+    const QString name = QString::fromStdString(part->name());
+    const bool isSolid = part->kind() == robotcontrol::WorldObject::SOLID;
+    const bool isLink = part->kind() == robotcontrol::WorldObject::LINK;
+    addRows(*part, isLink ? name : (isSolid ? tr("solid %1") : tr("visible %1")).arg(name), isWritable, rows);
   }
   replaceRows(std::move(rows), [](const PropertyRow& a, const PropertyRow& b) {
-    return a.name == b.name && a.element == b.element;
+    return a.name == b.name && a.part == b.part && a.element == b.element;
   });
 }
 
@@ -126,7 +140,10 @@ QVariant PropertiesModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const PropertyRow& shown = row(index.row());
   if (role == Qt::DisplayRole || role == Qt::EditRole) {
-    if (index.column() == kName) return titleOf(shown.name);
+    if (index.column() == kName) {
+      const QString title = titleOf(shown.name);
+      return shown.part.isEmpty() ? title : tr("%1 (%2)").arg(title, shown.part);
+    }
     return index.column() == kValue ? shown.value : shown.unit;
   }
   if (role == Qt::TextAlignmentRole && index.column() == kValue) return kNumberAlignment;
@@ -135,12 +152,15 @@ QVariant PropertiesModel::data(const QModelIndex& index, int role) const {
     font.setBold(true);
     return font;
   }
+  if (role == Qt::ForegroundRole && index.column() == kValue && !shown.isEditable)
+    return colorOf(Meaning::kMuted, QGuiApplication::palette());
   if (role != Qt::ToolTipRole) return {};
   if (shown.isChanged)
     return tr("Not in the file yet: Save to file writes it; it holds when the scene is opened again");
   if (shown.poseIndex >= 0 && shown.isEditable) return tr("Double click to move the object");
   if (shown.isEditable) return tr("Double click to change it in %1").arg(QString::fromStdString(shown.file));
-  return shown.value;
+  if (shown.poseIndex >= 0) return tr("It is placed with what it belongs to");
+  return tr("%1 (cannot be changed here: no single number of the scene's files says it)").arg(shown.value);
 }
 
 Qt::ItemFlags PropertiesModel::flags(const QModelIndex& index) const {

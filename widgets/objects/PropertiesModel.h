@@ -4,6 +4,7 @@
 #include <QVariant>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,8 @@ struct PropertyRow {
   /// "mass"; of a pose "x", "y", "z", "roll", "pitch", "heading".
   std::string name;
   QString value, unit;
+  /// What of the object it belongs to, such as "visible box"; empty: to the object itself.
+  QString part = {};
   /// Its place among the six numbers of the pose; -1: it is no part of the pose.
   int poseIndex = -1;
   /// Where a file has it; empty: it cannot be changed there.
@@ -44,8 +47,10 @@ class PropertiesModel final : public RowModel<PropertyRow> {
 
   explicit PropertiesModel(QObject* parent = nullptr);
 
-  /// Shows an object at its pose; null: none. `isWritable`: whether files can be changed.
-  void show(const robotcontrol::WorldObject* object, const std::optional<ObjectPose>& pose, bool isWritable);
+  /// Shows an object at its pose; null: none. `parts` are objects whose properties are shown as its own, too.
+  /// `isWritable`: whether files can be changed.
+  void show(const robotcontrol::WorldObject* object, const std::optional<ObjectPose>& pose, bool isWritable,
+            std::span<const robotcontrol::WorldObject* const> parts = {});
   /// The changes for files, in the order of files and elements.
   std::vector<SceneFileEdit> edits() const;
   /// Keeps one; that of the same element before is replaced.
@@ -71,6 +76,9 @@ class PropertiesModel final : public RowModel<PropertyRow> {
  private:
   using Place = std::pair<std::string, std::vector<std::string>>;
   static QString titleOf(const std::string& name);
+  /// Adds the properties of an object, each with the part that it belongs to.
+  void addRows(const robotcontrol::WorldObject& object, const QString& part, bool isWritable,
+               std::vector<PropertyRow>& rows) const;
 
   /// The new texts by file and element.
   std::map<Place, std::string> edits_;

@@ -127,6 +127,21 @@ const robotcontrol::WorldObject* PropertiesView::object() const {
   return found == objects_->objects().end() ? nullptr : &*found;
 }
 
+std::vector<const robotcontrol::WorldObject*> PropertiesView::parts(
+    const robotcontrol::WorldObject& object) const {
+  using robotcontrol::WorldObject;
+  std::vector<const WorldObject*> parts;
+  if (!object.parent().empty()) return parts;
+  for (const WorldObject& other : objects_->objects()) {
+    const auto kind = other.kind();
+    if (other.model() == object.path() &&
+        (kind == WorldObject::LINK || kind == WorldObject::SHAPE || kind == WorldObject::SOLID))
+      parts.push_back(&other);
+  }
+  if (std::ranges::count(parts, WorldObject::LINK, &WorldObject::kind) != 1) parts.clear();
+  return parts;
+}
+
 std::optional<ObjectPose> PropertiesView::pose(const robotcontrol::WorldObject& object) {
   const auto pose = worldPose(object, scene_);
   return pose ? std::optional(objectPose(*pose)) : std::nullopt;
@@ -151,7 +166,8 @@ void PropertiesView::tick() {
                      : tr("No objects: start a simulation (File > Open scene…)."));
   // A number that is being typed must not be replaced.
   if (table_->findChild<QLineEdit*>() != nullptr && table_->findChild<QLineEdit*>()->hasFocus()) return;
-  model_.show(shown, shown == nullptr ? std::nullopt : pose(*shown), canWrite);
+  if (shown == nullptr) return model_.show(nullptr, std::nullopt, canWrite);
+  model_.show(shown, pose(*shown), canWrite, parts(*shown));
 }
 
 void PropertiesView::place(int index, double value) {

@@ -43,6 +43,8 @@ class PropertiesView final : public View {
   void createViews();
   void connectSignals();
   const robotcontrol::WorldObject* object() const;
+  /// The link and the shapes of a model of one link; else nothing.
+  std::vector<const robotcontrol::WorldObject*> parts(const robotcontrol::WorldObject& object) const;
   /// Where the object is now; unset: not known.
   std::optional<ObjectPose> pose(const robotcontrol::WorldObject& object);
   /// Moves the object.

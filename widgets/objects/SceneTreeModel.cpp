@@ -165,7 +165,7 @@ QString SceneTreeModel::valueText(const WorldObject& object) const {
     return port.is_actuator() ? tr("%1, held").arg(text) : text;
   }
   if (port.is_actuator()) return {};
-  if (port.type() == "image" && port.shape_size() >= 2)
+  if (!port.image_stream().empty() && port.shape_size() >= 2)
     return QStringLiteral("%1 × %2").arg(port.shape(1)).arg(port.shape(0));
   return QStringLiteral("–");
 }

@@ -196,8 +196,9 @@ void SceneTreeView::createViews() {
     row->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {4, 4, 4, 0}, 4);
   layout->addLayout(row);
-  layout->addWidget(tree_, 1);
-  layout->addWidget(actuators_);
+  auto* splitter = makeSplitter(this, "sceneTreeSplitter", Qt::Vertical, {{tree_, 3}, {actuators_, 2}});
+  keep("splitter", splitter);
+  layout->addWidget(splitter, 1);
   layout->addWidget(outcome_);
 }
 
@@ -287,11 +288,12 @@ const robotcontrol::WorldObject* SceneTreeView::selected() const {
 
 void SceneTreeView::showSelected() {
   const auto* object = selected();
-  const bool hasValues = isSensor(object) && valueCount(object->port()) > 0;
-  const bool hasImages = isSensor(object) && object->port().type() == "image";
+  const bool hasImages = isSensor(object) && !object->port().image_stream().empty();
+  const bool hasValues = isSensor(object) && !hasImages && valueCount(object->port()) > 0;
   plot_->setEnabled(hasValues && valueCount(object->port()) <= kMaxCurves);
   columns_->setEnabled(hasValues);
-  for (QAction* action : {image_, gray_, stereogram_}) action->setEnabled(hasImages);
+  for (QAction* action : {image_, gray_}) action->setEnabled(hasImages);
+  stereogram_->setEnabled(hasImages && object->port().type() == "depth");
   for (QAction* action : {alone_, around_, hide_, showAgain_, follow_, turnWith_, lookOut_, properties_})
     action->setEnabled(object != nullptr);
   copyPath_->setEnabled(object != nullptr);

@@ -93,8 +93,9 @@ void SceneView::createCameraActions() {
   reset_ = makeAction(
       this, "fit",
       {"sceneReset", tr("Reset camera"), tr("Shows the whole field or building from the side"), Qt::Key_R});
-  fromAbove_ = makeAction(this, "top-view",
-                          {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_A});
+  fromAbove_ =
+      makeAction(this, "top-view",
+                 {"sceneFromAbove", tr("From above"), tr("From above: looks down on the scene"), Qt::Key_A});
   behind_ = makeToggle(this, "behind",
                        {"sceneBehind", tr("Over the shoulder"),
                         tr("Looks over the robot's shoulder and follows it"), Qt::Key_B});
@@ -240,6 +241,7 @@ void SceneView::tick() {
   if (parts_.update(session().store())) {
     layers_.forget();
     extent_.reset();
+    isMeasured_ = false;
   }
   followMap();
   drawings()->refresh(session(), session().selectedRobot());
@@ -255,10 +257,20 @@ void SceneView::tick() {
   const bool log = session().store().find(robotlink::streams::kReplay) != nullptr;
   canvas_->setHint(
       log ? tr("This log holds no scene; the field view shows the estimated poses of its robots.")
-          : tr("No scene yet: start a simulation, or open a log."));
+      : !parts_.only().empty() ? tr("%1 has no shape to be shown.").arg(QString::fromStdString(parts_.only()))
+                               : tr("No scene yet: start a simulation, or open a log."));
   canvas_->setMovable(scene_.models(), move_->isChecked());
   follow();
-  canvas_->setContents(contents(beliefs_));
+  VisibleScene visible = contents(beliefs_);
+  measure(visible.bodies);
+  canvas_->setContents(std::move(visible));
+}
+
+void SceneView::measure(const std::vector<SceneBody>& bodies) {
+  if (isMeasured_ || mapBox_ || context().field || !parts_.only().empty()) return;
+  sceneBox_ = ShownParts::boxAround(bodies);
+  isMeasured_ = sceneBox_.has_value();
+  if (isMeasured_ && canvas_->overview()) canvas_->setOverview(box());
 }
 
 VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
@@ -364,7 +376,7 @@ void SceneView::follow() {
 SceneBox SceneView::box() const {
   if (mapBox_) return *mapBox_;
   const auto& field = context().field;
-  if (!field) return {};
+  if (!field) return sceneBox_.value_or(SceneBox());
   const QSizeF ground = fieldExtent(*field);
   return {.size = {ground.width(), ground.height(), field->beaconBaseHeight + 2 * field->beaconBandHeight}};
 }

@@ -102,6 +102,8 @@ class SceneView final : public PictureView {
   std::optional<robotlink::Pose2> robotPose() const;
   /// The field or the map, as a box.
   SceneBox box() const;
+  /// Looks once at how large the scene is.
+  void measure(const std::vector<SceneBody>& bodies);
   /// Reads the map that is shown.
   void followMap();
   /// Stops following the robot, because the user chose another camera.
@@ -134,6 +136,9 @@ class SceneView final : public PictureView {
   std::shared_ptr<const robotcontrol::GroundMap> map_;
   /// Extent of map_.
   std::optional<SceneBox> mapBox_;
+  /// The box around the bodies of a scene that has neither field nor map; unset: not known yet.
+  std::optional<SceneBox> sceneBox_;
+  bool isMeasured_ = false;
   /// The robots in the last tick.
   std::vector<RobotBelief> beliefs_;
   CameraRide ride_;

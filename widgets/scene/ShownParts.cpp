@@ -61,6 +61,20 @@ void ShownParts::apply(std::vector<SceneBody>& bodies, Surface usual) {
   if (found_.size() > 2 * bodies.size() + 1000) found_.clear();  // after many changes of the scene
 }
 
+std::optional<SceneBox> ShownParts::boxAround(const std::vector<SceneBody>& bodies) {
+  constexpr double kFlat = 1e-3;  // m
+  Eigen::AlignedBox3d all;
+  for (const SceneBody& body : bodies) {
+    Eigen::AlignedBox3d box;
+    for (const SceneMesh* mesh : {&body.shape->opaque, &body.shape->translucent})
+      for (const auto& vertex : mesh->vertices)
+        box.extend(body.inField * Eigen::Map<const Eigen::Vector3f>(vertex.position.data()).cast<double>());
+    if (!box.isEmpty() && box.sizes().z() > kFlat) all.extend(box);
+  }
+  if (all.isEmpty()) return std::nullopt;
+  return SceneBox{all.center().head<2>(), {all.sizes().x(), all.sizes().y(), std::max(0.1, all.max().z())}};
+}
+
 std::optional<ShownParts::Extent> ShownParts::extentOf(const std::string& path,
                                                        const std::vector<SceneBody>& bodies,
                                                        const SceneState& scene) const {

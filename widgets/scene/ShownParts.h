@@ -43,6 +43,8 @@ class ShownParts {
   /// Unset if none of the bodies belongs to the object, or the object has no place.
   std::optional<Extent> extentOf(const std::string& path, const std::vector<SceneBody>& bodies,
                                  const SceneState& scene) const;
+  /// The box on the ground around bodies, without flat ones, which are the ground; unset: there are none.
+  static std::optional<SceneBox> boxAround(const std::vector<SceneBody>& bodies);
 
  private:
   void forgetFound();

@@ -21,6 +21,7 @@ NewSceneDialog::NewSceneDialog(const SceneLanguage& language, std::filesystem::p
   auto* form = new QFormLayout(this);
   name_ = new QLineEdit(QStringLiteral("room"), this);
   describe(*name_, {"newSceneName", tr("Name"), tr("Of the world and its file: letters, digits, - and _")});
+  name_->selectAll();
   form->addRow(tr("Name"), name_);
   const RoomChoice usual;
   width_ = addLength(*form, "newSceneWidth", tr("Width"), usual.width, 2, 50);

@@ -63,6 +63,8 @@ SceneEditorView::SceneEditorView(ViewContext& context, QWidget* parent)
   showFiles();
   showCurrent();
   showPlace();
+  // Nobody hears of the title before the view is in its dock.
+  QMetaObject::invokeMethod(this, &SceneEditorView::showState, Qt::QueuedConnection);
 }
 
 // The documents belong to the bench, which stays.

@@ -61,6 +61,7 @@ Result<void> SceneFile::read(const std::filesystem::path& path) {
                    {path.string(), 0, 0});
   text.remove(QLatin1Char('\r'));
   path_ = path;
+  saved_ = text;
   setText(text, false);
   return {};
 }
@@ -76,6 +77,7 @@ Result<void> SceneFile::write(const std::filesystem::path& path) {
   const std::string_view contents(bytes.constData(), static_cast<std::size_t>(bytes.size()));
   if (const auto done = robotlink::writeFileAtomically(path, contents); !done) return done;
   path_ = path;
+  saved_ = text();
   document_->setModified(false);
   Q_EMIT titleChanged();
   return {};
@@ -83,6 +85,8 @@ Result<void> SceneFile::write(const std::filesystem::path& path) {
 
 void SceneFile::replaceText(const QString& text) {
   replaceDocumentText(*document_, text);
+  // What was taken back is not asked about.
+  if (!saved_.isNull() && text == saved_) document_->setModified(false);
 }
 
 void replaceDocumentText(QTextDocument& document, const QString& after) {

@@ -68,6 +68,8 @@ class SceneFile final : public QObject {
   QTextDocument* document_;
   std::filesystem::path path_;
   QString name_, instance_;
+  /// The text as it is in the file; null: there is none yet.
+  QString saved_;
   std::vector<SceneProblem> problems_;
   int revision_ = 0, checkedRevision_ = -1;
 };

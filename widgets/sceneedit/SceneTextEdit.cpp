@@ -79,6 +79,8 @@ void SceneTextEdit::showDocument(QTextDocument* document, bool isXml, const std:
   file_ = file;
   isXml_ = isXml;
   setMarks({});
+  // Only the document that is shown follows the font of the editor.
+  document->setDefaultFont(font());
   if (document != this->document()) setDocument(document);
   QTextDocument* colored = isXml ? document : nullptr;
   if (colors_->document() != colored) colors_->setDocument(colored);

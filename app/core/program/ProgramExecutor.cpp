@@ -48,9 +48,6 @@ ProgramExecutor::ProgramExecutor(Options options)
     auto lockstep = lockstepOptions();
     lockstep.advance = options_.advance;
     lockstep_ = std::make_unique<robotlink::LockstepExecutor>(std::move(lockstep));
-    if (options_.patience.count() == 0) return;
-    crew_ = std::make_unique<TurnCrew>(options_.pool ? options_.pool->threads() : 1,
-                                       [this](std::size_t team) { takeTurn(team); });
     return;
   }
   const auto trouble = [muted = isMuted_, report = options_.trouble](const Process& process,
@@ -91,7 +88,7 @@ void ProgramExecutor::add(robotlink::Platform& platform, const std::vector<Proce
   }
   team.lockstep = std::make_unique<robotlink::LockstepExecutor>(lockstepOptions());
   for (Process* process : processes) team.lockstep->add(*process);
-  team.takesTurns = (crew_ || options_.pool) && guard == Guard::kYes;
+  team.takesTurns = (isPatient() || options_.pool) && guard == Guard::kYes;
 }
 
 void ProgramExecutor::start() {
@@ -119,6 +116,15 @@ void ProgramExecutor::runProcesses() {
   options_.ran(std::chrono::steady_clock::now() - begin);
 }
 
+void ProgramExecutor::makeCrew() {
+  // More threads than there are robots would only look for turns.
+  const auto robots = std::ranges::count_if(teams_, [](const auto& team) { return team->takesTurns; });
+  const int threads = options_.pool ? options_.pool->threads() : 1;
+  crew_ = std::make_unique<TurnCrew>(
+      std::min(threads, static_cast<int>(robots)), [this](std::size_t team) { takeTurn(team); },
+      options_.waiting);
+}
+
 void ProgramExecutor::takeTurns() {
   std::vector<std::size_t> turns;
   for (std::size_t i = 0; i < teams_.size(); ++i) {
@@ -127,7 +133,8 @@ void ProgramExecutor::takeTurns() {
     turns.push_back(i);
   }
   if (turns.empty()) return;
-  if (!crew_) return options_.pool->run(turns.size(), [&](std::size_t i) { takeTurn(turns[i]); });
+  if (!isPatient()) return options_.pool->run(turns.size(), [&](std::size_t i) { takeTurn(turns[i]); });
+  if (!crew_) makeCrew();
   for (const std::size_t late : crew_->run(turns, *patience_))
     setStuck(*teams_[late], true, busyProcess(teams_[late]->processes));
 }

@@ -48,6 +48,8 @@ class ProgramExecutor {
     /// In lockstep, the threads that share the robots' programs; null: one does. With a patience the programs
     /// run in as many threads of their own.
     std::shared_ptr<robotlink::ThreadPool> pool = nullptr;
+    /// How those threads wait for each other.
+    TurnCrew::Waiting waiting = TurnCrew::Waiting::kAlert;
     /// Called if something is wrong with a process, with the rest of a sentence: "was stopped because it
     /// threw: ...". Must not be empty.
     std::function<void(const robotlink::Process& process, const std::string& text)> trouble;
@@ -108,6 +110,9 @@ class ProgramExecutor {
   /// The processes' part of a step in lockstep.
   void runProcesses();
   void takeTurns();
+  /// Whether turns are given up that take too long; then a crew makes them.
+  bool isPatient() const { return lockstep_ && options_.patience.count() > 0; }
+  void makeCrew();
   /// In any thread.
   void takeTurn(std::size_t team);
   bool hasEnded(std::size_t team) const;
@@ -124,8 +129,8 @@ class ProgramExecutor {
   /// One of the two is null, depending on the kind.
   std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;
-  /// Null if processes run in the caller's thread, or all in their own. The last member, since it uses the
-  /// teams.
+  /// Null before the first turn, and if processes run in the caller's thread, or all in their own. The last
+  /// member, since it uses the teams.
   std::unique_ptr<TurnCrew> crew_;
 };
 

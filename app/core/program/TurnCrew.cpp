@@ -17,7 +17,9 @@ constexpr std::chrono::milliseconds kTurnLook{10};
 
 }  // namespace
 
-TurnCrew::TurnCrew(int threads, std::function<void(std::size_t)> turn) : turn_(std::move(turn)) {
+TurnCrew::TurnCrew(int threads, std::function<void(std::size_t)> turn, Waiting waiting)
+    : turn_(std::move(turn)),
+      handover_(threads > 1 || waiting == Waiting::kAlert ? nullptr : std::make_unique<Handover>()) {
   const std::lock_guard lock(mutex_);
   for (int i = 0; i < std::max(1, threads); ++i) addWorker();
 }
@@ -28,7 +30,7 @@ TurnCrew::~TurnCrew() {
     isOver_ = areWaiting_ = true;
     waiting_.clear();
   }
-  wanted_.notify_all();
+  wake(workers_.size());
   for (Worker& worker : workers_) worker.thread.join();
 }
 
@@ -49,17 +51,34 @@ std::vector<std::size_t> TurnCrew::run(std::span<const std::size_t> members, con
   waiting_.assign(members.begin(), members.end());
   open_ = members.size();
   areWaiting_ = open_ > 0;
-  if (members.size() == 1) {
+  lock.unlock();
+  wake(members.size());
+  waitForTurns(patience, late);
+  std::ranges::sort(late, {}, [&](std::size_t member) { return std::ranges::find(members, member); });
+  return late;
+}
+
+void TurnCrew::wake(std::size_t turns) {
+  if (handover_) {
+    handover_->wanted.signal();
+  } else if (turns == 1) {
     wanted_.notify_one();
   } else {
     wanted_.notify_all();
   }
-  lock.unlock();
-  robotlink::waitBriefly(kAttention, [this] { return open_ == 0; });
-  lock.lock();
-  while (!done_.wait_for(lock, kTurnLook, [this] { return open_ == 0; })) giveUp(patience, late);
-  std::ranges::sort(late, {}, [&](std::size_t member) { return std::ranges::find(members, member); });
-  return late;
+}
+
+void TurnCrew::waitForTurns(const ModulePatience& patience, std::vector<std::size_t>& late) {
+  if (!handover_) robotlink::waitBriefly(kAttention, [this] { return open_ == 0; });
+  std::unique_lock lock(mutex_);
+  while (!handover_ && !done_.wait_for(lock, kTurnLook, [this] { return open_ == 0; }))
+    giveUp(patience, late);
+  while (handover_ && open_ != 0) {
+    lock.unlock();
+    const bool isDone = handover_->done.wait(kTurnLook);
+    lock.lock();
+    if (!isDone) giveUp(patience, late);
+  }
 }
 
 void TurnCrew::giveUp(const ModulePatience& patience, std::vector<std::size_t>& late) {
@@ -91,7 +110,8 @@ bool TurnCrew::waitFor(std::size_t member, std::chrono::milliseconds limit) {
 void TurnCrew::loop(Worker& worker) {
   robotlink::BriefWait wait(kAttention);
   while (true) {
-    wait.look([this] { return areWaiting_.load(); });
+    if (!handover_) wait.look([this] { return areWaiting_.load(); });
+    while (handover_ && !areWaiting_) handover_->wanted.wait();
     std::unique_lock lock(mutex_);
     wanted_.wait(lock, [this] { return isOver_ || !waiting_.empty(); });
     wait.end();
@@ -108,6 +128,7 @@ void TurnCrew::loop(Worker& worker) {
     if (!isLost && --open_ > 0) continue;
     // A thread that is woken while the lock is held has to wait for it again at once.
     lock.unlock();
+    if (handover_ && !isLost) handover_->done.signal();
     done_.notify_all();
     // Whoever joins it may hold the lock.
     if (isLost) return;

@@ -8,6 +8,7 @@
 #include <deque>
 #include <functional>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "app/core/program/ModulePatience.h"
+#include "robotlink/base/threads/HandoverSignal.h"
 
 namespace app {
 
@@ -23,9 +25,13 @@ namespace app {
 /// which is replaced. One thread at a time may ask.
 class TurnCrew {
  public:
+  /// How a crew of one thread, and who asks it, wait for each other. Alert ones look for news for a while,
+  /// which is faster where nobody else needs the processors; those asleep leave them to others, such as the
+  /// views of a window. Crews of several threads are always alert.
+  enum class Waiting { kAlert, kAsleep };
   /// `turn` is called with the number of a member in one of `threads` threads, at least one. Turns of
   /// different members must not disturb each other.
-  TurnCrew(int threads, std::function<void(std::size_t member)> turn);
+  TurnCrew(int threads, std::function<void(std::size_t member)> turn, Waiting waiting = Waiting::kAlert);
   /// Waits for the turns that are in progress.
   ~TurnCrew();
   TurnCrew(const TurnCrew&) = delete;
@@ -48,7 +54,15 @@ class TurnCrew {
     bool isLost = false;
     std::thread thread = {};
   };
+  /// The hand-over of a crew of one that sleeps: who asks and the thread work in turn.
+  struct Handover {
+    robotlink::HandoverSignal wanted, done;
+  };
   void addWorker();
+  /// Wakes threads for turns.
+  void wake(std::size_t turns);
+  /// Returns when all turns have ended or were given up.
+  void waitForTurns(const ModulePatience& patience, std::vector<std::size_t>& late);
   void loop(Worker& worker);
   /// Gives up turns that take too long; the mutex must be locked.
   void giveUp(const ModulePatience& patience, std::vector<std::size_t>& late);
@@ -56,6 +70,8 @@ class TurnCrew {
   bool isWorking(std::size_t member) const;
 
   const std::function<void(std::size_t)> turn_;
+  /// Null: threads are alert.
+  const std::unique_ptr<Handover> handover_;
   /// Protects the rest.
   mutable std::mutex mutex_;
   std::condition_variable wanted_, done_;

@@ -184,6 +184,7 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
             for (const auto& robot : robots_) robot->deliver();
           },
       .pool = world_->pool(),
+      .waiting = options_.isWatched ? TurnCrew::Waiting::kAsleep : TurnCrew::Waiting::kAlert,
       .trouble = [this](const auto& process, const auto& text) { reportTrouble(process, text); },
       .patience = options_.patience,
       .cut = patience_,

@@ -71,6 +71,8 @@ struct RunOptions {
   std::optional<ArcosPorts::Options> ports = {};
   /// How long a module may take before it counts as not returning, in real time; 0: for ever.
   std::chrono::milliseconds patience{0};
+  /// Whether a window shows the run, with which it shares the processors.
+  bool isWatched = false;
   /// Where programs run, and whether in threads.
   HostingChoices hosting = {};
   /// How those in processes of their own are run.

@@ -100,6 +100,7 @@ tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed:
   auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session, recorder));
   feed->choices_ = std::move(choices);
   options.world.rewindBytes = kRewindBytes;
+  options.isWatched = true;
   if (options.patience.count() == 0) options.patience = kModulePatience;
   auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));

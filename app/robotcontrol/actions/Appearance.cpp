@@ -6,9 +6,13 @@
 #include <QDBusInterface>
 #include <QDBusReply>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyle>
 #include <QStyleFactory>
+#include <QStyleOptionButton>
 #include <optional>
+
+#include "widgets/Icon.h"
 
 namespace app {
 namespace {
@@ -43,16 +47,44 @@ bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
 }
 
+/// The color in the middle between two.
+QColor half(const QColor& a, const QColor& b) {
+  return QColor::fromRgbF(0.5 * (a.redF() + b.redF()), 0.5 * (a.greenF() + b.greenF()),
+                          0.5 * (a.blueF() + b.blueF()));
+}
+
+/// The Fusion style, with marks that can be seen on dark windows too: it draws the frames of check boxes in
+/// the color of the window, only darker.
+class VisibleMarks final : public QProxyStyle {
+ public:
+  VisibleMarks() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    if (element == PE_IndicatorTabClose) {
+      const bool isActive = (option->state & State_Enabled) && (option->state & State_MouseOver);
+      return widgets::icon("close").paint(painter, option->rect, Qt::AlignCenter,
+                                          isActive ? QIcon::Active : QIcon::Normal);
+    }
+    const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+    if ((element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) || button == nullptr)
+      return QProxyStyle::drawPrimitive(element, option, painter, widget);
+    QStyleOptionButton seen = *button;
+    // The style makes it darker by this factor.
+    constexpr int kFrameDarker = 140;
+    seen.palette.setColor(QPalette::Window,
+                          half(button->palette.color(QPalette::Text), button->palette.color(QPalette::Base))
+                              .lighter(kFrameDarker));
+    QProxyStyle::drawPrimitive(element, &seen, painter, widget);
+  }
+};
+
 QPalette makePalette(const QColor& window, const QColor& base, const QColor& text, const QColor& accent) {
   QPalette palette(window.lighter(115), window);
-  const QColor faint =
-      QColor::fromRgbF(0.5 * (text.redF() + window.redF()), 0.5 * (text.greenF() + window.greenF()),
-                       0.5 * (text.blueF() + window.blueF()));
+  const QColor faint = half(text, window);
   palette.setColor(QPalette::Window, window);
   palette.setColor(QPalette::Base, base);
-  palette.setColor(QPalette::AlternateBase, QColor::fromRgbF(0.5 * (base.redF() + window.redF()),
-                                                             0.5 * (base.greenF() + window.greenF()),
-                                                             0.5 * (base.blueF() + window.blueF())));
+  palette.setColor(QPalette::AlternateBase, half(base, window));
   palette.setColor(QPalette::ToolTipBase, base);
   for (const auto role :
        {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
@@ -104,7 +136,7 @@ QString nameOf(Appearance appearance) {
 }
 
 void apply(Appearance appearance, QApplication& application) {
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new VisibleMarks);
   if (appearance == Appearance::kHighContrast) return application.setPalette(highContrastPalette());
   const bool dark = appearance == Appearance::kDark ||
                     (appearance == Appearance::kSystem &&

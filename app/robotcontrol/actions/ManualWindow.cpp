@@ -131,6 +131,13 @@ void ManualWindow::filter(const QString& words) {
 
 void ManualWindow::showPage(const QString& name) {
   const QString known = pages_.contains(name) ? name : QLatin1String(kFirst);
+  const auto isListed = [this, &known] {
+    for (int row = 0; row < list_->count(); ++row)
+      if (list_->item(row)->data(Qt::UserRole).toString() == known) return true;
+    return false;
+  };
+  // An earlier search does not hide the page that is wanted now.
+  if (!isListed()) search_->clear();
   if (shown_ == known) return;
   browser_->setSource(QUrl(known + QLatin1String(kSuffix)), QTextDocument::MarkdownResource);
 }

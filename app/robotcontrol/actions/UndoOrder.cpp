@@ -3,36 +3,50 @@
 
 #include <QUndoStack>
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
 void UndoOrder::add(QUndoStack* stack) {
-  if (std::ranges::find(stacks_, stack) != stacks_.end()) return;
-  stacks_.push_back(stack);
+  if (std::ranges::find(histories_, stack, &History::owner) != histories_.end()) return;
+  add({stack, [stack] { return stack->canUndo(); }, [stack] { return stack->canRedo(); },
+       [stack] { stack->undo(); }, [stack] { stack->redo(); }});
   if (stack->index() > 0) touch(stack);
-  connect(stack, &QUndoStack::indexChanged, this, [this, stack] { touch(stack); });
-  connect(stack, &QObject::destroyed, this, [this, stack] { std::erase(stacks_, stack); });
+  connect(stack, &QUndoStack::indexChanged, this, [this, stack] {
+    if (stack->count() > 0) touch(stack);
+  });
 }
 
-void UndoOrder::touch(QUndoStack* stack) {
-  const auto found = std::ranges::find(stacks_, stack);
-  if (found != stacks_.end() && stack->count() > 0) std::rotate(stacks_.begin(), found, found + 1);
+void UndoOrder::add(History history) {
+  const QObject* owner = history.owner;
+  histories_.push_back(std::move(history));
+  connect(owner, &QObject::destroyed, this, [this, owner] {
+    std::erase_if(histories_, [&](const History& one) { return one.owner == owner; });
+  });
 }
 
-QUndoStack* UndoOrder::undo() {
-  const auto found = std::ranges::find_if(stacks_, &QUndoStack::canUndo);
-  if (found == stacks_.end()) return nullptr;
-  QUndoStack* stack = *found;
-  stack->undo();
-  return stack;
+void UndoOrder::touch(const QObject* owner) {
+  const auto found = std::ranges::find(histories_, owner, &History::owner);
+  if (found != histories_.end()) std::rotate(histories_.begin(), found, found + 1);
 }
 
-QUndoStack* UndoOrder::redo() {
-  const auto found = std::ranges::find_if(stacks_, &QUndoStack::canRedo);
-  if (found == stacks_.end()) return nullptr;
-  QUndoStack* stack = *found;
-  stack->redo();
-  return stack;
+const QObject* UndoOrder::undo() {
+  const auto found = std::ranges::find_if(histories_, [](const History& one) { return one.canUndo(); });
+  if (found == histories_.end()) return nullptr;
+  const QObject* owner = found->owner;
+  // A copy, since the change may move the history to the front.
+  const auto act = found->undo;
+  act();
+  return owner;
+}
+
+const QObject* UndoOrder::redo() {
+  const auto found = std::ranges::find_if(histories_, [](const History& one) { return one.canRedo(); });
+  if (found == histories_.end()) return nullptr;
+  const QObject* owner = found->owner;
+  const auto act = found->redo;
+  act();
+  return owner;
 }
 
 }  // namespace app

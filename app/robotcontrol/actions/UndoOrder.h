@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <vector>
 
 class QUndoStack;
@@ -10,26 +11,34 @@ class QUndoStack;
 namespace app {
 
 /// A common undo for everything that can be edited: it reverts the last change of the document that was
-/// edited last. Each undo stack keeps its own order of changes. Stacks may be destroyed at any time. GUI
-/// thread.
+/// edited last. Each history, such as an undo stack, keeps its own order of changes. Histories may be
+/// destroyed at any time. GUI thread.
 class UndoOrder final : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
 
+  /// A history that is no undo stack.
+  struct History {
+    const QObject* owner = nullptr;
+    std::function<bool()> canUndo, canRedo;
+    std::function<void()> undo, redo;
+  };
+
   /// Registers a stack; ignored if it is registered already.
   void add(QUndoStack* stack);
-  /// Reverts a change and returns its stack; null if there is nothing to undo.
-  QUndoStack* undo();
-  /// Repeats a change and returns its stack; null if there is nothing to redo.
-  QUndoStack* redo();
+  /// Registers another history; touch() says when it has changed.
+  void add(History history);
+  /// The history of an owner was edited last.
+  void touch(const QObject* owner);
+  /// Reverts a change and returns the owner of its history; null if there is nothing to undo.
+  const QObject* undo();
+  /// Repeats a change and returns the owner of its history; null if there is nothing to redo.
+  const QObject* redo();
 
  private:
-  /// Moves a stack to the front.
-  void touch(QUndoStack* stack);
-
   /// The one that was edited last is the first.
-  std::vector<QUndoStack*> stacks_;
+  std::vector<History> histories_;
 };
 
 }  // namespace app

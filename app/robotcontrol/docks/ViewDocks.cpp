@@ -154,7 +154,11 @@ void ViewDocks::focusOn(ads::CDockWidget* dock) {
   QWidget* const view = dock->widget();
   QWidget* first = view;
   // The chain leads around the whole window.
-  while (first->focusProxy() == nullptr && (first->focusPolicy() & Qt::TabFocus) == 0) {
+  const auto takesFocus = [view](const QWidget& widget) {
+    return widget.isEnabled() && widget.isVisibleTo(view) &&
+           (widget.focusProxy() != nullptr || (widget.focusPolicy() & Qt::TabFocus) != 0);
+  };
+  while (!takesFocus(*first)) {
     first = first->nextInFocusChain();
     if (first == view || !view->isAncestorOf(first)) return view->setFocus();
   }

@@ -77,6 +77,20 @@ class SceneHandsGuiTest : public WindowTest {
     QVERIFY(desk.has("box"));
   }
 
+  void keysUndoAndRedoWhatWasDoneByHand() {
+    RoomDesk desk(home_);
+    desk.window.show();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
+    QCOMPARE(desk.run("view.show scene"), QString());
+    QCOMPARE(desk.run("scene.insert box 1.5 1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("box"), kWaitMs);
+    auto& canvas = desk.find<QWidget>("sceneCanvas");
+    QTest::keyClick(&canvas, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.has("box"), kWaitMs);
+    QTest::keyClick(&canvas, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("box"), kWaitMs);
+  }
+
   void whatDoesNotFitIsRefusedAndNothingChanges() {
     RoomDesk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);

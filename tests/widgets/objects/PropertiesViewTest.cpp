@@ -36,6 +36,20 @@ class PropertiesViewTest : public QObject {
     QCOMPARE(valueOf(*view, "mass").data().toString(), QStringLiteral("2"));
   }
 
+  void aModelOfOneLinkShowsItsPartsToo() {
+    ObjectsBench bench;
+    bench.context.writeScene = [](const auto&) -> robotlink::Result<void> { return {}; };
+    auto view = bench.open<PropertiesView>();
+    sceneSelection(bench.context).select("red1");
+    const QModelIndex mass = valueOf(*view, "mass (body)");
+    QVERIFY(mass.isValid());
+    QVERIFY(mass.flags() & Qt::ItemIsEditable);
+    bench.add(robotcontrol::WorldObject::LINK, "red1/link:head", "red1/joint:pan");
+    bench.push("objects", bench.objects, 1);
+    bench.tick(*view);
+    QVERIFY(!valueOf(*view, "mass (body)").isValid());
+  }
+
   void anEditedPoseMovesTheModel() {
     ObjectsBench bench;
     auto view = bench.open<PropertiesView>();

@@ -2,6 +2,8 @@
 #include "widgets/scene/render/RenderThread.h"
 
 #include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <ctime>
@@ -14,6 +16,10 @@ using namespace std::chrono_literals;
 
 constexpr auto kShortestInterval = 33ms;
 constexpr double kShareOfCore = 0.4, kShareInHurry = 0.9;
+
+/// On a busy machine a picture yields to the simulation that it shows: this thread has this niceness, which
+/// on Linux is a thread's own.
+constexpr int kNiceness = 5;
 
 /// Minimum time from the start of one picture to the start of the next.
 std::chrono::duration<double> interval(std::chrono::duration<double> cost, bool hurry) {
@@ -52,6 +58,7 @@ std::string RenderThread::device() const {
 
 void RenderThread::create(const MakeRenderer& makeRenderer) {
   pthread_setname_np(pthread_self(), "scene-renderer");
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness);
   auto renderer = makeRenderer();
   {
     const std::lock_guard lock(mutex_);

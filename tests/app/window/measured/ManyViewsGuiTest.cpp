@@ -179,9 +179,9 @@ class DeskFigures {
   /// Long enough for plots to have read what is on disk.
   static constexpr auto kSettle = 2000ms;
   static constexpr auto kWithViews = 3000ms;
-  static constexpr int kComparisons = 2;
+  static constexpr int kComparisons = 4;
   /// From when to when the same is simulated, in s.
-  static constexpr double kFrom = 10, kTo = 70;
+  static constexpr double kFrom = 10, kTo = 60;
   /// On a machine that is so busy that figures mean nothing, less is enough. In s.
   static constexpr double kLongest = 15;
 
