@@ -44,7 +44,7 @@ struct GaitParameters {
   double counterRotationX = 0, counterRotationY = 1.29;
   /// By how much paws move slower to the front against a drift ahead when the robot turns or walks aside: m/s
   /// per (rad/s)^2 and per (m/s)^2. It counts less the faster the robot walks ahead or backward, and not at
-  /// all from `counterForwardUntil` (m/s) on.
+  /// all from `counterForwardUntil` (m/s) on; 0: never.
   double counterForwardRotation = 0, counterForwardSideways = 0, counterForwardUntil = 0.1;
   /// How far the hind paws move to the front per m/s of walking backwards, so that they continue to carry
   /// their share.

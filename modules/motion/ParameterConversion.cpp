@@ -51,7 +51,8 @@ void readSpeeds(GaitParameters& to, const robotcontrol::GaitParameters& from) {
   if (from.has_counter_rotation_y()) to.counterRotationY = from.counter_rotation_y();
   if (from.has_counter_forward_rotation()) to.counterForwardRotation = from.counter_forward_rotation();
   if (from.has_counter_forward_sideways()) to.counterForwardSideways = from.counter_forward_sideways();
-  if (from.counter_forward_until() > 0) to.counterForwardUntil = from.counter_forward_until();
+  if (from.has_counter_forward_until() && from.counter_forward_until() >= 0)
+    to.counterForwardUntil = from.counter_forward_until();
   if (from.maximum_x() > 0) to.maximumX = from.maximum_x();
   if (from.maximum_backward() > 0) to.maximumBackward = from.maximum_backward();
   if (from.has_hind_shift_backward()) to.hindShiftBackward = from.hind_shift_backward();
@@ -114,8 +115,9 @@ robotlink::ParameterRules gaitRules() {
        {Gait::kMaximumXFieldNumber, Gait::kMaximumBackwardFieldNumber, Gait::kMaximumYFieldNumber,
         Gait::kMaximumRotationFieldNumber, Gait::kMaximumChangeXFieldNumber, Gait::kMaximumChangeYFieldNumber,
         Gait::kMaximumChangeRotationFieldNumber, Gait::kMaximumStepXFieldNumber,
-        Gait::kMaximumStepYFieldNumber, Gait::kCounterForwardUntilFieldNumber})
+        Gait::kMaximumStepYFieldNumber})
     rules.ranges[{Motion::kGaitFieldNumber, field}] = kAboveZero;
+  rules.ranges[{Motion::kGaitFieldNumber, Gait::kCounterForwardUntilFieldNumber}] = {};
   rules.ranges[{Motion::kGaitFieldNumber, Gait::kStepFramesFieldNumber}] = {.minimum = 4, .maximum = 1000};
   for (const int pair : {Gait::kForeFieldNumber, Gait::kHindFieldNumber}) {
     for (const int phase : {Gait::LegPair::kGroundPhaseFieldNumber, Gait::LegPair::kLiftPhaseFieldNumber,

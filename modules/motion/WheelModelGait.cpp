@@ -78,7 +78,8 @@ Vector3 WheelModelGait::standInHip(Leg leg) const {
 
 Vector3 WheelModelGait::stepVector(Leg leg) const {
   const GaitParameters& p = parameters_;
-  const double still = std::max(0.0, 1 - std::abs(speed_.x) / p.counterForwardUntil);
+  const double until = p.counterForwardUntil;
+  const double still = until > 0 ? std::max(0.0, 1 - std::abs(speed_.x) / until) : 0;
   const double drift = p.counterForwardRotation * speed_.rotation * speed_.rotation +
                        p.counterForwardSideways * speed_.y * speed_.y;
   const double forward = speed_.x * (speed_.x < 0 ? p.factorBackward : p.factorX) - still * drift;

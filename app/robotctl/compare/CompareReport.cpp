@@ -173,8 +173,13 @@ std::string summaryTable(const Comparison& comparison) {
   std::string html = "<div class=wide><table><tr><th>figure</th>";
   for (const std::string& variant : comparison.variants()) html += "<th>" + escaped(variant) + "</th>";
   html += "<th>mean, 95 % bounds, single runs</th></tr>\n";
-  std::string group;
+  std::string group, constants;
   for (const Comparison::Row& row : comparison.rows()) {
+    if (const auto value = row.constant()) {
+      constants += fmt::format("{}{} ({})", constants.empty() ? "" : ", ", escaped(row.name),
+                               numberText(*value, row.unit));
+      continue;
+    }
     const std::string own = groupOf(row.name);
     if (std::exchange(group, own) != own && !own.empty())
       html += fmt::format("<tr class=group><td colspan={}>{}</td></tr>\n", comparison.variants().size() + 2,
@@ -187,7 +192,9 @@ std::string summaryTable(const Comparison& comparison) {
               "</td>";
     html += "<td>" + plotOf(row, comparison.variants()) + "</td></tr>\n";
   }
-  return html + "</table></div>\n";
+  html += "</table></div>\n";
+  if (!constants.empty()) html += "<p class=note>The same in all runs: " + constants + ".</p>\n";
+  return html;
 }
 
 /// "12 % less", colored where it is known whether that is good.

@@ -105,10 +105,23 @@ MeanInterval Comparison::meanOf(const Row& row, const std::string& variant) {
   return *cell->second.mean;
 }
 
+std::optional<double> Comparison::Row::constant() const {
+  std::optional<double> common;
+  for (const auto& [variant, cell] : byVariant) {
+    for (const auto& [subject, value] : cell.bySubject) {
+      if (value != common.value_or(value)) return std::nullopt;
+      common = value;
+    }
+  }
+  return common;
+}
+
 std::vector<Difference> Comparison::differences() const {
   std::vector<Difference> all;
   std::vector<double> chances;
   for (const Row& row : rows_) {
+    // They would only make the correction for the number of figures stricter.
+    if (row.constant()) continue;
     for (std::size_t i = 0; i < variants_.size(); ++i) {
       for (std::size_t j = i + 1; j < variants_.size(); ++j) {
         const auto first = row.byVariant.find(variants_[i]), second = row.byVariant.find(variants_[j]);

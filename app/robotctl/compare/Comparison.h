@@ -45,6 +45,9 @@ class Comparison {
   struct Row {
     std::string name, unit;
     std::map<std::string, Cell> byVariant;
+
+    /// The value of all runs of all variants, if they have the same.
+    std::optional<double> constant() const;
   };
 
   void add(const std::string& variant, const std::string& subject, const std::vector<Figure>& figures);
@@ -53,7 +56,7 @@ class Comparison {
   const std::vector<Row>& rows() const { return rows_; }
   /// Mean and bounds of a variant in a row; computed once. One thread at a time.
   static MeanInterval meanOf(const Row& row, const std::string& variant);
-  /// Each pair of variants in each row, in order.
+  /// Each pair of variants in each row whose values are not all the same, in order.
   std::vector<Difference> differences() const;
 
  private:

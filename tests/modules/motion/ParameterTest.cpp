@@ -71,7 +71,7 @@ TEST(ParameterTest, whatWouldBreakAGaitIsIgnored) {
   auto& gait = *message.mutable_gait();
   gait.set_step_frames(0);
   gait.set_maximum_x(-1);
-  gait.set_counter_forward_until(0);
+  gait.set_counter_forward_until(-0.1);
   gait.mutable_fore()->set_ground_phase(1.5);
   gait.mutable_hind()->set_lift_phase(0.45);
   gait.mutable_hind()->set_ground_phase(0.5);

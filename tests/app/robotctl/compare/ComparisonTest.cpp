@@ -72,6 +72,16 @@ TEST_F(ComparisonTest, whatIsRealIsFoundOnTheSameSubjects) {
   EXPECT_FALSE(all[1].isReal()) << "the cost goes up as often as down";
 }
 
+TEST_F(ComparisonTest, whatIsTheSameInAllRunsIsNoDifference) {
+  const std::size_t before = comparison_.differences().size();
+  for (int seed = 0; seed < 12; ++seed) {
+    for (const char* variant : {"old", "new, <better>"})
+      comparison_.add(variant, "seed " + std::to_string(seed), {{"latency", "s", 0}});
+  }
+  EXPECT_EQ(comparison_.differences().size(), before);
+  EXPECT_THAT(reportHtml(comparison_, {}), HasSubstr("The same in all runs: latency (0 s)."));
+}
+
 TEST_F(ComparisonTest, fewRunsAreNotReal) {
   Comparison few;
   for (int seed = 0; seed < 3; ++seed) {
