@@ -42,7 +42,7 @@ struct GaitParameters {
   double factorX = 0.995, factorBackward = 1, factorY = 1.053, factorRotation = 1.003;
   /// Rotation in rad/s per m/s to the front and to the left, against the drift of the robot.
   double counterRotationX = 0, counterRotationY = 1.29;
-  /// By how much paws move slower to the front against a drift ahead when the robot turns or walks aside: m/s
+  /// Paws move slower to the front by this against a drift ahead when the robot turns or walks aside: m/s
   /// per (rad/s)^2 and per (m/s)^2. It counts less the faster the robot walks ahead or backward, and not at
   /// all from `counterForwardUntil` (m/s) on; 0: never.
   double counterForwardRotation = 0, counterForwardSideways = 0, counterForwardUntil = 0.1;

@@ -178,7 +178,7 @@ class ModelWriter {
     if (!type_.links.empty()) place(object, 0, type_.links[0].poseInModel.inverse());
     double mass = 0;
     for (const auto& link : type_.links) mass += link.mass;
-    // Of a single link the mass stands with what else can be changed of it.
+    // The mass of a single link stands with what else can be changed of the link.
     if (!type_.isStatic && type_.links.size() > 1) addNumbers(object, "mass", {mass}, "kg");
     addText(object, "type", type_.name);
     addText(object, "file", type_.file);

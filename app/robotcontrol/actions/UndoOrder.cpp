@@ -31,22 +31,20 @@ void UndoOrder::touch(const QObject* owner) {
 }
 
 const QObject* UndoOrder::undo() {
-  const auto found = std::ranges::find_if(histories_, [](const History& one) { return one.canUndo(); });
-  if (found == histories_.end()) return nullptr;
-  const QObject* owner = found->owner;
-  // A copy, since the change may move the history to the front.
-  const auto act = found->undo;
-  act();
-  return owner;
+  return revert(&History::canUndo, &History::undo);
 }
 
 const QObject* UndoOrder::redo() {
-  const auto found = std::ranges::find_if(histories_, [](const History& one) { return one.canRedo(); });
+  return revert(&History::canRedo, &History::redo);
+}
+
+const QObject* UndoOrder::revert(std::function<bool()> History::*can, std::function<void()> History::*act) {
+  const auto found = std::ranges::find_if(histories_, [&](const History& one) { return (one.*can)(); });
   if (found == histories_.end()) return nullptr;
-  const QObject* owner = found->owner;
-  const auto act = found->redo;
-  act();
-  return owner;
+  // Copies, since the change may move the history to the front.
+  const History history = *found;
+  (history.*act)();
+  return history.owner;
 }
 
 }  // namespace app

@@ -37,6 +37,8 @@ class UndoOrder final : public QObject {
   const QObject* redo();
 
  private:
+  const QObject* revert(std::function<bool()> History::*can, std::function<void()> History::*act);
+
   /// The one that was edited last is the first.
   std::vector<History> histories_;
 };
