@@ -23,6 +23,7 @@
 #include "app/robotcontrol/QuitSignals.h"
 #include "app/robotcontrol/StartScript.h"
 #include "app/robotcontrol/language/Language.h"
+#include "robotlink/base/KeptMemory.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/commands/CommandLine.h"
 #include "robotlink/commands/CommandSocket.h"
@@ -349,6 +350,7 @@ int start(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   if (const auto status = app::ownProgramMain(argc, argv)) return *status;
+  robotlink::keepFreedMemory();
   app::loadPlugins(app::pluginOptions(argc, argv));
   try {
     return start(argc, argv);

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <cstdio>
 
+#include "robotlink/base/KeptMemory.h"
 #include "tests/widgets/Bench.h"
 
 namespace widgets::test {
@@ -42,6 +43,7 @@ int main(int argc, char** argv) {
   const double soak = qEnvironmentVariable("ROBOTCONTROL_SOAK_SECONDS").toDouble();
   if (soak > 0 && !qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT"))
     qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number(static_cast<qint64>(1000 * (2 * soak + 600))));
+  robotlink::keepFreedMemory();
   QApplication application(argc, argv);
   const widgets::test::BenchHome home;
   QStringList arguments = QApplication::arguments();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/bars/StallWatch.h"
 
+#include <sys/resource.h>
+
 #include <QAbstractEventDispatcher>
 #include <QCoreApplication>
 #include <QLabel>
+#include <QMetaEnum>
 #include <QStatusBar>
 #include <QTimer>
 #include <algorithm>
@@ -18,6 +21,15 @@ using std::chrono::microseconds;
 namespace {
 
 constexpr int kShowMs = 500;
+
+/// Those of this thread so far.
+std::int64_t pageFaults() {
+#ifdef RUSAGE_THREAD
+  rusage usage{};
+  if (getrusage(RUSAGE_THREAD, &usage) == 0) return usage.ru_minflt;
+#endif
+  return 0;
+}
 
 double milliseconds(microseconds time) {
   return static_cast<double>(time.count()) / 1000;
@@ -35,9 +47,8 @@ StallWatch::StallWatch(QObject* parent, QStatusBar* bar) : QObject(parent) {
   if (bar == nullptr) return;
   label_ = new QLabel;
   label_->setObjectName(QStringLiteral("stalls"));
-  label_->setToolTip(
-      tr("How long the window did not answer: how often for more than %1 ms, and the longest time")
-          .arg(kLimit.count()));
+  toolTip_ = tr("How long the window did not answer: how often for more than %1 ms, and the longest time")
+                 .arg(kLimit.count());
   bar->addPermanentWidget(label_);
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &StallWatch::show);
@@ -57,7 +68,7 @@ StallWatch::Moment StallWatch::now() {
   timespec cpu{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &cpu);
   return {std::chrono::steady_clock::now(),
-          std::chrono::seconds(cpu.tv_sec) + std::chrono::nanoseconds(cpu.tv_nsec)};
+          std::chrono::seconds(cpu.tv_sec) + std::chrono::nanoseconds(cpu.tv_nsec), pageFaults()};
 }
 
 void StallWatch::reset() {
@@ -66,21 +77,48 @@ void StallWatch::reset() {
 }
 
 bool StallWatch::eventFilter(QObject* watched, QEvent* event) {
-  if (!begun_) begun_ = now();
+  if (!begun_) begin();
+  const Moment moment = now();
+  endDelivery(moment);
+  deliveryBegun_ = moment;
+  delivery_ = {watched->metaObject()->className(), watched->objectName(), event->type(), {}};
+  ++deliveries_;
   return QObject::eventFilter(watched, event);
 }
 
 void StallWatch::begin() {
   end();  // a loop that found new events at once did not wait
   begun_ = now();
+  deliveryBegun_ = *begun_;
+  delivery_ = longestDelivery_ = {};
+  deliveries_ = 0;
+}
+
+void StallWatch::endDelivery(const Moment& moment) {
+  delivery_.cpu = moment.cpu - deliveryBegun_.cpu;
+  if (delivery_.cpu > longestDelivery_.cpu) longestDelivery_ = delivery_;
+}
+
+QString StallWatch::Delivery::describe() const {
+  const char* event = QMetaEnum::fromType<QEvent::Type>().valueToKey(type);
+  return QStringLiteral("%1 \"%2\" %3: %4 ms")
+      .arg(QLatin1String(receiver), name, QLatin1String(event != nullptr ? event : "event"))
+      .arg(milliseconds(duration_cast<microseconds>(cpu)), 0, 'f', 1);
 }
 
 void StallWatch::end() {
   if (!begun_) return;
   const Moment moment = now();
+  endDelivery(moment);
   const auto wall = duration_cast<microseconds>(moment.wall - begun_->wall);
   stalls_.longest = std::max(stalls_.longest, wall);
-  stalls_.longestCpu = std::max(stalls_.longestCpu, duration_cast<microseconds>(moment.cpu - begun_->cpu));
+  if (const auto cpu = duration_cast<microseconds>(moment.cpu - begun_->cpu); cpu > stalls_.longestCpu) {
+    stalls_.longestCpu = cpu;
+    stalls_.cause = tr("%1, of %2 events with %3 page faults")
+                        .arg(longestDelivery_.describe())
+                        .arg(deliveries_)
+                        .arg(moment.pageFaults - begun_->pageFaults);
+  }
   if (wall > kLimit) ++stalls_.count;
   begun_.reset();
 }
@@ -92,6 +130,7 @@ void StallWatch::show() {
                       .arg(stalls_.count)
                       .arg(milliseconds(stalls_.longest), 0, 'f', 0)
                       .arg(milliseconds(stalls_.longestCpu), 0, 'f', 0));
+  label_->setToolTip(toolTip_ + QLatin1Char('\n') + stalls_.cause);
 }
 
 }  // namespace app

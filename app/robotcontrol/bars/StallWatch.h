@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QEvent>
 #include <QObject>
+#include <QString>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -33,28 +35,47 @@ class StallWatch final : public QObject {
     /// The longest busy time: by the wall, and by the processor of this thread, which others that use the
     /// machine prolong less.
     std::chrono::microseconds longest{0}, longestCpu{0};
+    /// The event that took most of the longest time of the processor: its receiver, its type, its time, and
+    /// how many events there were in all; and how many pages of memory were touched for the first time, each
+    /// of which may take longer than a virtual machine shows.
+    QString cause;
     bool operator==(const Stalls&) const = default;
   };
   const Stalls& stalls() const { return stalls_; }
   void reset();
 
  protected:
-  /// Notes the first event after a wait; filters nothing.
+  /// Notes which event is delivered, and the first one after a wait; filters nothing.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Moment {
     std::chrono::steady_clock::time_point wall;
     std::chrono::nanoseconds cpu;
+    std::int64_t pageFaults = 0;
+  };
+  /// An event that is or was delivered. Those within it, which are sent at once, count on their own.
+  struct Delivery {
+    const char* receiver = "";  ///< its class, which lives as long as the program
+    QString name;               ///< of the receiver
+    QEvent::Type type = QEvent::None;
+    std::chrono::nanoseconds cpu{0};
+
+    QString describe() const;
   };
   static Moment now();
   void begin();
   void end();
+  void endDelivery(const Moment& moment);
   void show();
 
   std::optional<Moment> begun_;
+  Moment deliveryBegun_;
+  Delivery delivery_, longestDelivery_;
+  int deliveries_ = 0;
   Stalls stalls_, shown_;
   QLabel* label_ = nullptr;
+  QString toolTip_;
 };
 
 }  // namespace app

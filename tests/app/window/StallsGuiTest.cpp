@@ -38,7 +38,11 @@ class StallsGuiTest : public WindowTest {
     QTRY_VERIFY(done);
     QTRY_VERIFY(watch.stalls().count >= 1);
     QVERIFY(watch.stalls().longest >= 80ms && watch.stalls().longestCpu >= 80ms);
-    QTRY_VERIFY(bar.findChild<QLabel*>(QStringLiteral("stalls"))->text().contains(QStringLiteral("ms")));
+    // What the timer called.
+    QVERIFY2(watch.stalls().cause.contains(QStringLiteral("MetaCall")), qPrintable(watch.stalls().cause));
+    const auto* label = bar.findChild<QLabel*>(QStringLiteral("stalls"));
+    QTRY_VERIFY(label->text().contains(QStringLiteral("ms")));
+    QTRY_VERIFY(label->toolTip().contains(watch.stalls().cause));
     watch.reset();
     QCOMPARE(watch.stalls(), StallWatch::Stalls());
   }

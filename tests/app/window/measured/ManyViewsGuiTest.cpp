@@ -162,7 +162,12 @@ class DeskFigures {
     guiSeconds += cpuSeconds(CLOCK_THREAD_CPUTIME_ID) - gui;
     processSeconds += cpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - process;
     paints.end();
-    worst = std::max(worst, watch_.stalls().longestCpu);
+    if (watch_.stalls().longestCpu > worst) {
+      worst = watch_.stalls().longestCpu;
+      std::printf("after %.0f s: %.1f ms, %s\n", seconds, 1e-3 * static_cast<double>(worst.count()),
+                  qPrintable(watch_.stalls().cause));
+      std::fflush(stdout);
+    }
     desk_.window.docks().closeAll();
     letRun(kSettle);
   }
