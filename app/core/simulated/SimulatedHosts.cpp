@@ -92,7 +92,7 @@ tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::
                     presetFile(robot.name)},
         RobotHost::Listeners{
             listeners_.queue, listeners_.trouble, listeners_.platform, {}, listeners_.hosting},
-        tap_.get()));
+        tap_.get(), overridesOf(robot.name, team)));
   }
   return hosts;
 }
@@ -154,6 +154,17 @@ std::shared_ptr<const robotlink::Preset> SimulatedRun::presetOf(const std::strin
     if (!name.empty() && own != options_.robotPresets.end()) return own->second;
   }
   return options_.preset;
+}
+
+ProgramOverrides SimulatedRun::overridesOf(const std::string& robot, const std::string& team) const {
+  ProgramOverrides overrides;
+  for (const std::string& name : {robot, team, std::string()}) {
+    const auto table = options_.colorTables.find(name);
+    if (table == options_.colorTables.end()) continue;
+    overrides.chooseColorTable(table->second);
+    break;
+  }
+  return overrides;
 }
 
 std::map<std::string, std::string> SimulatedRun::solutionsOf(const RobotHost& robot) const {

@@ -89,6 +89,9 @@ struct RunOptions {
   /// The same for single robots and teams, by name, instead of that of all; that of a robot goes before that
   /// of its team.
   std::map<std::string, std::shared_ptr<const robotlink::Preset>> robotPresets = {};
+  /// The color tables of single robots and teams, by name, and that of all others by an empty name; those of
+  /// robots go before those of their teams. Robots without one make theirs from the field's colors.
+  std::map<std::string, std::shared_ptr<const robotcontrol::ColorTable>> colorTables = {};
   /// Whether there is an Umpire: a Referee, or else ball and robots are put back after a goal.
   bool kickOffs = true;
   /// The rules by which the referee decides: the name of shipped ones, or a file. Empty: those that the scene
@@ -311,6 +314,8 @@ class SimulatedRun {
   std::filesystem::path layoutOf(const RobotHost& robot, const Layouts& chosen) const;
   /// The preset with which a robot begins.
   std::shared_ptr<const robotlink::Preset> presetOf(const std::string& robot, const std::string& team) const;
+  /// What the user chose for a robot that comes into the scene.
+  ProgramOverrides overridesOf(const std::string& robot, const std::string& team) const;
   /// The solutions that were chosen for a robot, by task.
   std::map<std::string, std::string> solutionsOf(const RobotHost& robot) const;
   /// Its layout with them.

@@ -58,6 +58,8 @@ std::string SimulatedRun::settings() const {
   }
   for (const auto& [task, solution] : options_.solutions) text += fmt::format("{}: {}\n", task, solution);
   if (options_.preset || !options_.robotPresets.empty()) text += "a preset\n";
+  for (const auto& [name, table] : options_.colorTables)
+    text += fmt::format("color table of {}: {}\n", name.empty() ? "all" : name, table->source());
   return text;
 }
 

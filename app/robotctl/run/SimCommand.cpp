@@ -279,7 +279,7 @@ int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGi
   if (arguments.trials > 0 || !arguments.record.file.empty() || arguments.teams.given() ||
       arguments.snapshots.given()) {
     std::cerr << "robotctl sim: with --arcos robots have no programs here; omit --trials, --record, "
-                 "--layout, --solution, --preset, --snapshot-at and --restore\n";
+                 "--layout, --solution, --preset, --color-table, --snapshot-at and --restore\n";
     return kUsage;
   }
   ArcosRun run{.scene = arguments.run.scene,

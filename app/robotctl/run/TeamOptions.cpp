@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/core/program/ColorTables.h"
 #include "app/core/program/PresetOverrides.h"
 #include "app/core/program/SolutionChoices.h"
 #include "robotlink/session/Presets.h"
@@ -12,15 +13,28 @@ namespace {
 
 using robotlink::Errors;
 
-tl::expected<void, Errors> choosePreset(const std::string& text, RunOptions& run) {
+/// WHAT for all, whose name is empty, or NAME=WHAT.
+std::pair<std::string, std::string> nameAndFile(const std::string& text) {
   std::error_code ignored;
   const auto choice = assignmentOf(text);
   // A file may be called so.
-  const bool isOfOne = choice && !std::filesystem::exists(text, ignored);
-  auto preset = presetToStartWith(isOfOne ? choice->second : text);
+  return choice && !std::filesystem::exists(text, ignored) ? *choice : std::pair(std::string(), text);
+}
+
+tl::expected<void, Errors> choosePreset(const std::string& text, RunOptions& run) {
+  const auto [name, file] = nameAndFile(text);
+  auto preset = presetToStartWith(file);
   if (!preset) return tl::unexpected(std::move(preset.error()));
-  auto& chosen = isOfOne ? run.robotPresets[choice->first] : run.preset;
+  auto& chosen = name.empty() ? run.preset : run.robotPresets[name];
   chosen = std::make_shared<const robotlink::Preset>(std::move(*preset));
+  return {};
+}
+
+robotlink::Result<void> chooseColorTable(const std::string& text, RunOptions& run) {
+  const auto [name, file] = nameAndFile(text);
+  auto table = readColorTable(file);
+  if (!table) return tl::unexpected(std::move(table.error()));
+  run.colorTables[name] = std::move(*table);
   return {};
 }
 
@@ -51,6 +65,12 @@ void TeamOptions::addTo(CLI::App& command) {
                   "all programs start with; NAME=PRESET for one robot or team")
       ->expected(1)
       ->take_all();
+  command
+      .add_option("--color-table", colorTables,
+                  "A color table (.c64, or another team's) that all programs start with, instead of one made "
+                  "from the field's colors; NAME=TABLE for one robot or team")
+      ->expected(1)
+      ->take_all();
   command.add_option(
       "--shadow", shadows,
       "TASK=SOLUTION that runs in all programs beside the one that is used, on the same inputs; "
@@ -73,7 +93,10 @@ robotlink::Result<void> TeamOptions::check(const SimulatedRun& run) {
   };
   if (auto found = find(run.options().robotLayouts, "--layout"); !found) return found;
   if (auto found = find(run.options().robotSolutions, "--solution"); !found) return found;
-  return find(run.options().robotPresets, "--preset");
+  if (auto found = find(run.options().robotPresets, "--preset"); !found) return found;
+  auto tables = run.options().colorTables;
+  tables.erase("");
+  return find(tables, "--color-table");
 }
 
 tl::expected<void, Errors> TeamOptions::applyTo(RunOptions& run) const {
@@ -83,6 +106,9 @@ tl::expected<void, Errors> TeamOptions::applyTo(RunOptions& run) const {
   for (const std::string& preset : presets) {
     if (auto chosen = choosePreset(preset, run); !chosen)
       errors.insert(errors.end(), chosen.error().begin(), chosen.error().end());
+  }
+  for (const std::string& table : colorTables) {
+    if (auto chosen = chooseColorTable(table, run); !chosen) errors.push_back(chosen.error());
   }
   if (auto chosen = chooseShadows(shadows, run); !chosen) errors.push_back(chosen.error());
   run.game = game;

@@ -50,6 +50,24 @@ TEST_F(RobotctlGame, whatIsChosenForNobodyIsNamed) {
   EXPECT_EQ(robotctl(game + "--game nonsense").status, 1);
 }
 
+TEST_F(RobotctlGame, programsStartWithChosenColorTables) {
+  // A table in which everything is black sees no ball: 262,144 cells of class 0, then the end.
+  const std::string cells{"\0\0\4\0\0\0\0\0\0", 9};
+  std::ofstream(folder_ / "blind.c64", std::ios::binary) << cells;
+  const std::string game = "sim game2002-1 --seconds 2 --errors --json ";
+  const auto isSeen = [](const json& figures, const char* robot) {
+    return figures["errors"][robot]["percepts/ball"].contains("position");
+  };
+  const json seeing = printed(game), blind = printed(game + "--color-table red=blind.c64");
+  EXPECT_TRUE(isSeen(seeing, "red1") && isSeen(seeing, "blue1")) << seeing["errors"];
+  EXPECT_FALSE(isSeen(blind, "red1"));
+  EXPECT_TRUE(isSeen(blind, "blue1"));
+  const auto outcome = robotctl(game + "--color-table green=blind.c64");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("green"), HasSubstr("--color-table")));
+  EXPECT_THAT(robotctl(game + "--color-table none.c64").errors, HasSubstr("none.c64"));
+}
+
 TEST_F(RobotctlGame, aTournamentSwapsSidesKeepsResultsAndReports) {
   const std::string tournament =
       "tournament still:behavior=stand compact --scene game2002-1 --games 2 --seconds 1 --out cup ";
