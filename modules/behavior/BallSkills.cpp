@@ -11,6 +11,10 @@ using robotlink::Vector2;
 
 namespace {
 
+/// How far a way is turned at most to pass robots, and how much farther on their right than on their left,
+/// rad.
+constexpr double kMaxDetour = 2.2, kPassRight = 0.1;
+
 double headingOf(const Vector2& way) {
   return std::atan2(way.y(), way.x());
 }
@@ -45,22 +49,35 @@ Intention BallSkills::turnTo(double direction) const {
   return walk(Vector2::Zero(), options_.turnGain * normalizedAngle(direction));
 }
 
-Vector2 BallSkills::around(const Vector2& way, const std::vector<Vector2>& robots) const {
+Vector2 BallSkills::around(const Vector2& way, const std::vector<Vector2>& robots, double radius) const {
   const double distance = way.norm();
   if (distance < 0.05) return way;
-  double best = 0;
+  // The turns of the way that hit a robot.
+  std::vector<std::pair<double, double>> blocked;
   const double direction = headingOf(way);
   for (const Vector2& robot : robots) {
     const double apart = robot.norm();
-    // Beyond the aim, or behind: not in the way.
+    // Beyond the aim, or the own body: not in the way.
     if (apart > options_.robotRange || apart > distance + 0.1 || apart < 0.05) continue;
     const double beside = normalizedAngle(headingOf(robot) - direction);
-    const double half = std::asin(std::min(1.0, options_.robotRadius / apart));
-    if (std::abs(beside) >= half) continue;
-    // Turns away from its middle; a robot that is met head-on is passed on the right, by both.
-    const double away = beside > 0 ? beside - half : beside + half;
-    const double turn = std::abs(beside) < 0.05 ? -half : away;
-    if (std::abs(turn) > std::abs(best)) best = turn;
+    const double half = std::asin(std::min(1.0, radius / apart));
+    blocked.emplace_back(beside - half, beside + half);
+  }
+  const auto isFree = [&](double turn) {
+    return std::ranges::none_of(
+        blocked, [&](const auto& one) { return one.first < turn - 1e-6 && turn + 1e-6 < one.second; });
+  };
+  if (isFree(0)) return way;
+  // Robots that stand side by side are passed together. One that is met head-on is passed on the right, by
+  // both.
+  double best = 0, least = kMaxDetour;
+  for (const auto& [right, left] : blocked) {
+    for (const double turn : {right, left}) {
+      const double cost = std::abs(turn) + (turn > 0 ? kPassRight : 0);
+      if (cost >= least || !isFree(turn)) continue;
+      least = cost;
+      best = turn;
+    }
   }
   return Eigen::Rotation2Dd(best) * way;
 }
@@ -68,7 +85,7 @@ Vector2 BallSkills::around(const Vector2& way, const std::vector<Vector2>& robot
 Intention BallSkills::walkTo(const Vector2& place, double direction,
                              const std::vector<Vector2>& robots) const {
   const double distance = place.norm();
-  const Vector2 way = around(place, robots);
+  const Vector2 way = around(place, robots, options_.robotRadius);
   if (distance < options_.nearby) {
     const Vector2 velocity = options_.walkGain * way;
     return walk(velocity, options_.turnGain * normalizedAngle(direction));
@@ -112,7 +129,7 @@ Intention BallSkills::approach(const Vector2& ball, double aim, const std::vecto
   const Vector2 place = placeBehind(ball, aim);
   // Near the ball it looks at it: it circles it with its head toward it.
   if (ball.norm() < 2 * options_.standOff + 0.1) {
-    const Vector2 way = around(place, robots);
+    const Vector2 way = around(place, robots, options_.duelRadius);
     const double facing = place.norm() < 0.12 ? 0.5 * (aim + headingOf(ball)) : headingOf(ball);
     return walk(options_.walkGain * std::max(1.0, 0.12 / std::max(0.02, way.norm())) * way,
                 options_.turnGain * facing);

@@ -18,8 +18,8 @@ double angleOf(KickSide side);
 /// robot's frame (x to the front, meters, radians).
 ///
 /// Far away it turns to where it goes and walks ahead; near its aim it walks in any direction. Robots in the
-/// way are passed on the nearer side: the direction of the walk is turned until it misses them, as in the
-/// tangent bug (I. Kamon, E. Rivlin, E. Rimon, 1996), with circles for obstacles.
+/// way are passed on the nearer side: the direction of the walk is turned until it misses all of them, as in
+/// the tangent bug (I. Kamon, E. Rivlin, E. Rimon, 1996), with circles for obstacles.
 class BallSkills {
  public:
   struct Options {
@@ -35,6 +35,8 @@ class BallSkills {
     double nearby = 0.35;
     /// Radius of the circle around the middle of another robot that the own middle avoids, m.
     double robotRadius = 0.3;
+    /// The same while it circles the ball, for which it has to get close to others that play it, m.
+    double duelRadius = 0.17;
     /// Distance up to which robots are avoided, m.
     double robotRange = 0.7;
     /// Distance of the place behind the ball, m.
@@ -83,9 +85,9 @@ class BallSkills {
   Intention walk(const robotlink::Vector2& velocity, double turn) const;
   /// Where the ball must be for a kick.
   robotlink::Vector2 kickSpot(KickSide side) const;
-  /// The way to a place, turned so that it passes other robots.
-  robotlink::Vector2 around(const robotlink::Vector2& way,
-                            const std::vector<robotlink::Vector2>& robots) const;
+  /// The way to a place, turned so that it passes other robots at this distance.
+  robotlink::Vector2 around(const robotlink::Vector2& way, const std::vector<robotlink::Vector2>& robots,
+                            double radius) const;
 
   Options options_;
 };

@@ -20,6 +20,8 @@ constexpr double kRollStep = 0.1, kBallRadius = 0.042;
 constexpr double kBesideWall = 0.2;
 /// How far a place behind the ball may be within a wall before there is no room, m.
 constexpr double kTight = 0.02;
+/// A ball stops at a robot whose middle is nearer, m, and a robot that is so near to a place occupies it.
+constexpr double kStops = 0.14, kOccupies = 0.22;
 /// The share of a turn that is not made on the way.
 constexpr double kTurnShare = 0.4;
 /// What a ball costs that rolls into the own goal, s.
@@ -47,7 +49,19 @@ double KickPlanner::secondsBehind(const Situation& now, double heading) const {
   const double straight = around < touch ? (behind - now.robot.translation()).norm()
                                          : std::sqrt(distance * distance - now.standOff * now.standOff);
   const double turn = std::abs(normalizedAngle(heading - now.robot.heading));
-  return straight / now.forwardSpeed + arc / now.sidewardSpeed + kTurnShare * turn / now.turnSpeed;
+  const bool isOccupied = std::ranges::any_of(
+      now.opponents, [&](const Vector2& robot) { return (robot - behind).norm() < kOccupies; });
+  return straight / now.forwardSpeed + arc / now.sidewardSpeed + kTurnShare * turn / now.turnSpeed +
+         (isOccupied ? options_.occupiedSeconds : 0);
+}
+
+/// Whether a robot that the ball comes nearer to stops it.
+bool KickPlanner::isStopped(const Situation& now, const Vector2& from, const Vector2& to) {
+  const auto stops = [&](const Vector2& robot) {
+    const double apart = (robot - to).norm();
+    return apart < kStops && apart < (robot - from).norm();
+  };
+  return std::ranges::any_of(now.opponents, stops) || std::ranges::any_of(now.mates, stops);
 }
 
 /// The time from a kick on, for which the ball is followed as it rolls, along walls too.
@@ -61,6 +75,7 @@ double KickPlanner::secondsAfter(const Situation& now, const Choice& choice) con
     const Vector2 next = ball + step;
     if (std::abs(next.x()) > goal.x() - kBallRadius && std::abs(next.y()) < half)
       return next.x() > 0 ? 0 : kOwnGoal;
+    if (isStopped(now, ball, next)) break;
     ball = places_.within(next, kBallRadius);
   }
   const bool isBesideWall = (places_.within(ball, kBesideWall) - ball).norm() > 0.01;

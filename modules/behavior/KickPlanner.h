@@ -13,8 +13,8 @@ namespace modules {
 
 /// Chooses the direction in which a player plays the ball, and the kick ahead or to a side: those after which
 /// the ball is soonest in the opponent's goal, by an estimate of the time for walking to the ball, and for
-/// what is left of the way after a kick that rolls along walls. All in the team's frame, meters, seconds and
-/// rad.
+/// what is left of the way after a kick that rolls along walls and stops at robots. All in the team's frame,
+/// meters, seconds and rad.
 ///
 /// It keeps its last choice as long as no other one is clearly better. Not thread-safe.
 class KickPlanner {
@@ -30,6 +30,8 @@ class KickPlanner {
     double wallSeconds = 8;
     /// How much sooner another direction has to be to be chosen instead of the last one, s.
     double keepSeconds = 1.5;
+    /// What it costs that an opponent stands where the robot has to be behind the ball, s.
+    double occupiedSeconds = 3;
     bool operator==(const Options&) const = default;
   };
   struct Choice {
@@ -44,6 +46,8 @@ class KickPlanner {
     robotlink::Pose2 robot;
     robotlink::Vector2 ball;
     std::vector<robotlink::Vector2> opponents;
+    /// Robots of the own team, which stop a ball, too.
+    std::vector<robotlink::Vector2> mates;
     /// Distance of the player's place from the ball, m, and its speeds, m/s and rad/s.
     double standOff = 0.27, forwardSpeed = 0.18, sidewardSpeed = 0.12, turnSpeed = 1.1;
   };
@@ -61,6 +65,7 @@ class KickPlanner {
  private:
   double secondsBehind(const Situation& now, double heading) const;
   double secondsAfter(const Situation& now, const Choice& choice) const;
+  static bool isStopped(const Situation& now, const robotlink::Vector2& from, const robotlink::Vector2& to);
 
   const TeamPlaces& places_;
   Options options_;

@@ -43,7 +43,7 @@ double SoccerMind::playDirection() {
   }
   const BallSkills::Options& skills = options_.skills;
   const KickPlanner::Choice choice =
-      kicks_.choose({*now_.pose, *ball, now_.opponents, skills.standOff, skills.forwardSpeed,
+      kicks_.choose({*now_.pose, *ball, now_.opponents, matesInTeam(), skills.standOff, skills.forwardSpeed,
                      skills.sidewardSpeed, skills.turnSpeed},
                     isAtBall_);
   side_ = choice.side;
@@ -72,6 +72,18 @@ bool SoccerMind::shouldKick() const {
          roles_.role() == Role::kGoalie;
 }
 
+std::vector<Vector2> SoccerMind::matesInTeam() const {
+  std::vector<Vector2> places;
+  for (const Mate& mate : now_.mates) places.push_back(mate.pose.translation());
+  return places;
+}
+
+bool SoccerMind::isForGoalie() const {
+  const auto ball = now_.ballInTeam();
+  return ball && roles_.role() != Role::kGoalie && places_.isGoaliesBall(*ball, options_.ownAreaMargin) &&
+         std::ranges::any_of(now_.mates, [](const Mate& mate) { return mate.role == Role::kGoalie; });
+}
+
 bool SoccerMind::isAtPlace() const {
   if (!now_.pose) return false;
   const Pose2 rest = now_.pose->inverse() * place_;
@@ -85,6 +97,12 @@ bool SoccerMind::mustGlance() const {
 bool SoccerMind::coversBall() const {
   return !now_.ballFromTeam && lastBall_.norm() < options_.coveredDistance &&
          now_.ballAge > options_.coveredAfter && machine_.stateTime() > options_.coveredAfter;
+}
+
+bool SoccerMind::hidesBall() const {
+  return !now_.ballFromTeam && lastBall_.norm() < options_.dribbleDistance &&
+         now_.ballAge > options_.coveredAfter && now_.ballAge < options_.lostAfter &&
+         machine_.stateTime() > options_.coveredAfter;
 }
 
 void SoccerMind::observe(const GameSituation& now) {

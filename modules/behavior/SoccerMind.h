@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "modules/behavior/BallSkills.h"
 #include "modules/behavior/GameSituation.h"
@@ -50,6 +51,8 @@ class SoccerMind {
     double kickTolerance = 0.3;
     /// Margin around the penalty area in which the goalie goes for the ball, m.
     double goalieMargin = 0.15;
+    /// Margin around it in which the others leave the ball to the goalie, m: there they may not be.
+    double ownAreaMargin = 0.05;
     /// How near to its place a player stands still, m and rad.
     double placeTolerance = 0.12, placeAngle = 0.3;
     /// How long it waits for the other team's kick-off, s.
@@ -92,11 +95,16 @@ class SoccerMind {
   /// The angle up to which a ball that is played now goes into the goal; unset if the pose is unknown.
   double distanceToGoal() const;
   bool isUnderPressure() const;
+  std::vector<robotlink::Vector2> matesInTeam() const;
   bool shouldKick() const;
+  /// The ball is where only the goalie may play it, and there is one.
+  bool isForGoalie() const;
   bool isAtPlace() const;
   bool mustGlance() const;
   /// The ball was at its paws and is not seen any more: it may lie under the body.
   bool coversBall() const;
+  /// It stands, and the ball was beside it and is not seen any more.
+  bool hidesBall() const;
 
   // Actions.
   void stand(Intention::Head head);

@@ -89,6 +89,9 @@ void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGo
       .does([&p] { p.place_ = p.places_.supporter(p.now_.ballInTeam().value_or(Vector2::Zero())); })
       .activates(place);
   playing.state("striker", "Plays the ball.").activates(strike);
+  playing.state("leave", "Leaves a ball in its own penalty area to the goalie, and waits before it.")
+      .does([&p] { p.place_ = p.places_.beforeArea(p.now_.ballInTeam().value_or(Vector2::Zero())); })
+      .activates(place);
   // A kick is played to its end.
   const auto isFree = [&p] { return p.now_.stable && !p.now_.playsMotion; };
   const auto isOut = [&p] { return p.now_.pose && p.places_.isOutside(p.now_.pose->translation()); };
@@ -98,9 +101,12 @@ void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGo
   };
   playing.always("return", "it has left the field", [=] { return isFree() && isOut(); })
       .always("wait", "the other team has the kick-off", [=] { return isFree() && !isOut() && isWaiting(); });
+  const auto leaves = [&p] { return p.role() == Role::kStriker && p.isForGoalie(); };
+  playing.always("leave", "the ball is where only the goalie may play it",
+                 [=] { return isFree() && !isOut() && !isWaiting() && leaves(); });
   const auto add = [&](const char* state, const char* reason, Role role) {
-    playing.always(state, reason, [&p, isFree, isOut, isWaiting, role] {
-      return isFree() && !isOut() && !isWaiting() && p.role() == role;
+    playing.always(state, reason, [&p, isFree, isOut, isWaiting, leaves, role] {
+      return isFree() && !isOut() && !isWaiting() && !leaves() && p.role() == role;
     });
   };
   add("goalie", "it keeps the goal", Role::kGoalie);
@@ -118,7 +124,16 @@ void SoccerOptions::buildKeepGoal(Option& keepGoal, Option& strike, Option& plac
   keepGoal.state("guard", "Stays on the line between the ball and the middle of the goal.")
       .does([&p] { p.place_ = p.places_.goalie(p.now_.ballInTeam().value_or(Vector2::Zero())); })
       .activates(place)
+      .to("turn to ball", "the ball vanished beside it", [&p] { return p.hidesBall(); })
       .to("clear", "the ball is near the goal", [&p, ballNear] { return ballNear(p.options_.goalieMargin); });
+  // A ball beside its body is where no camera sees it.
+  keepGoal.state("turn to ball", "Turns to where a near ball vanished.")
+      .does([&p] {
+        p.intention_ = p.skills_.turnTo(std::atan2(p.lastBall_.y(), p.lastBall_.x()));
+        p.intention_.head = Head::kSearch;
+      })
+      .to("clear", "there is the ball", [&p, ballNear] { return p.now_.seesBall() && ballNear(0); })
+      .to("guard", "it is not there", after(&SoccerMind::Options::stepBackTime));
   keepGoal.state("clear", "Plays the ball away from the goal.")
       .activates(strike)
       .to("guard", "the ball is away", [&p, ballNear] {

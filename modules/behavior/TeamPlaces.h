@@ -23,6 +23,9 @@ class TeamPlaces {
     double defenderDistance = 0.9;
     /// The supporter stands this far behind the ball, and this far beside it.
     double supporterBack = 0.5, supporterAside = 0.7;
+    /// How far players that wait for a ball before the opponents' goal stand from its line, and those before
+    /// their own penalty area from that.
+    double beforeGoal = 0.9;
     /// The least distance of these places from walls.
     double wallDistance = 0.25;
   };
@@ -41,8 +44,11 @@ class TeamPlaces {
   robotlink::Pose2 goalie(const robotlink::Vector2& ball) const;
   /// Between ball and goal, outside of the penalty area.
   robotlink::Pose2 defender(const robotlink::Vector2& ball) const;
-  /// Beside and behind the ball, on the side of the field that is wider.
+  /// Beside and behind the ball, on the side of the field that is wider; beside and before it near the own
+  /// goal, and before the opponents' goal while the ball is in a corner there.
   robotlink::Pose2 supporter(const robotlink::Vector2& ball) const;
+  /// Before the own penalty area, far enough from it for cleared balls to arrive.
+  robotlink::Pose2 beforeArea(const robotlink::Vector2& ball) const;
 
   /// The point of the opponent's goal to which a ball is played: the middle of the widest gap between robots
   /// (in the team's frame) that stand between it and the goal. From beside the goal, the far half of it is

@@ -53,6 +53,13 @@ bool FoulWatch::pushes(const Robot& robot, const std::vector<Robot>& all, const 
   });
 }
 
+bool FoulWatch::defendsIllegally(const Robot& robot, const std::vector<Robot>& all) const {
+  const auto isHome = [this](const Robot& one) { return isInPenaltyArea(field_, one.place, one.ownSide); };
+  return !robot.isGoalie && isHome(robot) && std::ranges::any_of(all, [&](const Robot& other) {
+    return other.team == robot.team && other.isGoalie && isHome(other);
+  });
+}
+
 std::vector<FoulWatch::Foul> FoulWatch::look(const std::vector<Robot>& robots,
                                              const std::optional<Vector2>& ball, const Touching& touching) {
   std::vector<Foul> fouls;
@@ -69,6 +76,8 @@ std::vector<FoulWatch::Foul> FoulWatch::look(const std::vector<Robot>& robots,
     History& history = histories_[robot.index];
     const bool isOutside = !isRobotOnField(field_, robot.place, rules_.leavingMargin);
     count(history.outside, isOutside, history.outside, GameRules::Watch::kLeaving, robot.index);
+    const bool defends = defendsIllegally(robot, robots);
+    count(history.defending, defends, history.defending, GameRules::Watch::kDefending, robot.index);
     count(history.pushing, pushes(robot, robots, ball, touching), kEvery, GameRules::Watch::kPushing,
           robot.index);
   }
@@ -78,7 +87,8 @@ std::vector<FoulWatch::Foul> FoulWatch::look(const std::vector<Robot>& robots,
 
 void FoulWatch::transfer(simcore::StateStream& stream) {
   for (History& history : histories_) {
-    for (Duration* time : {&history.outside, &history.pushing}) transferTime(stream, *time);
+    for (Duration* time : {&history.outside, &history.pushing, &history.defending})
+      transferTime(stream, *time);
     bool isKnown = history.place.has_value();
     stream.flag(isKnown);
     Vector2 place = history.place.value_or(Vector2::Zero());

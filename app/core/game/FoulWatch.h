@@ -17,11 +17,13 @@ class StateStream;
 
 namespace app {
 
-/// Notices that robots leave the field or push opponents, from where all of them are at regular intervals.
+/// Notices that robots leave the field, push opponents, or defend where only their goalkeeper may, from where
+/// all of them are at regular intervals.
 ///
 /// A robot pushes while it touches an opponent, goes toward it, and that one gives way; not near the ball,
-/// nor a goalkeeper in its own penalty area. Leaving and pushing count up while they last, and pushing counts
-/// down as fast while it does not.
+/// nor a goalkeeper in its own penalty area. It defends where it may not while it is in its own penalty area
+/// together with its goalkeeper. All count up while they last, and pushing counts down as fast while it does
+/// not.
 class FoulWatch {
  public:
   /// The period of look().
@@ -62,12 +64,13 @@ class FoulWatch {
 
  private:
   struct History {
-    robotlink::Duration outside{}, pushing{};
+    robotlink::Duration outside{}, pushing{}, defending{};
     /// Where it was the last time.
     std::optional<robotlink::Vector2> place;
   };
   bool pushes(const Robot& robot, const std::vector<Robot>& all,
               const std::optional<robotlink::Vector2>& ball, const Touching& touching) const;
+  bool defendsIllegally(const Robot& robot, const std::vector<Robot>& all) const;
   /// m/s since the last time; 0 if it is not known where it was.
   robotlink::Vector2 velocity(const Robot& robot) const;
 

@@ -39,13 +39,17 @@ std::vector<Vector2> placesAt(const YamlNode& node, std::string_view key) {
   return places;
 }
 
-/// One of two words.
-bool isFirstWord(const YamlNode& node, const char* first, const char* second) {
+/// Which of these words it is; the first one after a failure.
+template <class T>
+T wordOf(const YamlNode& node, const std::vector<std::pair<const char*, T>>& words) {
   const auto word = node.as<std::string>();
-  if (word != first && word != second && !node.empty())
-    node.fail("game.word", std::string("this is ") + first + " or " + second + ", not '" + word + "'",
-              {word});
-  return word == first;
+  std::string known;
+  for (const auto& [name, value] : words) {
+    if (word == name) return value;
+    known += (known.empty() ? "" : " or ") + std::string(name);
+  }
+  if (!node.empty()) node.fail("game.word", "this is " + known + ", not '" + word + "'", {word});
+  return words.front().second;
 }
 
 void readTimes(const YamlNode& root, GameRules& rules) {
@@ -67,8 +71,8 @@ void readTimes(const YamlNode& root, GameRules& rules) {
 }
 
 void readKickOff(const YamlNode& node, GameRules& rules) {
-  rules.placing = isFirstWord(node.child("placing"), "all", "illegal") ? GameRules::Placing::kAll
-                                                                       : GameRules::Placing::kIllegal;
+  rules.placing = wordOf<GameRules::Placing>(
+      node.child("placing"), {{"all", GameRules::Placing::kAll}, {"illegal", GameRules::Placing::kIllegal}});
   rules.goalie = placeIn(node.child("goalie"));
   rules.kicking = placesAt(node, "kicking");
   rules.waiting = placesAt(node, "waiting");
@@ -87,8 +91,9 @@ void readPenalty(const YamlNode& node, GameRules& rules) {
   penalty.reason = node.required<std::string>("reason");
   penalty.time = secondsAt(node, "seconds");
   if (const YamlNode watch = node.optionalChild("watch"); !watch.empty()) {
-    penalty.watch =
-        isFirstWord(watch, "leaving", "pushing") ? GameRules::Watch::kLeaving : GameRules::Watch::kPushing;
+    penalty.watch = wordOf<GameRules::Watch>(watch, {{"leaving", GameRules::Watch::kLeaving},
+                                                     {"pushing", GameRules::Watch::kPushing},
+                                                     {"defending", GameRules::Watch::kDefending}});
     penalty.after = secondsAt(node, "after");
   }
   if (penalty.reason.empty() || rules.penalty(penalty.reason) != nullptr)

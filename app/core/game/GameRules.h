@@ -29,7 +29,7 @@ struct RadioSettings {
 /// field's frame; places are those of the team that plays toward +x. A plain value.
 struct GameRules {
   /// What the referee notices by itself.
-  enum class Watch : std::uint8_t { kNothing, kLeaving, kPushing };
+  enum class Watch : std::uint8_t { kNothing, kLeaving, kPushing, kDefending };
   enum class Placing : std::uint8_t { kAll, kIllegal };
   /// Why a robot is taken out of the game, and for how long.
   struct Penalty {

@@ -167,18 +167,18 @@ Result<std::string> newObjectText(const std::string& kind, const std::string& na
   constexpr double kMaxPlace = 1000;
   if (!(std::abs(x) <= kMaxPlace) || !(std::abs(y) <= kMaxPlace))
     return failure("scene.place", "an object is placed within 1000 m of the middle of the scene");
-  for (const char* simple : {"box", "ball", "cylinder", "lamp", "camera"}) {
-    if (kind == simple)
-      return filledTemplate((kind + ".sdf").c_str(),
-                            {{"name", name}, {"x", lengthText(x)}, {"y", lengthText(y)}});
-  }
+  static const std::map<std::string, const char*> kSimple{
+      {"box", "box.sdf"},   {"ball", "ball.sdf"},     {"cylinder", "cylinder.sdf"},
+      {"lamp", "lamp.sdf"}, {"camera", "camera.sdf"}, {"wall", "single-wall.sdf"}};
+  if (const auto simple = kSimple.find(kind); simple != kSimple.end())
+    return filledTemplate(simple->second, {{"name", name}, {"x", lengthText(x)}, {"y", lengthText(y)}});
   const auto models = sceneModels(file, folders);
   const auto model = std::ranges::find(models, kind, &SceneModelFile::name);
   if (model == models.end())
     return failure(
         "scene.unknown-model",
-        "there is no model '" + kind + "'; beside models there are box, ball, cylinder, lamp, camera", {},
-        {kind});
+        "there is no model '" + kind + "'; beside models there are box, ball, cylinder, wall, lamp, camera",
+        {}, {kind});
   if (!model->isRobot) return includeText(model->uri, name, x, y, 0);
   const auto height = standingHeight({.robot = kind}, model->file);
   if (!height) return tl::unexpected(height.error());

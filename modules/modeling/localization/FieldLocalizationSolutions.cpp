@@ -78,7 +78,7 @@ class FieldLocalization : public SelfLocalization {
       const auto kind = motion_->executed().kind();
       fallen = motion_->fallen();
       frame.shaken = fallen || kind == robotcontrol::MotionRequest::KEY_FRAMES ||
-                     kind == robotcontrol::MotionRequest::GET_UP;
+                     kind == robotcontrol::MotionRequest::GET_UP || (state_ && !state_->collisions().empty());
       odometry_.add(robotlink::seconds(robotlink::instant(motion_->timestamp())),
                     robotlink::pose2(motion_->odometry()));
     }

@@ -65,7 +65,7 @@ class FieldMonteCarlo {
     double time = 0;
     /// The pose by dead reckoning with any origin.
     robotlink::Pose2 robotInOdometry;
-    /// Dead reckoning is unreliable because the robot kicks or gets up.
+    /// Dead reckoning is unreliable because the robot kicks, gets up, or pushes something.
     bool shaken = false;
     /// The robot was picked up, and may be put down anywhere.
     bool carried = false;
@@ -95,6 +95,12 @@ class FieldMonteCarlo {
   struct Sight {
     robotlink::Vector2 position, direction;
     double distance, directionDeviation, distanceDeviation;
+  };
+  /// A point of a line as it is compared with many particles, m and rad in the robot's frame, and 1 over its
+  /// deviation, 1/m.
+  struct LinePoint {
+    robotlink::Vector2 inRobot;
+    double direction, perDeviation;
   };
   /// A block of 2 x 2 x 2 cells of x, y and heading; their numbers in the order of these.
   struct Block {
@@ -134,7 +140,7 @@ class FieldMonteCarlo {
   std::vector<Particle> drawn_;
   /// What the particles are compared with.
   std::vector<Sight> sights_;
-  std::vector<LineMeasurement> points_;
+  std::vector<LinePoint> points_;
   /// Weights of cells of poses, for summarize().
   std::vector<double> cells_;
   robotlink::Pose2 odometry_;

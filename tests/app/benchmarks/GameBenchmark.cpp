@@ -2,9 +2,12 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <map>
 
 #include "app/core/program/LeftOverPrograms.h"
+#include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/threads/ThreadPool.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "tests/app/Requests.h"
 #include "tests/app/SimulatedRuns.h"
 #include "tests/simcore/BareOde.h"
@@ -124,6 +127,42 @@ BENCHMARK(game)
     ->Iterations(1)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+/// What perception and models of a robot take of an image of 176 x 144 in a game of eight, with one thread:
+/// the whole, and each task, us a frame. What behavior takes is not in the whole.
+void frame(benchmark::State& state) {
+  std::map<std::string, double> seconds;
+  std::map<std::string, double> frames;
+  SimulatedRun::Listeners listeners;
+  listeners.queue = [&](const std::string&, const std::shared_ptr<const robotlink::SharedDebugQueue>& queue) {
+    for (const auto& message : queue->messages) {
+      const auto* times = message.as<robotcontrol::StopwatchTimes>();
+      if (times == nullptr || message.path != "stopwatches/cognition") continue;
+      for (const auto& entry : times->entries()) {
+        seconds[entry.task()] += entry.seconds();
+        ++frames[entry.task()];
+      }
+    }
+  };
+  RunOptions options = gameOf(1, 1);
+  options.scene = sceneNamed("game2002");
+  const auto run = makeRun(options, listeners);
+  for (const std::string& robot : run->robots()) (void)run->request(keyRequest(robot, "timing/tasks"));
+  constexpr double kKickOff = 5;
+  play(*run, kKickOff);
+  seconds.clear();
+  frames.clear();
+  for ([[maybe_unused]] const auto _ : state) play(*run, 10);
+  double whole = 0;
+  for (const auto& [task, time] : seconds) {
+    if (task.empty()) continue;
+    const double mean = 1e6 * time / frames[task];
+    state.counters[task] = mean;
+    if (task != "behavior") whole += mean;
+  }
+  state.counters["whole_us"] = whole;
+}
+BENCHMARK(frame)->Iterations(1)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// Has all servos swing, so that no robot sleeps.
 void swing(simcore::Simulation& simulation) {

@@ -17,7 +17,8 @@ class Pushing : public testing::Test {
  protected:
   Pushing() {
     rules_.penalties = {{"pushing", GameRules::Watch::kPushing, std::chrono::seconds(2), {}},
-                        {"leaving", GameRules::Watch::kLeaving, std::chrono::seconds(1), {}}};
+                        {"leaving", GameRules::Watch::kLeaving, std::chrono::seconds(1), {}},
+                        {"defending", GameRules::Watch::kDefending, std::chrono::seconds(3), {}}};
     rules_.pushingSpeed = 0.02;
     rules_.pushingNearBall = 0.25;
     rules_.leavingMargin = 0.1;
@@ -88,4 +89,21 @@ TEST_F(Pushing, whoIsOutsideForTooLongHasLeft) {
   watch_.restart(2);
   EXPECT_EQ(untilFoul({{0, 0, -1, false, {2.3, 0}}, {1, 1, 1, false, {0, 0}}}, 0, 0, farBall_), 10)
       << "a robot in a goal is not outside";
+}
+
+TEST_F(Pushing, aFieldPlayerMayNotHelpItsGoalkeeperInThePenaltyArea) {
+  Robots robots = both();
+  robots[1].team = 0;
+  robots[1].ownSide = -1;
+  robots[0].place = {-1.8, 0};
+  robots[1].place = {-1.8, 0.4};
+  EXPECT_EQ(untilFoul(robots, 0, 0, farBall_), 10) << "two field players";
+  robots[1].isGoalie = true;
+  EXPECT_NEAR(untilFoul(robots, 0, 0, farBall_), 3, 0.2);
+  EXPECT_EQ(robot_, 0U) << "the goalkeeper may";
+  EXPECT_EQ(reason_, "defending");
+  robots[1].place = {-1, 0.4};
+  EXPECT_EQ(untilFoul(robots, 0, 0, farBall_), 10) << "the goalkeeper has left it";
+  robots[1] = {1, 1, 1, true, {-1.8, 0.4}};
+  EXPECT_EQ(untilFoul(robots, 0, 0, farBall_), 10) << "it is the goalkeeper of the others";
 }

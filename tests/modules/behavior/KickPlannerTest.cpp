@@ -45,6 +45,30 @@ TEST_F(KickPlannerTest, theOwnGoalIsTheLastChoice) {
   EXPECT_GT(std::cos(planner_.choose(now).direction), -0.5);
 }
 
+TEST_F(KickPlannerTest, aBallStopsAtRobots) {
+  const KickPlanner::Choice ahead{KickSide::kAhead, 0};
+  const KickPlanner::Situation free{{0.3, 0, 0}, {0.6, 0}, {}};
+  KickPlanner::Situation blocked = free;
+  blocked.opponents = {{0.8, 0.02}};
+  EXPECT_GT(*planner_.secondsToGoal(blocked, ahead), *planner_.secondsToGoal(free, ahead) + 2);
+  KickPlanner::Situation byMate = free;
+  byMate.mates = {{0.8, 0.02}};
+  EXPECT_GT(*planner_.secondsToGoal(byMate, ahead), *planner_.secondsToGoal(free, ahead) + 2);
+  KickPlanner::Situation beside = free;
+  beside.opponents = {{0.6, 0.3}};
+  EXPECT_NEAR(*planner_.secondsToGoal(beside, ahead), *planner_.secondsToGoal(free, ahead), 1e-9);
+  EXPECT_GT(std::abs(robotlink::normalizedAngle(planner_.choose(blocked).direction)), 0.2)
+      << "it is played past the opponent";
+}
+
+TEST_F(KickPlannerTest, anOpponentBehindTheBallIsInTheWay) {
+  const KickPlanner::Choice ahead{KickSide::kAhead, 0};
+  const KickPlanner::Situation free{{0.3, 0, 0}, {0.6, 0}, {}};
+  KickPlanner::Situation occupied = free;
+  occupied.opponents = {{0.35, 0}};
+  EXPECT_NEAR(*planner_.secondsToGoal(occupied, ahead) - *planner_.secondsToGoal(free, ahead), 3, 0.01);
+}
+
 TEST_F(KickPlannerTest, keepsItsChoiceWhileTheBallIsAtThePaws) {
   const auto first = planner_.choose({{1.2, 0, 0}, {1.6, 0}, {}});
   const KickPlanner::Situation elsewhere{{1.6, -0.3, robotlink::kPi / 2}, {1.6, 0}, {}};

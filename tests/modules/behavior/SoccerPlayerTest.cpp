@@ -170,6 +170,22 @@ TEST_F(SoccerPlayerTest, theGoalieStaysInItsGoalAndClearsNearBalls) {
   EXPECT_EQ(state("keep goal"), "guard");
 }
 
+TEST_F(SoccerPlayerTest, theStrikerLeavesABallInItsOwnPenaltyAreaToTheGoalie) {
+  GameSituation now = situation({-1.2, 0.3, 0}, {-1.8, 0.3});
+  now.number = 2;
+  play(now);
+  EXPECT_EQ(state("playing"), "striker") << "there is nobody else";
+  now.mates = {mate(1, Role::kGoalie, {-2, 0}, 2)};
+  const Intention intention = play(now, 2);
+  EXPECT_EQ(player_.role(), Role::kStriker);
+  EXPECT_EQ(state("playing"), "leave");
+  EXPECT_FALSE(TeamPlaces(field_, {}).isGoaliesBall(*now.pose * *player_.target(), 0.1));
+  EXPECT_NE(intention.motion, Intention::Motion::kKick);
+  now.ball = now.pose->inverse() * Vector2(-1.2, 0.6);
+  play(now);
+  EXPECT_EQ(state("playing"), "striker");
+}
+
 TEST_F(SoccerPlayerTest, aBallThatLiesBehindItIsWalkedAround) {
   GameSituation now = situation({1, 0, 0}, {0.6, 0});
   play(now, 3);

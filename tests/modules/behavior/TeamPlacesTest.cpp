@@ -95,6 +95,10 @@ TEST(TeamPlaces, theSupporterIsOnTheWiderSide) {
   // Never in the own penalty area, nor at the wall.
   EXPECT_GE(places().supporter({-1.9, 0}).x, -1.3 - 1e-9);
   EXPECT_LE(std::abs(places().supporter({0, -0.2}).y), 0.75 + 1e-9);
+  const auto beforeGoal = places().supporter({1.8, 1.1});
+  EXPECT_NEAR(beforeGoal.y, -0.1, 1e-9) << "a ball in the corner comes back before the goal";
+  EXPECT_NEAR(beforeGoal.x, places().opponentGoal().x() - 0.9, 1e-9);
+  EXPECT_GT(places().supporter({-1.5, 0.3}).x, -1.2) << "near the own goal it stands before the ball";
 }
 
 TEST(TeamPlaces, theBallIsPlayedToTheWidestGap) {

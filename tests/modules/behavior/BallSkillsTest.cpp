@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/behavior/BallSkills.h"
+
+#include <gtest/gtest.h>
+
+namespace modules {
+namespace {
+
+using robotlink::Vector2;
+using Robots = std::vector<Vector2>;
+
+class BallSkillsTest : public testing::Test {
+ protected:
+  /// The direction in which it walks toward a near place, rad.
+  double directionTo(const Vector2& place, const Robots& robots) const {
+    const Intention walk = skills_.walkTo(place, 0, robots);
+    return std::atan2(walk.left, walk.forward);
+  }
+  /// Near enough for walking in any direction.
+  const Vector2 ahead_{0.34, 0};
+  BallSkills skills_{{}};
+};
+
+TEST_F(BallSkillsTest, whatIsNotInTheWayChangesNothing) {
+  EXPECT_NEAR(directionTo(ahead_, {}), 0, 1e-9);
+  EXPECT_NEAR(directionTo(ahead_, {{-0.35, 0}}), 0, 1e-9) << "behind it";
+  EXPECT_NEAR(directionTo(ahead_, {{0.5, 0}}), 0, 1e-9) << "beyond the place";
+  EXPECT_NEAR(directionTo(ahead_, {{0.1, 0.4}}), 0, 1e-9) << "beside the way";
+}
+
+TEST_F(BallSkillsTest, aRobotIsPassedOnTheNearerSide) {
+  EXPECT_LT(directionTo(ahead_, {{0.4, 0.1}}), -0.3);
+  EXPECT_GT(directionTo(ahead_, {{0.4, -0.1}}), 0.3);
+  EXPECT_LT(directionTo(ahead_, {{0.42, 0}}), -0.3) << "on the right if it is met head-on";
+}
+
+TEST_F(BallSkillsTest, robotsSideBySideArePassedTogether) {
+  // The gap between them is narrower than a robot: the left end of both is the nearer one.
+  const double turn = directionTo(ahead_, {{0.36, -0.24}, {0.36, 0.1}});
+  EXPECT_GT(std::abs(turn), 0.9);
+  for (const Vector2& robot : Robots{{0.36, -0.24}, {0.36, 0.1}}) {
+    const Vector2 way(std::cos(turn), std::sin(turn));
+    const double beside = std::abs(way.x() * robot.y() - way.y() * robot.x());
+    EXPECT_GE(beside, BallSkills::Options().robotRadius - 1e-6);
+  }
+}
+
+TEST_F(BallSkillsTest, nearTheBallItGetsCloserToOthersThatPlayIt) {
+  // The place behind the ball is straight ahead, and an opponent stands beside the way there.
+  const Vector2 ball{0.57, 0};
+  const Robots beside{{0.2, 0.22}};
+  const Intention alone = skills_.approach(ball, 0, {}), pressed = skills_.approach(ball, 0, beside);
+  EXPECT_NEAR(pressed.left, alone.left, 1e-9);
+  EXPECT_LT(skills_.walkTo({0.3, 0}, 0, beside).left, -0.01) << "elsewhere it keeps away";
+}
+
+}  // namespace
+}  // namespace modules
