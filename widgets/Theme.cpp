@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/Theme.h"
 
+#include <algorithm>
 #include <array>
 
 namespace widgets {
@@ -64,6 +65,14 @@ QColor colorOf(Meaning meaning, const QPalette& palette) {
 
 QColor curveColor(int index, const QPalette& palette) {
   return pick(kCurves[static_cast<std::size_t>(index) % kCurves.size()], palette);
+}
+
+QColor calmColor(int index, double saturation, const QPalette& palette) {
+  constexpr double kLightnessOnLight = 0.5, kLightnessOnDark = 0.64;
+  const QColor curve = curveColor(index, palette);
+  // A gray curve stays gray; one without any color has no hue, which is -1 then.
+  return QColor::fromHslF(std::max(0.0, curve.hslHueF()), std::min(saturation, curve.hslSaturationF()),
+                          isDark(palette) ? kLightnessOnDark : kLightnessOnLight);
 }
 
 }  // namespace widgets

@@ -19,6 +19,9 @@ bool isHighContrast(const QPalette& palette);
 QColor colorOf(Meaning meaning, const QPalette& palette);
 /// Color of the n-th curve (from 0); they repeat after twelve.
 QColor curveColor(int index, const QPalette& palette);
+/// A pale or deep tone of the n-th curve's hue, for surfaces that are not to shine: never glaring, and of one
+/// lightness for all. `saturation` from 0 (gray) to 1.
+QColor calmColor(int index, double saturation, const QPalette& palette);
 /// (1 - share) * a + share * b, alpha included; `share` from 0 to 1.
 QColor mixed(const QColor& a, const QColor& b, double share);
 

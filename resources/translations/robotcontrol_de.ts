@@ -1187,6 +1187,10 @@
         <source>No image yet from %1</source>
         <translation>Noch kein Bild von %1</translation>
     </message>
+    <message>
+        <source>%1 has no camera. Choose another robot, or other images at the top. A simulated robot can be given a camera in the scene editor.</source>
+        <translation>%1 hat keine Kamera. Wählen Sie einen anderen Roboter oder oben andere Bilder. Ein simulierter Roboter kann im Szeneneditor eine Kamera bekommen.</translation>
+    </message>
 </context>
 <context>
     <name>KeyValue</name>
@@ -5384,6 +5388,10 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     <message>
         <source>stalls: %1, longest %2 ms (CPU %3 ms)</source>
         <translation>Hänger: %1, längster %2 ms (CPU %3 ms)</translation>
+    </message>
+    <message>
+        <source>%1, of %2 events with %3 page faults</source>
+        <translation>%1, von %2 Ereignissen mit %3 Seitenfehlern</translation>
     </message>
 </context>
 <context>
@@ -13611,16 +13619,16 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Szene</translation>
     </message>
     <message>
-        <source>Drag: turn; right or middle button, or Shift: move; wheel: zoom; click a robot: select it; drag a robot or the ball (Control: always): place it, wheel: turn it; R: reset</source>
-        <translation>Ziehen: drehen; rechte oder mittlere Taste oder Umschalt: verschieben; Mausrad: zoomen; Roboter anklicken: auswählen; Roboter oder Ball ziehen (Strg: immer): platzieren, Mausrad: drehen; R: zurücksetzen</translation>
-    </message>
-    <message>
         <source>The scene cannot be drawn: %1</source>
         <translation>Die Szene kann nicht gezeichnet werden: %1</translation>
     </message>
     <message>
         <source>x: %1 m  y: %2 m</source>
         <translation>x: %1 m  y: %2 m</translation>
+    </message>
+    <message>
+        <source>Drag: turn; right or middle button, or Shift: move; wheel: zoom; click an object: select it; double click: select the ground or a room, too; Esc: select nothing; drag a robot or the ball (Control: always): place it, wheel: turn it; R: reset</source>
+        <translation>Ziehen: drehen; rechte oder mittlere Taste oder Umschalt: verschieben; Mausrad: zoomen; Objekt anklicken: auswählen; Doppelklick: auch den Boden oder einen Raum auswählen; Esc: nichts auswählen; Roboter oder Ball ziehen (Strg: immer): platzieren, Mausrad: drehen; R: zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -14245,6 +14253,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>Drag an object to its place in the scene, or double click it</source>
         <translation>Ein Objekt an seinen Platz in der Szene ziehen oder doppelt anklicken</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
     </message>
 </context>
 <context>

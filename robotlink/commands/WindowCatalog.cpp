@@ -227,7 +227,7 @@ Rows windowCatalog() {
        "Has the simulation go on in the texts of the scene editor as they are, without saving them"},
       {"scene.insert",
        "Adds an object to the text of the simulated scene, and goes on in it; nothing is saved",
-       {{"kind", Type::kText, "box, ball, cylinder, lamp, camera, or the name of a model"},
+       {{"kind", Type::kText, "box, ball, cylinder, wall, lamp, camera, or the name of a model"},
         {"x", Type::kNumber, "m, in the field's frame"},
         {"y", Type::kNumber, "m"}}},
       {"scene.copy",

@@ -117,7 +117,7 @@ TEST_F(SceneTextTest, aNewRoomHasNoErrorsWhateverRobotIsInIt) {
 TEST_F(SceneTextTest, newObjectsOfAllKindsStandInARoomWithoutErrors) {
   const auto file = folder_.path() / "room.sdf";
   const std::string room = newRoomText({}, file).value_or("");
-  for (const char* kind : {"box", "ball", "cylinder", "lamp", "camera", "burger", "sliding_door"}) {
+  for (const char* kind : {"box", "ball", "cylinder", "wall", "lamp", "camera", "burger", "sliding_door"}) {
     const auto object = newObjectText(kind, "thing", 1, -1, file);
     ASSERT_TRUE(object.has_value()) << kind << ": " << object.error().describe();
     EXPECT_EQ(object->find('@'), std::string::npos) << kind;

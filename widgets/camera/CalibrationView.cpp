@@ -362,7 +362,7 @@ void CalibrationView::showImage() {
 QString CalibrationView::hint() const {
   if (session().robots().empty())
     return tr("No camera. Open one with Robot > Open a Camera…, or a robot or a log that has images.");
-  return imageHint(session(), streams_->path(session()));
+  return imageHint(context(), streams_->path(session()));
 }
 
 bool CalibrationView::eventFilter(QObject* watched, QEvent* event) {

@@ -70,7 +70,7 @@ void FieldTablePanel::createViews() {
   describe(*progress_, {"dataTableProgress", tr("Progress"), {}});
   progress_->setRange(0, kPercent);
   table_ = makeTable(this, {"dataTable", tr("Values over time"), {}}, &model_);
-  table_->setTextElideMode(Qt::ElideMiddle);
+  table_->setTextElideMode(Qt::ElideRight);
   new ColumnFit(*table_, ColumnKind::kNumber);
   auto* top = makeToolRow(this, 0);
   top->addWidget(source_);

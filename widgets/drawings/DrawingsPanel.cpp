@@ -34,7 +34,8 @@ void DrawingsPanel::createViews() {
   list_->setModel(filtered_);
   list_->setUniformItemSizes(true);
   list_->setFrameShape(QFrame::NoFrame);
-  list_->setTextElideMode(Qt::ElideMiddle);
+  // What is drawn is said by the end of a name; before it stands who draws it. Tips have the whole name.
+  list_->setTextElideMode(Qt::ElideLeft);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* hint = new EmptyHint(list_);
   const auto update = [this, hint] {

@@ -5,9 +5,13 @@
 #include <algorithm>
 
 #include "foxglove/Robot.pb.h"
+#include "robotcontrol/World.pb.h"
+#include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/View.h"
 
 namespace widgets {
 namespace {
@@ -36,9 +40,26 @@ std::string platformProblem(robotlink::Session& session, const std::string& robo
   return {};
 }
 
+/// Whether a robot is known to have no camera: its kind has none, no image of it has arrived, and the scene
+/// gives it none.
+bool lacksCamera(const ViewContext& context, const std::string& robot) {
+  const auto kind = context.robots.find(robot);
+  if (kind == context.robots.end() || kind->second == nullptr) return false;
+  const auto& offers = kind->second->offers;
+  if (std::ranges::find(offers, robotlink::kCameraImage.name) != offers.end()) return false;
+  robotlink::Session& session = context.session;
+  if (!streamsOfType(session.store(), robot, "foxglove.RawImage").empty()) return false;
+  const auto* world = session.store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
+                                                                           session.timeline().newest());
+  return world == nullptr || std::ranges::none_of(world->objects(), [&](const auto& object) {
+           return object.port().robot() == robot && !object.port().image_stream().empty();
+         });
+}
+
 }  // namespace
 
-QString imageHint(robotlink::Session& session, const std::string& path) {
+QString imageHint(const ViewContext& context, const std::string& path) {
+  robotlink::Session& session = context.session;
   const bool exists = session.store().find(path) != nullptr;
   if (session.robots().empty() && !exists && hasForeignStreams(session.store()))
     return imageSentence(
@@ -48,6 +69,12 @@ QString imageHint(robotlink::Session& session, const std::string& path) {
   if (session.robots().empty() && !exists)
     return imageSentence(
         QT_TRANSLATE_NOOP("ImageHint", "No robot. Start a simulation or connect to a robot."));
+  if (const std::string robot = robotPart(path); lacksCamera(context, robot))
+    return imageSentence(
+               QT_TRANSLATE_NOOP("ImageHint",
+                                 "%1 has no camera. Choose another robot, or other images at the "
+                                 "top. A simulated robot can be given a camera in the scene editor."))
+        .arg(QString::fromStdString(robot));
   const QString none =
       imageSentence(QT_TRANSLATE_NOOP("ImageHint", "No image yet from %1")).arg(QString::fromStdString(path));
   const std::string problem = platformProblem(session, robotPart(path));

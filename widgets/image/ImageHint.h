@@ -4,14 +4,13 @@
 #include <QString>
 #include <string>
 
-namespace robotlink {
-class Session;
-}
-
 namespace widgets {
 
-/// Why a view has no image from the stream `path` to show, and what to do about it. What a robot's platform
-/// reported last as not working, such as a camera that cannot be opened, is the reason. GUI thread.
-QString imageHint(robotlink::Session& session, const std::string& path);
+struct ViewContext;
+
+/// Why a view has no image from the stream `path` to show, and what to do about it: the robot may have no
+/// camera, or its platform reported as the last thing that something does not work, such as a camera that
+/// cannot be opened. GUI thread.
+QString imageHint(const ViewContext& context, const std::string& path);
 
 }  // namespace widgets

@@ -148,7 +148,7 @@ void ImageStreamView::showMessage() {
   auto drawings = image ? drawingsOf(robot(), instant(), imageTime_) : std::vector<CurrentDrawing>();
   bool same = image == image_ && drawings == shownDrawings_;
   image_ = std::move(image);
-  canvas_->setHint(imageHint(session(), streams_->path(session())));
+  canvas_->setHint(imageHint(context(), streams_->path(session())));
   if (compare_->isChecked()) {
     const bool isOther = second_->update(session(), image_ ? imageTime_ : instant());
     auto seconds = second_->image() ? drawingsOf(second_->robot(), second_->time(), second_->time())

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "robotcontrol/World.pb.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/TypedStreams.h"
 
@@ -48,10 +50,28 @@ bool StreamSelector::refresh(robotlink::Session& session) {
   return true;
 }
 
+bool StreamSelector::isOfOthers(robotlink::Session& session) const {
+  const std::string path = choice_.toStdString(), robot = robotPart(path);
+  const auto& robots = session.robots();
+  if (choice_.startsWith(QLatin1Char('*')) || robot.empty() || robots.empty() ||
+      std::ranges::find(robots, robot) != robots.end())
+    return false;
+  // A camera of the scene sends images once somebody asks for them.
+  const auto* world = session.store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
+                                                                           session.timeline().newest());
+  return world == nullptr || std::ranges::none_of(world->objects(), [&](const auto& object) {
+           return object.port().image_stream() == path;
+         });
+}
+
 QString StreamSelector::substitute(const QStringList& ofSelected, const QStringList& paths,
-                                   const robotlink::Session& session) const {
-  if (choice_ != initial_) return {};
+                                   robotlink::Session& session) const {
+  const bool isGone = isOfOthers(session);
+  if (choice_ != initial_ && !isGone) return {};
+  const QString same = QLatin1Char('*') + choice_.mid(choice_.indexOf(QLatin1Char('/')));
+  if (ofSelected.contains(same)) return same;
   if (!ofSelected.isEmpty()) return ofSelected.front();
+  if (isGone) return initial_;
   const auto& robots = session.robots();
   const auto found = std::ranges::find_if(paths, [&](const QString& path) {
     return std::ranges::find(robots, robotPart(path.toStdString())) == robots.end();

@@ -13,7 +13,9 @@ namespace widgets {
 /// A combo box that selects a stream of one message type by its path: a certain one, or with "*" in place of
 /// the robot that of the session's selected robot. A stream that was chosen and does not exist (yet) stays
 /// chosen. While the initial choice, which nobody chose, does not exist, the first stream there is stands for
-/// it: one of the selected robot, else one of no robot, as in logs of other programs. GUI thread.
+/// it: one of the selected robot, else one of no robot, as in logs of other programs. For a stream of a robot
+/// that is not there any more, as after another scene was opened, the same of the selected robot stands, or
+/// its first one, until that robot is back. GUI thread.
 class StreamSelector final : public QComboBox {
   Q_OBJECT
  public:
@@ -36,9 +38,12 @@ class StreamSelector final : public QComboBox {
   void choiceChanged();
 
  private:
-  /// Which choice stands for the initial one; empty: none.
+  /// Whether the choice is a stream of something that the session does not have, such as a robot of another
+  /// scene.
+  bool isOfOthers(robotlink::Session& session) const;
+  /// Which choice stands for the one that does not exist; empty: none.
   QString substitute(const QStringList& ofSelected, const QStringList& paths,
-                     const robotlink::Session& session) const;
+                     robotlink::Session& session) const;
 
   /// Full name of the message type.
   std::string type_;

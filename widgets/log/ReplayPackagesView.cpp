@@ -49,7 +49,7 @@ void ReplayPackagesView::createViews() {
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setFrameShape(QFrame::NoFrame);
-  table_->setTextElideMode(Qt::ElideMiddle);
+  table_->setTextElideMode(Qt::ElideRight);
   new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber,
                           ColumnKind::kNumber, ColumnKind::kText});
   hint_ = new EmptyHint(table_);

@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
@@ -95,8 +97,7 @@ QWidget* MotionView::createTop() {
   return top;
 }
 
-QWidget* MotionView::createBody() {
-  auto* body = new QWidget(this);
+QLayout* MotionView::createPadColumn(QWidget* body) {
   walkPad_ = new WalkPad(body);
   turn_ = new QSlider(Qt::Horizontal, body);
   describe(*turn_, {"walkTurn", tr("Turn"), tr("Turns as long as it is held: left is counter-clockwise")});
@@ -115,24 +116,42 @@ QWidget* MotionView::createBody() {
   auto* pad = new QHBoxLayout;
   pad->addWidget(makeButton(body, bind));
   pad->addWidget(gamepadState_, 1);
+  auto* column = new QVBoxLayout;
+  column->addWidget(walkPad_, 1);
+  column->addWidget(turn_);
+  column->addLayout(pad);
+  return column;
+}
+
+QLayout* MotionView::createPanelColumn(QWidget* body) {
   speed_ = new SpeedPanel(body);
   head_ = new HeadPanel(body);
   motions_ = new MotionButtons(body);
-  auto* left = new QVBoxLayout;
-  left->addWidget(walkPad_, 1);
-  left->addWidget(turn_);
-  left->addLayout(pad);
-  auto* right = new QVBoxLayout;
-  right->addWidget(speed_);
-  right->addWidget(motors_);
-  right->addWidget(head_);
-  right->addWidget(motions_);
-  right->addStretch();
-  auto* layout = new QHBoxLayout(body);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addLayout(left, 3);
-  layout->addLayout(right, 2);
+  auto* column = new QVBoxLayout;
+  column->addWidget(speed_);
+  column->addWidget(motors_);
+  column->addWidget(head_);
+  column->addWidget(motions_);
+  column->addStretch();
+  return column;
+}
+
+QWidget* MotionView::createBody() {
+  auto* body = new QWidget(this);
+  columns_ = new QBoxLayout(QBoxLayout::LeftToRight, body);
+  columns_->setContentsMargins(0, 0, 0, 0);
+  columns_->addLayout(createPadColumn(body), 3);
+  columns_->addLayout(createPanelColumn(body), 2);
   return body;
+}
+
+void MotionView::arrange() {
+  // The bar is always counted, since it may come and go with the order of the columns.
+  const int room = area_->width() - area_->verticalScrollBar()->sizeHint().width();
+  int needed = columns_->spacing();
+  for (int i = 0; i < columns_->count(); ++i) needed += columns_->itemAt(i)->minimumSize().width();
+  const auto wanted = needed > room ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (columns_->direction() != wanted) columns_->setDirection(wanted);
 }
 
 void MotionView::createViews() {
@@ -140,7 +159,8 @@ void MotionView::createViews() {
   layout->addWidget(createTop());
   steering_ = new SteeringBar(context().commands, this);
   layout->addWidget(steering_);
-  layout->addWidget(makeScrollArea(this, createBody()), 1);
+  area_ = makeScrollArea(this, createBody());
+  layout->addWidget(area_, 1);
 }
 
 void MotionView::connectSignals() {
@@ -233,6 +253,7 @@ void MotionView::switchMotors(bool on) {
 
 void MotionView::tick() {
   followRobot();
+  arrange();
   if (drive_) subscription_.want(session(), robot_, {robotlink::kDriveState.name});
   useGamepad(gamepad_());
   WalkAxes axes = pad_.axes.zero() ? walkPad_->axes() : pad_.axes;
@@ -393,6 +414,11 @@ void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
         WalkAxes{real->x / limits.speed, real->y / limits.speed, real->rotation / limits.rotation};
   }
   walkPad_->show(std::move(picture));
+}
+
+void MotionView::resizeEvent(QResizeEvent* event) {
+  View::resizeEvent(event);
+  arrange();
 }
 
 void MotionView::hideEvent(QHideEvent* event) {

@@ -7,8 +7,11 @@
 #include "widgets/motion/Gamepad.h"
 #include "widgets/motion/ManualSteering.h"
 
+class QBoxLayout;
 class QLabel;
+class QLayout;
 class QPushButton;
+class QScrollArea;
 class QSlider;
 class QToolButton;
 
@@ -47,6 +50,7 @@ class MotionView final : public View {
   void restoreState(const QJsonObject& state) override;
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   /// Commands the robot to stand still.
   void hideEvent(QHideEvent* event) override;
   /// Commands the robot to stand still when the window is deactivated.
@@ -57,8 +61,13 @@ class MotionView final : public View {
   void createViews();
   /// Row with the robot's name, "Take over", the state and STOP.
   QWidget* createTop();
-  /// Pad and turn slider on the left; speeds, motors, head and motions on the right.
+  /// Pad and turn slider on the left; speeds, motors, head and motions on the right, or below where it is
+  /// too narrow for both.
   QWidget* createBody();
+  QLayout* createPadColumn(QWidget* body);
+  QLayout* createPanelColumn(QWidget* body);
+  /// Puts both columns side by side, or one below the other.
+  void arrange();
   void connectSignals();
 
   /// Adopts the selected robot.
@@ -104,6 +113,8 @@ class MotionView final : public View {
   Gamepad::State pad_;
   /// Why the last command of a button failed; empty: it did not.
   QString padFailure_;
+  QScrollArea* area_ = nullptr;
+  QBoxLayout* columns_ = nullptr;
   WalkPad* walkPad_ = nullptr;
   QSlider* turn_ = nullptr;
   HeadPanel* head_ = nullptr;

@@ -12,6 +12,7 @@
 #include "robotlink/motions/MotionDocument.h"
 #include "robotlink/motions/MotionEdits.h"
 #include "widgets/View.h"
+#include "widgets/text/TextPlace.h"
 
 namespace robotcontrol {
 class MotionTable;
@@ -47,6 +48,9 @@ class MotionBench final : public QObject {
   /// The line that is selected, from 1: where the cursor of the text is.
   int line() const { return line_; }
   void setLine(int line);
+  /// Where the editor was in the text when it was shown last.
+  const TextPlace& place() const { return place_; }
+  void setPlace(const TextPlace& place) { place_ = place; }
   /// The key frames, and the index of the one in the selected line, or before it; -1: there is none.
   const std::vector<robotlink::KeyFramePlace>& frames() const { return frames_; }
   int frame() const;
@@ -107,6 +111,7 @@ class MotionBench final : public QObject {
   std::vector<robotlink::KeyFramePlace> frames_;
   robotlink::Errors compileErrors_;
   int line_ = 1;
+  TextPlace place_;
   std::string robot_;
   std::shared_ptr<const robotlink::RobotDescription> description_;
   /// The address of the table that compile() has seen.

@@ -62,6 +62,17 @@ MotionTextEdit::MotionTextEdit(MotionBench& bench, QWidget* parent) : MarkedText
   connect(&bench, &MotionBench::changed, this, &MotionTextEdit::showText);
   connect(&bench, &MotionBench::robotChanged, this, &MotionTextEdit::underline);
   connect(&bench, &MotionBench::lineChanged, this, &MotionTextEdit::showLine);
+  showPlace();
+  connect(this, &MarkedTextEdit::placeChanged, this, [this] { bench_.setPlace(place()); });
+}
+
+void MotionTextEdit::showPlace() {
+  const TextPlace& before = bench_.place();
+  // Another line may have been selected since, or another motion opened.
+  if (document()->findBlock(before.position).blockNumber() != bench_.line() - 1) return;
+  isShowing_ = true;
+  setPlace(before);
+  isShowing_ = false;
 }
 
 void MotionTextEdit::takeText() {
@@ -96,6 +107,7 @@ void MotionTextEdit::showLine() {
   const int line = bench_.line() - 1;
   if (textCursor().blockNumber() == line || line >= blockCount()) return;
   isShowing_ = true;
+  dropPlace();
   setTextCursor(QTextCursor(document()->findBlockByNumber(line)));
   isShowing_ = false;
   ensureCursorVisible();

@@ -24,6 +24,8 @@ class MotionTextEdit final : public MarkedTextEdit {
   /// Shows the bench's text, if it is another one.
   void showText();
   void showLine();
+  /// Goes to where the editor before this one was.
+  void showPlace();
   void underline();
   /// The characters of an error: its word, or the whole line if it has no column.
   QTextCursor wordOf(int line, int column) const;

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/Theme.h"
 
@@ -14,10 +15,10 @@ namespace {
 
 constexpr int kAxisWidth = 56, kColumnMargin = 8;  // px
 
-/// The number of at least this size that is 1, 2 or 5 times a power of ten.
+/// The number of at least this size that is a digit, and none that is hard to divide, times a power of ten.
 double roundedUp(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0})
+  for (const double step : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
     if (step * power >= value * (1 - 1e-9)) return step * power;
   return 10 * power;
 }
@@ -52,11 +53,7 @@ void paintAxis(QPainter& painter, const QRectF& area, const ColumnGraph& graph, 
 }  // namespace
 
 void ColumnGraph::fit(double minimum, double maximum) {
-  if (maximum > minimum && std::isfinite(minimum) && std::isfinite(maximum)) {
-    low = std::min(minimum, 0.0);
-    high = std::max(maximum, low + 1e-12);
-    return;
-  }
+  const bool isLimited = maximum > minimum && std::isfinite(minimum) && std::isfinite(maximum);
   double lowest = 0, highest = 0;
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
@@ -65,6 +62,30 @@ void ColumnGraph::fit(double minimum, double maximum) {
   }
   low = lowest < 0 ? -roundedUp(-lowest) : 0;
   high = highest > 0 ? roundedUp(highest) : low < 0 ? 0 : 1;
+  if (!isLimited) return;
+  // A sensor that reports nothing but 0 has all of its range before it.
+  if (highest <= 0 && lowest >= 0) high = maximum;
+  low = std::max(low, std::min(minimum, 0.0));
+  high = std::max(std::min(high, maximum), low + 1e-12);
+}
+
+void SteadyLimits::Limits::include(const Limits& other) {
+  low = std::min(low, other.low);
+  high = std::max(high, other.high);
+}
+
+void SteadyLimits::apply(ColumnGraph& graph) {
+  const Limits own{graph.low, graph.high};
+  if (!wanted_) wanted_ = own;
+  wanted_->include(own);
+  if (!shown_) shown_ = own;
+  shown_->include(own);
+  if (++count_ >= kPatience) {
+    shown_ = std::exchange(wanted_, std::nullopt);
+    count_ = 0;
+  }
+  graph.low = shown_->low;
+  graph.high = shown_->high;
 }
 
 void paintColumns(QPainter& painter, const QSize& size, const ColumnGraph& graph, const QPalette& palette,

@@ -16,9 +16,31 @@ struct ColumnGraph {
   double low = 0, high = 1;
   QString unit;
 
-  /// The limits of the axis: those of the sensor where it has some, else 0 and all values, rounded up to 1, 2
-  /// or 5 times a power of ten. Values that are not finite count as none.
+  /// Sets the limits of the axis to 0 and all values, rounded up to a number with one digit, but not beyond
+  /// those of the sensor, if it has some. Values that are not finite count as none.
   void fit(double minimum, double maximum);
+};
+
+/// Keeps the axis of values that change steady: its limits become wider at once, but narrower only when the
+/// values of some seconds would fit.
+class SteadyLimits {
+ public:
+  /// For how many graphs the limits stay at least: three seconds of ticks.
+  static constexpr int kPatience = 90;
+
+  /// Sets the limits of the next graph of the same values.
+  void apply(ColumnGraph& graph);
+
+ private:
+  struct Limits {
+    double low, high;
+    void include(const Limits& other);
+  };
+  /// Unset: before the first graph.
+  std::optional<Limits> shown_;
+  /// What the graphs since the limits were set last would have had; unset: there was none.
+  std::optional<Limits> wanted_;
+  int count_ = 0;
 };
 
 /// Paints the columns into a rectangle of this size at the painter's origin, with the axis at the left.

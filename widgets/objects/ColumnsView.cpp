@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/AtomicFile.h"
@@ -150,8 +151,10 @@ std::optional<ColumnGraph> ColumnsView::graph() {
 void ColumnsView::tick() {
   listPorts();
   if (freeze_->isChecked()) return;
-  const auto now = graph();
+  auto now = graph();
   const QString source = source_->currentText();
+  if (std::exchange(limited_, source) != source) limits_ = {};
+  if (now) limits_.apply(*now);
   hint_->setHint(now ? QString()
                  : source.isEmpty()
                      ? tr("Choose a sensor of the scene above, or type a stream and a list of its messages.")

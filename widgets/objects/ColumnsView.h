@@ -64,6 +64,9 @@ class ColumnsView final : public View {
   EmptyHint* hint_ = nullptr;
   PortSubscription subscription_;
   robotlink::PackagePtr objects_;
+  /// The axis, and the source to which it belongs.
+  SteadyLimits limits_;
+  QString limited_;
   int pointed_ = -1;
 };
 

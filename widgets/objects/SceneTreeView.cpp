@@ -276,6 +276,11 @@ void SceneTreeView::readShown() {
 }
 
 void SceneTreeView::followSelection() {
+  if (selection_.object().empty() && tree_->currentIndex().isValid()) {
+    // So that a click on the same row selects it again.
+    tree_->selectionModel()->clear();
+    return showSelected();
+  }
   const QModelIndex index = filtered_->mapFromSource(model_.indexOf(selection_.object()));
   if (!index.isValid() || index == tree_->currentIndex().siblingAtColumn(0)) return;
   tree_->setCurrentIndex(index);

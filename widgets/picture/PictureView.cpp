@@ -30,7 +30,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kPictureWidth = 420, kDrawingsWidth = 180;  // pixels, before the user divides the view
+constexpr int kPictureWidth = 420, kDrawingsWidth = 230;  // pixels, before the user divides the view
 const double kPictureZoomStep = std::sqrt(2.0);
 
 }  // namespace

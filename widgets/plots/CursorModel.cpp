@@ -35,7 +35,7 @@ void CursorModel::update() {
     for (const auto& curve : curves_.curves()) {
       const robotlink::Series& points = curve->points();
       const std::size_t begin = points.firstFrom(from), end = points.firstAfter(to);
-      rows.push_back({curve->source().text(), curve->color, curve->valueAt(cursors_->first),
+      rows.push_back({curve->title, curve->source().text(), curve->color, curve->valueAt(cursors_->first),
                       curve->valueAt(cursors_->second), end - begin});
       Row& row = rows.back();
       const Row* before = rows.size() <= rows_.size() ? &rows_[rows.size() - 1] : nullptr;
@@ -86,7 +86,7 @@ QVariant CursorModel::data(const QModelIndex& index, int role) const {
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
   if (index.column() == kName) {
     if (role == Qt::DecorationRole) return curveColor(row.color, QGuiApplication::palette());
-    return role == Qt::DisplayRole || role == Qt::ToolTipRole ? row.name : QVariant();
+    return role == Qt::DisplayRole ? row.title : role == Qt::ToolTipRole ? row.name : QVariant();
   }
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};

@@ -33,7 +33,8 @@ class CursorModel final : public QAbstractTableModel {
  private:
   static constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
   struct Row {
-    QString name;
+    /// The curve's title, and the text of its source.
+    QString title, name;
     int color = 0;
     /// The values at the cursors.
     std::optional<double> first, second;

@@ -3,8 +3,10 @@
 
 #include <QGuiApplication>
 #include <QPalette>
+#include <QRegularExpression>
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "widgets/Theme.h"
@@ -14,6 +16,10 @@ namespace widgets {
 using robotlink::Series;
 
 namespace {
+
+/// A value of a port in the text of a source or in an expression, as portField() writes it.
+const QString kPortValue =
+    QStringLiteral("ports(?:: |\\.)readings\\[port=\"([^\"]*)\"\\]\\.values\\[(\\d+)\\]");
 
 /// How many points of a curve are held at most; then the older half goes.
 constexpr std::ptrdiff_t kMaxHeld = 4'000'000;
@@ -26,6 +32,32 @@ QString csvCell(const CurveModel::Curve& curve, double value) {
 }
 
 }  // namespace
+
+std::vector<QString> curveTitles(const std::vector<QString>& texts) {
+  const QRegularExpression value(kPortValue);
+  std::map<QString, std::set<QString>> shown;  // the numbers of the values by sensors
+  for (const QString& text : texts) {
+    for (auto found = value.globalMatch(text); found.hasNext();) {
+      const auto match = found.next();
+      shown[match.captured(1)].insert(match.captured(2));
+    }
+  }
+  std::vector<QString> titles;
+  for (const QString& text : texts) {
+    QString title;
+    int end = 0;
+    for (auto found = value.globalMatch(text); found.hasNext();) {
+      const auto match = found.next();
+      const QString sensor = match.captured(1), number = match.captured(2);
+      const bool isOne = shown[sensor].size() == 1 && number == QLatin1String("0");
+      title += text.mid(end, match.capturedStart() - end) + sensor;
+      if (!isOne) title += QStringLiteral(" [%1]").arg(number);
+      end = match.capturedEnd();
+    }
+    titles.push_back(title + text.mid(end));
+  }
+  return titles;
+}
 
 int CurveModel::freeColor() const {
   int color = 0;
@@ -43,14 +75,25 @@ bool CurveModel::add(const PlotSource& source) {
   beginInsertRows({}, rowCount(), rowCount());
   curves_.push_back(std::make_shared<Curve>(source));
   curves_.back()->color = color;
+  nameCurves();
   endInsertRows();
+  Q_EMIT dataChanged(index(0, kName), index(rowCount() - 1, kName));
   return true;
+}
+
+void CurveModel::nameCurves() {
+  std::vector<QString> texts;
+  for (const auto& curve : curves_) texts.push_back(curve->source().text());
+  const auto titles = curveTitles(texts);
+  for (std::size_t i = 0; i < curves_.size(); ++i) curves_[i]->title = titles[i];
 }
 
 void CurveModel::remove(int row) {
   beginRemoveRows({}, row, row);
   curves_.erase(curves_.begin() + row);
+  nameCurves();
   endRemoveRows();
+  if (!curves_.empty()) Q_EMIT dataChanged(index(0, kName), index(rowCount() - 1, kName));
 }
 
 void CurveModel::clear() {
@@ -258,7 +301,7 @@ QString CurveModel::toolTip(const Curve& curve) const {
 }
 
 QVariant CurveModel::text(const Curve& curve, int column) const {
-  if (column == kName) return curve.source().text();
+  if (column == kName) return curve.title;
   if (column == kUnit) return curve.unit();
   const auto words = [](const Curve& of, std::optional<double> value) {
     return value ? of.words(*value) : QStringLiteral("–");

@@ -17,6 +17,11 @@
 
 namespace widgets {
 
+/// The names of curves for users, made of the text() of their sources: those of values of simulated sensors
+/// are short, as in "red1/headPan", with a number where several values of a sensor are shown: "red1/laser
+/// [0]". All others stay as they are. Pure.
+std::vector<QString> curveTitles(const std::vector<QString>& texts);
+
 /// The curves of a plot with their points: the data of its canvases and the rows of its legend. The oldest
 /// points that sessions published are dropped when all curves together take more than kMaxBytes, what filters
 /// made of them and of logs included; what filters make of a log ends there. Times are seconds on the
@@ -66,6 +71,8 @@ class CurveModel final : public QAbstractTableModel {
 
     /// Reads the values from the session's store.
     PlotReader reader;
+    /// Its name for users, see curveTitles().
+    QString title = {};
     /// Index for curveColor(); the lowest that was free.
     int color = 0;
     /// What hold() took.
@@ -131,6 +138,8 @@ class CurveModel final : public QAbstractTableModel {
  private:
   /// The lowest color index that no curve has.
   int freeColor() const;
+  /// Names all curves, since one that is added or removed may tell others apart.
+  void nameCurves();
   /// What a cell of the legend says.
   QVariant text(const Curve& curve, int column) const;
   QString toolTip(const Curve& curve) const;

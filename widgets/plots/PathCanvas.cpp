@@ -88,7 +88,7 @@ void PathCanvas::matchPaths() {
     paths_[i].mark->setPen(QPen(palette().color(QPalette::Text), 2));
     paths_[i].mark->setBrush(color);
   }
-  const QString text = paths.empty() ? QString() : paths.front()->source().text();
+  const QString text = paths.empty() ? QString() : paths.front()->title;
   plot_->yAxis->setLabel(paths.size() == 1 ? text.section(separator, 0, 0) : QString());
   plot_->xAxis->setLabel(paths.size() == 1 ? text.section(separator, 1) : QString());
 }

@@ -279,7 +279,7 @@ void PlotCanvas::matchStrips() {
     if (const auto times = curve->times()) end = std::max(end, times->second);
     if (!curve->isStrip()) continue;
     strips.push_back(curve);
-    names << curve->source().text();
+    names << curve->title;
   }
   for (; stripGraphs_.size() > strips.size(); stripGraphs_.pop_back())
     plot_->removePlottable(stripGraphs_.back());

@@ -112,7 +112,7 @@ void PlotsView::createTree() {
   tree_->setModel(filter_);
   tree_->setHeaderHidden(true);
   new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber});
-  tree_->setTextElideMode(Qt::ElideMiddle);
+  tree_->setTextElideMode(Qt::ElideRight);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->setDragEnabled(true);
   tree_->setDragDropMode(QAbstractItemView::DragOnly);
@@ -138,7 +138,8 @@ void PlotsView::createLegend() {
   legend_->setRootIsDecorated(false);
   legend_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   new ColumnFit(*legend_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber});
-  legend_->setTextElideMode(Qt::ElideMiddle);
+  // Curves differ at the end of their names; tips have them whole.
+  legend_->setTextElideMode(Qt::ElideLeft);
 }
 
 void PlotsView::createStatistics() {
@@ -150,7 +151,7 @@ void PlotsView::createStatistics() {
   std::vector<ColumnKind> columns(CursorModel::kColumns, ColumnKind::kNumber);
   columns.front() = ColumnKind::kName;
   new ColumnFit(*statistics_, std::move(columns));
-  statistics_->setTextElideMode(Qt::ElideMiddle);
+  statistics_->setTextElideMode(Qt::ElideLeft);
   statistics_->hide();
 }
 

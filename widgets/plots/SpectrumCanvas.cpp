@@ -151,7 +151,7 @@ void SpectrumCanvas::addSpectrum(const Seen& seen, QStringList& notes) {
   graph->setPen(QPen(curveColor(seen.curve->color, palette()), 1));
   graphs_.push_back(graph);
   if (!computed) {
-    notes << tr("%1: %2").arg(seen.curve->source().text(), QString::fromStdString(computed.error().text));
+    notes << tr("%1: %2").arg(seen.curve->title, QString::fromStdString(computed.error().text));
     return;
   }
   const Spectrum& spectrum = spectra_.back();
@@ -161,7 +161,7 @@ void SpectrumCanvas::addSpectrum(const Seen& seen, QStringList& notes) {
   graph->setSeries(std::move(series));
   const std::size_t peak = peakOf(spectrum);
   QString note = tr("%1: largest %2 %3 at %4 Hz")
-                     .arg(seen.curve->source().text())
+                     .arg(seen.curve->title)
                      .arg(spectrum.amplitudes[peak], 0, 'g', 4)
                      .arg(seen.curve->unit())
                      .arg(static_cast<double>(peak) * spectrum.step, 0, 'g', 5);

@@ -68,7 +68,7 @@ void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, c
   painter.setPen(palette.color(QPalette::Text));
   painter.drawText(
       name, (output ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-      painter.fontMetrics().elidedText(port.package, Qt::ElideMiddle, static_cast<int>(name.width())));
+      painter.fontMetrics().elidedText(port.package, Qt::ElideRight, static_cast<int>(name.width())));
   // A blocking output ends at a bar, behind which the process waits.
   if (output && port.blocking) {
     const QPointF end(port.rect.right(), port.rect.center().y());

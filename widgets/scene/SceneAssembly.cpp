@@ -1,12 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/SceneAssembly.h"
 
+#include <QPalette>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "foxglove/Scene.pb.h"
+#include "widgets/Theme.h"
 #include "widgets/drawings/CurrentDrawings.h"
 #include "widgets/field/GroundProbe.h"
 #include "widgets/scene/render/SceneShapes.h"
 
 namespace widgets {
+namespace {
+
+constexpr char kFixedFrame[] = "field";  // the frame of what cannot be moved
+/// How colorful solids are.
+constexpr double kMovingSaturation = 0.38, kFixedSaturation = 0.1;
+/// A model is wide from this many times the size of what moves, m, within these limits.
+constexpr double kTimesWider = 3, kLeastWide = 1, kMostWide = 3;
+constexpr int kWidthDirections = 18;
+
+/// Gives all surfaces one color.
+void paintOver(SceneShape& shape, const QColor& color) {
+  const std::array<std::uint8_t, 4> rgba{static_cast<std::uint8_t>(color.red()),
+                                         static_cast<std::uint8_t>(color.green()),
+                                         static_cast<std::uint8_t>(color.blue()), std::uint8_t{255}};
+  for (SceneMesh* mesh : {&shape.opaque, &shape.translucent})
+    for (auto& vertex : mesh->vertices) vertex.color = rgba;
+}
+
+/// Calls `found` with the places of all corners of a body in the field's frame, m.
+template <typename Found>
+void forEachCorner(const SceneBody& body, Found found) {
+  for (const SceneMesh* mesh : {&body.shape->opaque, &body.shape->translucent})
+    for (const auto& vertex : mesh->vertices)
+      found(robotlink::Vector3(body.inField *
+                               Eigen::Map<const Eigen::Vector3f>(vertex.position.data()).cast<double>()));
+}
+
+/// How wide a model is on the ground, in the direction in which it is narrowest.
+double leastWidthOf(const std::string& model, const std::vector<SceneBody>& bodies) {
+  std::array<Eigen::AlignedBox1d, kWidthDirections> widths;
+  std::array<robotlink::Vector2, kWidthDirections> directions;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double angle = static_cast<double>(i) * robotlink::kPi / kWidthDirections;
+    directions[i] = {std::cos(angle), std::sin(angle)};
+  }
+  for (const SceneBody& body : bodies) {
+    if (!isPartOf(body, model)) continue;
+    forEachCorner(body, [&](const robotlink::Vector3& corner) {
+      for (std::size_t i = 0; i < directions.size(); ++i)
+        widths[i].extend(Eigen::Matrix<double, 1, 1>(directions[i].dot(corner.head<2>())));
+    });
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& width : widths) least = std::min(least, width.isEmpty() ? 0 : width.sizes()[0]);
+  return least;
+}
+
+/// The size on the ground of the largest model that moves, m; 0: none does.
+double largestMoving(const std::vector<SceneBody>& bodies) {
+  std::map<std::string, Eigen::AlignedBox3d> boxes;
+  for (const SceneBody& body : bodies) {
+    if (body.model.empty()) continue;
+    forEachCorner(body, [&box = boxes[body.model]](const robotlink::Vector3& corner) { box.extend(corner); });
+  }
+  double largest = 0;
+  for (const auto& [model, box] : boxes)
+    if (!box.isEmpty()) largest = std::max(largest, box.sizes().head<2>().maxCoeff());
+  return largest;
+}
+
+}  // namespace
 
 std::vector<SceneBody> SceneAssembly::bodies(const SceneState& scene) {
   std::vector<SceneBody> bodies;
@@ -20,25 +88,40 @@ std::vector<SceneBody> SceneAssembly::bodies(const SceneState& scene) {
   return bodies;
 }
 
-std::vector<SceneBody> SceneAssembly::solids(const robotlink::PackagePtr& message, const SceneState& scene) {
-  std::vector<SceneBody> bodies;
-  const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(message.get());
-  if (message != solidsMessage_) {
+std::vector<SceneBody> SceneAssembly::solids(const robotlink::PackagePtr& message, const SceneState& scene,
+                                             const QPalette* calm) {
+  const QColor color = calm == nullptr ? QColor() : calmColor(0, kMovingSaturation, *calm);
+  if (message != solidsMessage_ || color != solidsColor_) {
     solidsMessage_ = message;
-    solidShapes_.clear();
-    solidObjects_.clear();
+    solidsColor_ = color;
+    solids_.clear();
+    if (const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(message.get()))
+      readSolids(*update, calm);
   }
-  if (update == nullptr) return bodies;
-  for (const auto& entity : update->entities()) {
-    const auto pose = scene.framePose(entity.frame_id());
+  std::vector<SceneBody> bodies;
+  for (const Solid& solid : solids_) {
+    const auto pose = scene.framePose(solid.entity->frame_id());
     if (!pose) continue;
-    bodies.push_back({shape(solidShapes_, &entity, message), *pose, {}});
-    auto& object = solidObjects_[&entity];
-    const std::string* path = metadataOf(entity, "object");
-    if (!object && path != nullptr) object = std::make_shared<const std::string>(*path);
-    bodies.back().object = object;
+    bodies.push_back({solid.shape, *pose, {}});
+    bodies.back().object = solid.object;
   }
   return bodies;
+}
+
+void SceneAssembly::readSolids(const foxglove::SceneUpdate& update, const QPalette* calm) {
+  std::map<std::string, int> models;  // their numbers, in the order of the message
+  for (const auto& entity : update.entities()) {
+    const std::string* path = metadataOf(entity, "object");
+    SceneShape shape = shapeOf(entity);
+    if (calm != nullptr) {
+      const std::string model = path == nullptr ? std::string() : path->substr(0, path->find('/'));
+      const int number = models.try_emplace(model, static_cast<int>(models.size())).first->second;
+      const bool isFixed = entity.frame_id() == kFixedFrame;
+      paintOver(shape, calmColor(number, isFixed ? kFixedSaturation : kMovingSaturation, *calm));
+    }
+    solids_.push_back({&entity, std::make_shared<const SceneShape>(std::move(shape)),
+                       path == nullptr ? nullptr : std::make_shared<const std::string>(*path)});
+  }
 }
 
 std::vector<SceneBody> SceneAssembly::drawings(const std::vector<WorldDrawing>& drawings) {
@@ -95,6 +178,14 @@ std::optional<SceneHit> firstHit(const std::vector<SceneBody>& bodies, const Ray
     hit = SceneHit{body.model, ray.at(nearest), body.object ? *body.object : std::string()};
   }
   return hit;
+}
+
+bool isSurroundings(const std::string& model, const std::vector<SceneBody>& bodies) {
+  const bool canMove =
+      std::ranges::any_of(bodies, [&](const SceneBody& body) { return body.model == model; });
+  if (model.empty() || canMove) return false;
+  const double wide = std::clamp(kTimesWider * largestMoving(bodies), kLeastWide, kMostWide);
+  return leastWidthOf(model, bodies) >= wide;
 }
 
 }  // namespace widgets

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +13,12 @@
 #include "widgets/world/SceneState.h"
 #include "widgets/world/WorldDrawings.h"
 
+class QPalette;
+
+namespace foxglove {
+class SceneUpdate;
+}
+
 namespace widgets {
 
 /// Converts the scene, its poses and the robots' drawings into bodies for the renderer. The shape of each
@@ -20,8 +27,11 @@ class SceneAssembly {
  public:
   /// The entities of the scene at their poses; those in unknown frames are left out.
   std::vector<SceneBody> bodies(const SceneState& scene);
-  /// What collides, of a message of the stream "solids", at its poses; null: nothing.
-  std::vector<SceneBody> solids(const robotlink::PackagePtr& message, const SceneState& scene);
+  /// What collides, of a message of the stream "solids", at its poses; null: nothing. `calm`: in the calm
+  /// colors of this palette instead of those of the message, one for each model; what is fixed is nearly
+  /// gray.
+  std::vector<SceneBody> solids(const robotlink::PackagePtr& message, const SceneState& scene,
+                                const QPalette* calm = nullptr);
   /// The drawings at their poses, lowest first.
   std::vector<SceneBody> drawings(const std::vector<WorldDrawing>& drawings);
   /// The texts of the drawings.
@@ -42,11 +52,21 @@ class SceneAssembly {
                                                         const robotlink::PackagePtr& keep);
   /// Drops the shapes that were not used in this call.
   static void forgetUnused(Shapes& shapes);
+  /// Converts all solids of a message.
+  void readSolids(const foxglove::SceneUpdate& update, const QPalette* calm);
 
-  Shapes sceneShapes_, drawingShapes_, solidShapes_;
-  /// The message of which solidShapes_ are, and the paths of its entities.
+  Shapes sceneShapes_, drawingShapes_;
+  /// One that collides; its entity is part of solidsMessage_.
+  struct Solid {
+    const foxglove::SceneEntity* entity = nullptr;
+    std::shared_ptr<const SceneShape> shape;
+    /// Null: not known.
+    std::shared_ptr<const std::string> object;
+  };
+  std::vector<Solid> solids_;
+  /// The message of which solids_ are, and the color of its first model; invalid: those of the message.
   robotlink::PackagePtr solidsMessage_;
-  std::map<const foxglove::SceneEntity*, std::shared_ptr<const std::string>> solidObjects_;
+  QColor solidsColor_;
 };
 
 /// The first thing on a ray.
@@ -62,5 +82,10 @@ struct SceneHit {
 };
 /// Unset if the ray, which is in the field's frame, hits nothing.
 std::optional<SceneHit> firstHit(const std::vector<SceneBody>& bodies, const Ray& ray);
+
+/// Whether a model is the surroundings of the others, as a field or a room is: it cannot be moved, and it is
+/// wide in all directions, compared with what moves. A wall, however long, is none. Takes as long as
+/// firstHit().
+bool isSurroundings(const std::string& model, const std::vector<SceneBody>& bodies);
 
 }  // namespace widgets

@@ -39,10 +39,10 @@ bool isSent(const QKeyEvent& event) {
 SceneCanvas::SceneCanvas(RenderThread::MakeRenderer makeRenderer, QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("sceneCanvas"));
   setAccessibleName(tr("Scene"));
-  setToolTip(
-      tr("Drag: turn; right or middle button, or Shift: move; wheel: zoom; click a robot: select it; drag a "
-         "robot or the ball "
-         "(Control: always): place it, wheel: turn it; R: reset"));
+  setToolTip(tr(
+      "Drag: turn; right or middle button, or Shift: move; wheel: zoom; click an object: select it; double "
+      "click: select the ground or a room, too; Esc: select nothing; drag a robot or the ball "
+      "(Control: always): place it, wheel: turn it; R: reset"));
   setToolTipDuration(4000);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -63,6 +63,7 @@ SceneCanvas::~SceneCanvas() {
 
 void SceneCanvas::setContents(VisibleScene contents) {
   if (contents == contents_) return smoothen();
+  if (contents.bodies.size() != contents_.bodies.size()) backgrounds_.clear();
   contents_ = std::move(contents);
   request();
 }
@@ -228,7 +229,7 @@ void SceneCanvas::pointAt(const QPointF& at, Qt::KeyboardModifiers modifiers) {
   canDrag(hit, modifiers) ? setCursor(Qt::OpenHandCursor) : unsetCursor();
   // The ground is below the mouse nearly always, which says nothing.
   const bool isGround = hit && hit->model.empty() && hit->point.z() < kGroundHeight;
-  highlight(hit && !isGround ? hit->owner() : std::string());
+  highlight(hit && !isGround && !isBackground(*hit) ? hit->owner() : std::string());
 }
 
 bool SceneCanvas::startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers) {
@@ -255,11 +256,18 @@ SceneCanvas::Mode SceneCanvas::modeFor(const QMouseEvent& event) {
 void SceneCanvas::mousePressEvent(QMouseEvent* event) {
   if (mode_ != Mode::kIdle) return;
   last_ = pressed_ = event->localPos();
-  moved_ = false;
+  moved_ = isDoubleClick_ = false;
+  backgrounds_.clear();
   speed_ = {};
   mode_ = modeFor(*event);
   if (mode_ == Mode::kSending) return sendMouse(SceneEvent::Kind::kMousePressed, last_);
   setCursor(Qt::ClosedHandCursor);
+}
+
+void SceneCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+  const bool isFirstButton = mode_ == Mode::kIdle;
+  mousePressEvent(event);
+  isDoubleClick_ = isFirstButton && event->button() == Qt::LeftButton;
 }
 
 void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
@@ -346,7 +354,8 @@ void SceneCanvas::setSelected(const std::string& object) {
 
 void SceneCanvas::click(const QPointF& at) {
   const auto hit = hitAt(at);
-  if (hit && !hit->owner().empty()) Q_EMIT modelClicked(QString::fromStdString(hit->owner()));
+  if (!hit || hit->owner().empty() || (!isDoubleClick_ && isBackground(*hit))) return;
+  Q_EMIT modelClicked(QString::fromStdString(hit->owner()));
 }
 
 void SceneCanvas::wheelEvent(QWheelEvent* event) {
@@ -378,6 +387,7 @@ void SceneCanvas::keyPressEvent(QKeyEvent* event) {
   if (sends_ && isSent(*event)) return sendKey(SceneEvent::Kind::kKeyPressed, *event);
   QPointF by;
   if (event->key() == Qt::Key_Escape && cancelDrag()) return;
+  if (event->key() == Qt::Key_Escape && event->modifiers() == Qt::NoModifier) return Q_EMIT nothingWanted();
   switch (event->key()) {
     case Qt::Key_Left:
       by = {kKeyStep, 0};

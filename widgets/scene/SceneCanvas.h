@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,7 +21,8 @@ namespace widgets {
 /// RenderThread whenever something changed. Object name "sceneCanvas". GUI thread.
 ///
 /// Mouse: drag to orbit, right or middle button or Shift to pan, wheel to zoom; dragging a movable model
-/// moves it, and the wheel turns it then. The handles of the gizmo move and turn what it is at; Control snaps
+/// moves it, and the wheel turns it then. A click selects, on the surroundings a double click; Esc selects
+/// nothing. The handles of the gizmo move and turn what it is at; Control snaps
 /// to a grid, Esc ends a drag as if there had been none. What is dragged from a ScenePalette is dropped.
 /// While events are sent, the left button and the keys are those of the scene's controllers instead.
 class SceneCanvas final : public QWidget {
@@ -49,6 +51,8 @@ class SceneCanvas final : public QWidget {
   bool isDragging() const { return mode_ == Mode::kDragging || mode_ == Mode::kHandling; }
   /// The first thing at a place of the widget; unset: there is none.
   std::optional<SceneHit> hitAt(const QPointF& at) const;
+  /// Whether what was hit belongs to the surroundings, see isSurroundings().
+  bool isBackground(const SceneHit& hit) const;
   /// The place of the ground at one of the widget, or of what stands there; unset: there is none.
   std::optional<robotlink::Vector3> placeAt(const QPointF& at) const;
   /// A sentence at the upper edge; empty: none.
@@ -94,8 +98,11 @@ class SceneCanvas final : public QWidget {
   void gizmoMoved(const robotlink::Pose3& pose);
   void gizmoEnded(const robotlink::Pose3& pose);
   void gizmoCanceled();
-  /// The user pressed and released the left button on a model without moving it.
+  /// The user pressed and released the left button on a model without moving it. On the surroundings, such
+  /// as a room, only a double click counts: they are below the mouse nearly always.
   void modelClicked(const QString& model);
+  /// The user pressed Escape: nothing is to be selected.
+  void nothingWanted();
   /// An object of a ScenePalette was dropped at a place of the ground, m.
   void dropped(const QString& kind, double x, double y);
   /// Only with setSendsEvents(): a key, or the left button with a ray in the field's frame, m.
@@ -111,6 +118,7 @@ class SceneCanvas final : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
@@ -149,12 +157,15 @@ class SceneCanvas final : public QWidget {
   /// Emits eventHappened() for the left button or for a key.
   void sendMouse(SceneEvent::Kind kind, const QPointF& at);
   void sendKey(SceneEvent::Kind kind, const QKeyEvent& event);
-  /// Emits modelClicked() if a model is at the point.
+  /// Emits modelClicked() if a model is at the point that such a click selects.
   void click(const QPointF& at);
   /// Whether a drag of what is hit would move it.
   bool canDrag(const std::optional<SceneHit>& hit, Qt::KeyboardModifiers modifiers) const;
 
   VisibleScene contents_;
+  /// Which fixed models are surroundings, as found since the last press or change of the scene: under a
+  /// moving mouse they are not measured again and again.
+  mutable std::map<std::string, bool> backgrounds_;
   std::vector<std::string> movable_;
   bool sends_ = false, moveAlways_ = true, grid_ = true, labels_ = true;
   QString notice_, hint_;
@@ -165,6 +176,8 @@ class SceneCanvas final : public QWidget {
   Mode mode_ = Mode::kIdle;
   /// Whether the mouse has moved since the press by more than a hand does during a click.
   bool moved_ = false;
+  /// Whether the pressed button is that of a double click.
+  bool isDoubleClick_ = false;
   QPointF pressed_;
   /// Height of the point that was grabbed, m.
   double dragHeight_ = 0;

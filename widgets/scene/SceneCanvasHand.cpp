@@ -30,6 +30,13 @@ std::optional<SceneHit> SceneCanvas::hitAt(const QPointF& at) const {
   return firstHit(contents_.bodies, camera_.ray(size(), at));
 }
 
+bool SceneCanvas::isBackground(const SceneHit& hit) const {
+  if (!hit.model.empty()) return false;
+  const auto [known, isNew] = backgrounds_.try_emplace(hit.owner(), false);
+  if (isNew) known->second = isSurroundings(hit.owner(), contents_.bodies);
+  return known->second;
+}
+
 std::optional<robotlink::Vector3> SceneCanvas::placeAt(const QPointF& at) const {
   return camera_.ray(size(), at).onPlane(0);
 }

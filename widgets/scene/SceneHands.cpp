@@ -332,8 +332,13 @@ std::function<void(const std::string&)> SceneHands::selecting() {
 
 void SceneHands::fillMenu(QMenu& menu, const QPoint& at) {
   const auto hit = canvas_.hitAt(at);
-  if (hit && !hit->owner().empty()) sceneSelection(context_).select(hit->owner());
-  const auto on = target();
+  const std::string owner = hit ? hit->owner() : std::string();
+  // A room that is not selected has no entries of its own: the menu is for a place of the ground.
+  const std::string& selected = sceneSelection(context_).object();
+  const bool isSelected = selected == owner || selected.starts_with(owner + "/");
+  const bool isBehind = !owner.empty() && !isSelected && canvas_.isBackground(*hit);
+  if (!owner.empty() && !isBehind) sceneSelection(context_).select(owner);
+  const auto on = isBehind ? std::nullopt : target();
   if (on) {
     const bool isOwn = edits().isOwn(on->object);
     menu.addSection(QString::fromStdString(on->object));

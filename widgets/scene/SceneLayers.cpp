@@ -34,10 +34,13 @@ void SceneLayers::add(const Sources& sources, VisibleScene& contents) {
 void SceneLayers::addSolids(const Sources& sources, VisibleScene& contents) {
   const auto* stream = sources.session.store().find(robotlink::streams::kSolids);
   if (stream == nullptr || stream->messages.empty()) return;
-  auto solids = sources.assembly.solids(stream->messages.back().value, sources.scene);
+  // Edges over other shapes stand out in the color of the message; as surfaces it would glare.
+  const bool areEdges = sources.modes.shows(SceneLayer::kVisuals);
+  auto solids = sources.assembly.solids(stream->messages.back().value, sources.scene,
+                                        areEdges ? nullptr : &sources.palette);
   std::erase_if(
       solids, [&](const SceneBody& solid) { return solid.object && !sources.parts.isShown(*solid.object); });
-  if (sources.modes.shows(SceneLayer::kVisuals)) {
+  if (areEdges) {
     contents.solids = std::move(solids);
     return;
   }

@@ -7,6 +7,8 @@
 #include "widgets/scene/SceneMarkers.h"
 #include "widgets/scene/SensorMarkers.h"
 
+class QPalette;
+
 namespace widgets {
 
 class SceneAssembly;
@@ -24,6 +26,8 @@ class SceneLayers {
     const ShownParts& parts;
     const SceneModes& modes;
     SceneAssembly& assembly;
+    /// Solids that are shown in place of what is visible get its colors.
+    const QPalette& palette;
     /// The selected object; empty: none.
     const std::string& selected;
   };

@@ -15,11 +15,10 @@ constexpr char kPaletteType[] = "application/x-robotcontrol-scene-object";
 }  // namespace
 
 std::vector<ScenePalette::Entry> ScenePalette::entries(const SceneBench& bench) {
-  std::vector<Entry> all{{QStringLiteral("box"), tr("Box")},
-                         {QStringLiteral("ball"), tr("Ball")},
-                         {QStringLiteral("cylinder"), tr("Cylinder")},
-                         {QStringLiteral("lamp"), tr("Lamp")},
-                         {QStringLiteral("camera"), tr("Camera")}};
+  std::vector<Entry> all{
+      {QStringLiteral("box"), tr("Box")},           {QStringLiteral("ball"), tr("Ball")},
+      {QStringLiteral("cylinder"), tr("Cylinder")}, {QStringLiteral("wall"), tr("Wall")},
+      {QStringLiteral("lamp"), tr("Lamp")},         {QStringLiteral("camera"), tr("Camera")}};
   const auto file = bench.runningScene();
   if (bench.context().sceneLanguage == nullptr || file.empty()) return all;
   for (const SceneModelChoice& model : bench.context().sceneLanguage->models(file)) {

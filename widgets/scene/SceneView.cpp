@@ -161,6 +161,7 @@ void SceneView::connectSignals() {
     if (std::ranges::find(robots, model.toStdString()) != robots.end())
       session().selectRobot(model.toStdString());
   });
+  connect(canvas_, &SceneCanvas::nothingWanted, this, [this] { sceneSelection(this->context()).select({}); });
   connect(canvas_, &QWidget::customContextMenuRequested, this, &SceneView::showContextMenu);
 }
 
@@ -294,7 +295,9 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   addNames(beliefs, contents.labels);
   showSelection(contents.bodies, contents.labels);
   std::ranges::copy(ownModels_.names(), std::back_inserter(contents.labels));
-  layers_.add({session(), scene_, parts_, *modes_, assembly_, sceneSelection(context()).object()}, contents);
+  const QPalette colors = palette();
+  layers_.add({session(), scene_, parts_, *modes_, assembly_, colors, sceneSelection(context()).object()},
+              contents);
   return contents;
 }
 

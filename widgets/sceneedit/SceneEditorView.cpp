@@ -13,6 +13,7 @@
 #include <QTextBlock>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
@@ -58,7 +59,7 @@ SceneEditorView::SceneEditorView(ViewContext& context, QWidget* parent)
   createViews();
   connectActions();
   connectBench();
-  keep("halves", findChild<QSplitter*>(QStringLiteral("sceneHalves")));
+  keep("halves", halves_);
   keep("columns", problems_->horizontalHeader());
   showFiles();
   showCurrent();
@@ -70,6 +71,7 @@ SceneEditorView::SceneEditorView(ViewContext& context, QWidget* parent)
 // The documents belong to the bench, which stays.
 SceneEditorView::~SceneEditorView() {
   disconnect(&bench_, nullptr, this, nullptr);
+  disconnect(text_, nullptr, this, nullptr);
 }
 
 void SceneEditorView::createFileActions() {
@@ -140,18 +142,18 @@ QWidget* SceneEditorView::createTools() {
 }
 
 QWidget* SceneEditorView::createProblems() {
-  auto* below = new QWidget(this);
-  auto* column = makeColumn(below);
+  below_ = new QWidget(this);
+  auto* column = makeColumn(below_);
   model_ = new SceneProblemModel(this);
-  problems_ = makeTable(below, {"sceneProblems", tr("Problems of the file"), {}}, model_);
+  problems_ = makeTable(below_, {"sceneProblems", tr("Problems of the file"), {}}, model_);
   problems_->setSelectionMode(QAbstractItemView::SingleSelection);
   problems_->horizontalHeader()->setStretchLastSection(true);
   problems_->setColumnWidth(SceneProblemModel::kLine, textWidth(*problems_, QStringLiteral("99999")));
-  count_ = makeNote(below, "sceneProblemCount", tr("Number of problems"));
+  count_ = makeNote(below_, "sceneProblemCount", tr("Number of problems"));
   count_->setContentsMargins(6, 2, 6, 2);
   column->addWidget(count_);
   column->addWidget(problems_, 1);
-  return below;
+  return below_;
 }
 
 void SceneEditorView::createViews() {
@@ -171,7 +173,10 @@ void SceneEditorView::createViews() {
   auto* layout = makeColumn(this);
   layout->addWidget(createTools());
   layout->addWidget(tabs_);
-  layout->addWidget(makeSplitter(this, "sceneHalves", Qt::Vertical, {{above, 4}, {createProblems(), 1}}), 1);
+  halves_ = makeSplitter(this, "sceneHalves", Qt::Vertical, {{above, 4}, {createProblems(), 1}});
+  halves_->setCollapsible(0, false);
+  connect(halves_, &QSplitter::splitterMoved, this, [this] { isDivided_ = true; });
+  layout->addWidget(halves_, 1);
   state_ = makeNote(this, "sceneState", tr("What was done"));
   state_->setContentsMargins(6, 2, 6, 2);
   layout->addWidget(state_);
@@ -196,6 +201,10 @@ void SceneEditorView::connectActions() {
           [this] { showFailure(bench_.openIncluded(text_->textCursor().position())); });
   connect(include_, &QMenu::aboutToShow, this, &SceneEditorView::fillIncludeMenu);
   connect(text_, &QPlainTextEdit::cursorPositionChanged, this, &SceneEditorView::showObject);
+  connect(text_, &SceneTextEdit::placeChanged, this, [this] {
+    SceneFile* file = bench_.current();
+    if (file != nullptr && &file->document() == text_->document()) file->setPlace(text_->place());
+  });
   connect(text_, &QPlainTextEdit::undoAvailable, undo_, &QAction::setEnabled);
   connect(text_, &QPlainTextEdit::redoAvailable, redo_, &QAction::setEnabled);
   connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
@@ -246,7 +255,10 @@ void SceneEditorView::showFiles() {
 void SceneEditorView::showCurrent() {
   SceneFile* file = bench_.current();
   if (file != nullptr) {
+    // Another document begins at its first line.
+    const TextPlace place = file->place();
     text_->showDocument(&file->document(), file->isXml(), file->path());
+    text_->setPlace(place);
   } else {
     text_->showDocument(nothing_, false, {});
   }
@@ -271,6 +283,22 @@ void SceneEditorView::showProblems() {
   text_->setMarks(std::move(marks));
   const QString found = tr("Errors: %1, warnings: %2").arg(errors).arg(warnings);
   showOutcome(*count_, file != nullptr ? found : QString(), errors > 0);
+  fitProblems();
+}
+
+void SceneEditorView::fitProblems() {
+  const int rows = model_->rowCount(), line = problems_->verticalHeader()->defaultSectionSize();
+  const int head = problems_->horizontalHeader()->sizeHint().height() + 2 * problems_->frameWidth();
+  problems_->setVisible(rows > 0);
+  problems_->setMinimumHeight(head + line);
+  const int needed = count_->sizeHint().height() + (rows > 0 ? head + rows * line : 0);
+  below_->setMaximumHeight(needed);
+  if (rows == std::exchange(listedProblems_, rows) || rows == 0 || isDivided_) return;
+  // A third at most, until the user divides the view; before it has a size, that is its share.
+  const QList<int> sizes = halves_->sizes();
+  const int whole = sizes[0] + sizes[1];
+  const int share = std::min(needed, whole / 3);
+  halves_->setSizes(whole > 0 ? QList<int>{whole - share, share} : QList<int>{2000, 1000});
 }
 
 void SceneEditorView::showState() {

@@ -9,6 +9,7 @@
 
 class QLabel;
 class QMenu;
+class QSplitter;
 class QTabBar;
 class QTableView;
 class QTextDocument;
@@ -47,6 +48,8 @@ class SceneEditorView final : public View {
   void showFiles();
   void showCurrent();
   void showProblems();
+  /// Gives the table of problems the room that it needs: none without problems.
+  void fitProblems();
   void showState();
   void showFailure(const robotlink::Result<void>& done);
   void report(const QString& text, bool bad);
@@ -71,7 +74,13 @@ class SceneEditorView final : public View {
   /// What is shown while no file is open.
   QTextDocument* nothing_ = nullptr;
   FindBar* findBar_ = nullptr;
+  /// The text above, and its problems below.
+  QSplitter* halves_ = nullptr;
+  QWidget* below_ = nullptr;
   QTableView* problems_ = nullptr;
+  int listedProblems_ = 0;
+  /// Whether the user has divided the view.
+  bool isDivided_ = false;
   SceneProblemModel* model_ = nullptr;
   QLabel *count_ = nullptr, *object_ = nullptr, *state_ = nullptr;
   EmptyHint* hint_ = nullptr;

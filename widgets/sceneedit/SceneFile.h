@@ -9,6 +9,7 @@
 
 #include "robotlink/base/Error.h"
 #include "widgets/sceneedit/SceneLanguage.h"
+#include "widgets/text/TextPlace.h"
 
 class QTextDocument;
 
@@ -56,6 +57,10 @@ class SceneFile final : public QObject {
   /// What a check of the text found that it had at a revision.
   void setProblems(std::vector<SceneProblem> problems, int revision);
 
+  /// Where the editor was in the text when it was shown last.
+  const TextPlace& place() const { return place_; }
+  void setPlace(const TextPlace& place) { place_ = place; }
+
  Q_SIGNALS:
   void textChanged();
   /// title() changed.
@@ -71,6 +76,7 @@ class SceneFile final : public QObject {
   /// The text as it is in the file; null: there is none yet.
   QString saved_;
   std::vector<SceneProblem> problems_;
+  TextPlace place_;
   int revision_ = 0, checkedRevision_ = -1;
 };
 

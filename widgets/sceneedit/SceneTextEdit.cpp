@@ -89,6 +89,7 @@ void SceneTextEdit::showDocument(QTextDocument* document, bool isXml, const std:
 
 void SceneTextEdit::goToLine(int line) {
   const QTextBlock block = document()->findBlockByNumber(std::clamp(line, 1, blockCount()) - 1);
+  dropPlace();
   setTextCursor(QTextCursor(block));
   centerCursor();
 }
@@ -98,6 +99,7 @@ void SceneTextEdit::select(int begin, int end) {
   QTextCursor cursor(document());
   cursor.setPosition(std::clamp(end, 0, last));
   cursor.setPosition(std::clamp(begin, 0, last), QTextCursor::KeepAnchor);
+  dropPlace();
   setTextCursor(cursor);
   centerCursor();
 }

@@ -46,7 +46,7 @@ void StreamsView::createTable() {
   table_->setSortingEnabled(true);
   table_->sortByColumn(StreamListModel::kPath, Qt::AscendingOrder);
   table_->setFrameShape(QFrame::NoFrame);
-  table_->setTextElideMode(Qt::ElideMiddle);
+  table_->setTextElideMode(Qt::ElideLeft);
   using enum ColumnKind;
   new ColumnFit(*table_,
                 {kName, kNumber, kNumber, kNumber, kNumber, kNumber, kNumber, kNumber, kText, kText, kName});

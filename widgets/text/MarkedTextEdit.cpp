@@ -3,9 +3,11 @@
 
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QScrollBar>
 #include <QStringList>
 #include <QSyntaxHighlighter>
 #include <QToolTip>
+#include <algorithm>
 
 namespace widgets {
 namespace {
@@ -19,6 +21,48 @@ MarkedTextEdit::MarkedTextEdit(QWidget* parent) : QPlainTextEdit(parent) {
   setLineWrapMode(QPlainTextEdit::NoWrap);
   setTabChangesFocus(true);
   connect(this, &QPlainTextEdit::cursorPositionChanged, this, &MarkedTextEdit::showMarks);
+  connectPlace();
+}
+
+void MarkedTextEdit::connectPlace() {
+  const auto note = [this] {
+    // What happens to an editor behind others, or to one that is being closed, is not the user's doing.
+    if (isVisible()) Q_EMIT placeChanged();
+  };
+  connect(this, &QPlainTextEdit::cursorPositionChanged, this, note);
+  connect(this, &QPlainTextEdit::selectionChanged, this, note);
+  connect(verticalScrollBar(), &QScrollBar::valueChanged, this, note);
+  connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, note);
+}
+
+TextPlace MarkedTextEdit::place() const {
+  const QTextCursor cursor = textCursor();
+  const int top = unscrolled_ ? unscrolled_->top : verticalScrollBar()->value();
+  const int left = unscrolled_ ? unscrolled_->left : horizontalScrollBar()->value();
+  return {cursor.position(), cursor.anchor(), top, left};
+}
+
+void MarkedTextEdit::setPlace(const TextPlace& place) {
+  const int last = std::max(0, document()->characterCount() - 1);
+  QTextCursor cursor(document());
+  cursor.setPosition(std::clamp(place.anchor, 0, last));
+  cursor.setPosition(std::clamp(place.position, 0, last), QTextCursor::KeepAnchor);
+  unscrolled_ = place;
+  setTextCursor(cursor);
+  if (isVisible()) scrollToPlace();
+}
+
+void MarkedTextEdit::scrollToPlace() {
+  if (!unscrolled_) return;
+  const TextPlace place = *unscrolled_;
+  verticalScrollBar()->setValue(place.top);
+  horizontalScrollBar()->setValue(place.left);
+  dropPlace();
+}
+
+void MarkedTextEdit::showEvent(QShowEvent* event) {
+  QPlainTextEdit::showEvent(event);
+  scrollToPlace();
 }
 
 void MarkedTextEdit::setMarks(std::vector<TextMark> marks) {

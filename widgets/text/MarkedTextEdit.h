@@ -3,9 +3,11 @@
 
 #include <QPlainTextEdit>
 #include <QTextCursor>
+#include <optional>
 #include <vector>
 
 #include "widgets/Theme.h"
+#include "widgets/text/TextPlace.h"
 
 namespace widgets {
 
@@ -30,16 +32,33 @@ class MarkedTextEdit : public QPlainTextEdit {
   /// What is said about a place of the viewport, a line each; empty: nothing.
   QString errorAt(const QPoint& place) const;
 
+  TextPlace place() const;
+  /// Goes back to a place, as near as the text permits. An editor that is not visible yet scrolls there as
+  /// soon as it is.
+  void setPlace(const TextPlace& place);
+
+ Q_SIGNALS:
+  /// place() changed while the editor is visible.
+  void placeChanged();
+
  protected:
   /// What the mouse shows at a place: by default errorAt().
   virtual QString tipAt(const QPoint& place) const { return errorAt(place); }
   bool viewportEvent(QEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  /// Another place is to be shown than that of setPlace().
+  void dropPlace() { unscrolled_.reset(); }
 
  private:
   void showMarks();
+  void connectPlace();
+  /// Scrolls to where setPlace() was to.
+  void scrollToPlace();
 
   std::vector<TextMark> marks_;
+  /// Where to scroll once the editor is visible; unset: nowhere.
+  std::optional<TextPlace> unscrolled_;
 };
 
 }  // namespace widgets

@@ -95,6 +95,29 @@ class SceneEditorGuiTest : public WindowTest {
     QCOMPARE(desk.run("scene.save"), QString());
   }
 
+  void theAppearanceChangesAndTheCursorStays() {
+    SceneDesk desk(home_);
+    desk.window.show();
+    desk.makeRoom();
+    QCOMPARE(desk.run("view.show scene-editor"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPlainTextEdit>("sceneText").isVisible(), kWaitMs);
+    auto& text = desk.find<QPlainTextEdit>("sceneText");
+    QTextCursor cursor = text.textCursor();
+    cursor.setPosition(200);
+    cursor.setPosition(260, QTextCursor::KeepAnchor);
+    text.setTextCursor(cursor);
+    desk.find<QAction>("appearance.dark").trigger();
+    const auto isKept = [&] {
+      const QTextCursor now = desk.find<QPlainTextEdit>("sceneText").textCursor();
+      return now.anchor() == 200 && now.position() == 260;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isKept(), kWaitMs);
+    desk.find<QAction>("textSize.150").trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(isKept(), kWaitMs);
+    desk.find<QAction>("textSize.100").trigger();
+    desk.find<QAction>("appearance.light").trigger();
+  }
+
   void theSpecificationSaysWhatMayBeWritten() {
     SceneDesk desk(home_);
     const auto& language = *desk.window.context().sceneLanguage;

@@ -77,6 +77,19 @@ class SceneHandsGuiTest : public WindowTest {
     QVERIFY(desk.has("box"));
   }
 
+  void aWallIsAddedWhoseSizeIsInTheText() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
+    QCOMPARE(desk.run("scene.insert wall 1.3 -1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("wall"), kWaitMs);
+    QVERIFY(!desk.object("wall")->is_movable());
+    QVERIFY(widgets::sceneEdits(desk.window.context()).isOwn("wall"));
+    QVERIFY(desk.bench().saveAll().has_value());
+    QVERIFY(desk.saved().find("<size>2 0.1 1</size>") != std::string::npos);
+    QVERIFY(desk.saved().find("<pose>1.3 -1 0.5 0 0 0</pose>") != std::string::npos);
+    QVERIFY(desk.run("scene.insert wall 100000 0").contains(QStringLiteral("1000 m")));
+  }
+
   void keysUndoAndRedoWhatWasDoneByHand() {
     RoomDesk desk(home_);
     desk.window.show();

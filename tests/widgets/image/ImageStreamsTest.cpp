@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which stream the view of images shows until the user chooses one.
 #include <QComboBox>
+#include <QListView>
 #include <QTest>
 
 #include "foxglove/Robot.pb.h"
+#include "robotcontrol/World.pb.h"
+#include "robotlink/config/RobotDescription.h"
 #include "tests/widgets/FieldBench.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageStreamView.h"
@@ -100,6 +103,75 @@ class ImageStreamsTest : public QObject {
     s.step();
     QVERIFY2(s.canvas().hint().contains(QStringLiteral("no images in this log")),
              qPrintable(s.canvas().hint()));
+  }
+
+  void afterAnotherSceneWasOpenedTheImagesOfItsRobotAreShown() {
+    ShownStreams s;
+    s.world.session.setRobots({"red1"});
+    s.push("red1/front/color", kDarkImage);
+    s.step();
+    QVERIFY(s.view->showStream("red1/front/color"));
+    s.world.session.setRobots({"burger1"});
+    s.world.session.selectRobot("burger1");
+    s.world.session.store().clear();
+    s.step();
+    QVERIFY2(s.canvas().hint().contains(QStringLiteral("burger1/camera/image")),
+             qPrintable(s.canvas().hint()));
+    s.push("burger1/front/color", kBrightImage);
+    s.step();
+    QVERIFY(s.shows(kBrightImage));
+    // The choice is not forgotten.
+    s.world.session.setRobots({"red1"});
+    s.world.session.selectRobot("red1");
+    s.world.session.store().clear();
+    s.push("red1/front/color", kDarkImage);
+    s.step();
+    QVERIFY(s.shows(kDarkImage));
+    QCOMPARE(s.streams->currentText(), QStringLiteral("red1/front/color"));
+  }
+
+  void aCameraOfTheSceneThatHasSentNothingYetStaysChosen() {
+    ShownStreams s;
+    robotcontrol::WorldObjects objects;
+    objects.add_objects()->mutable_port()->set_image_stream("tower/eye");
+    s.world.push("objects", objects, 1);
+    s.push("red1/camera/image", kDarkImage);
+    s.step();
+    QVERIFY(s.view->showStream("tower/eye"));
+    s.step();
+    QVERIFY(s.canvas().picture().pixels.isNull());
+    QVERIFY(s.canvas().hint().contains(QStringLiteral("tower/eye")));
+  }
+
+  void aRobotWithoutACameraIsSaidToHaveNone() {
+    ShownStreams s;
+    s.world.session.setRobots({"burger1"});
+    auto kind = std::make_shared<robotlink::RobotDescription>();
+    kind->offers = {"drive/state", "range/laser"};
+    s.world.context.robots["burger1"] = kind;
+    s.step();
+    QVERIFY2(s.canvas().hint().startsWith(QStringLiteral("burger1 has no camera.")),
+             qPrintable(s.canvas().hint()));
+    robotcontrol::WorldObjects objects;
+    auto& port = *objects.add_objects()->mutable_port();
+    port.set_robot("burger1");
+    port.set_image_stream("burger1/eye/image");
+    s.world.push("objects", objects, 1);
+    s.step();
+    QVERIFY2(s.canvas().hint().startsWith(QStringLiteral("No image yet")), "the scene gives it one");
+  }
+
+  void namesOfDrawingsKeepTheirEnds() {
+    ShownStreams s;
+    s.world.pushFrame({imageDrawing("perception/lines/points-on-the-field", [](auto&) {})});
+    s.step();
+    const auto& list = child<QListView>(*s.view, "drawingsList");
+    QCOMPARE(list.textElideMode(), Qt::ElideLeft);
+    QVERIFY(list.model()
+                ->index(0, 0)
+                .data(Qt::ToolTipRole)
+                .toString()
+                .contains(QStringLiteral("perception/lines/points-on-the-field")));
   }
 
   void imagesOfAnotherRobotAreNotTakenForThoseOfTheSelectedOne() {

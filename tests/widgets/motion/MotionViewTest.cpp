@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QToolButton>
 
@@ -411,6 +413,26 @@ class MotionViewTest : public QObject {
     bench.session.setRemoteRobots({{"red1", {"ws://10.0.0.1:8765", true}}});
     bench.step(20);
     QVERIFY(bench.motions() > 0);
+  }
+
+  void whereItIsNarrowThePanelsAreBelowThePad() {
+    WalkSteering bench;
+    const auto& pad = child<WalkPad>(*bench.view, "walkPad");
+    const auto& speeds = child<QWidget>(*bench.view, "speedPanel");
+    const auto& scrolled = *bench.view->findChild<QScrollArea*>();
+    const auto isBelow = [&] {
+      return speeds.mapTo(bench.view.get(), QPoint()).y() >
+             pad.mapTo(bench.view.get(), QPoint(0, pad.height())).y() - 1;
+    };
+    QVERIFY(!isBelow());
+    bench.view->resize(340, 260);
+    bench.step();
+    QTRY_VERIFY(isBelow());
+    QTRY_COMPARE(scrolled.horizontalScrollBar()->maximum(), 0);
+    QVERIFY(scrolled.verticalScrollBar()->maximum() > 0);
+    bench.view->resize(760, 560);
+    bench.step();
+    QTRY_VERIFY(!isBelow());
   }
 
   void whoElseSteersIsShownAndNothingIsSentMeanwhile() {

@@ -69,6 +69,16 @@ struct WaveBench : JointBench {
 class MotionEditorViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void theNextEditorBeginsWhereTheOneBeforeWas() {
+    WaveBench bench;
+    bench.setCursor(4, QStringLiteral("10  20"));
+    const TextPlace before = bench.text().place();
+    QVERIFY(before.position > 0);
+    bench.view.reset();
+    bench.view = bench.open<MotionEditorView>({1000, 500});
+    QVERIFY(bench.text().place() == before);
+  }
+
   void withoutAMotionTheViewSaysHowToGetOne() {
     JointBench bench;
     auto view = bench.open<MotionEditorView>();

@@ -71,9 +71,42 @@ class ColumnsViewTest : public QObject {
     graph.values = {-1, 3, std::nan("")};
     graph.fit(0, 0);
     QCOMPARE(graph.low, -1.0);
-    QCOMPARE(graph.high, 5.0);
+    QCOMPARE(graph.high, 3.0);
     graph.fit(-2, 2);
+    QCOMPARE(graph.low, -1.0);
     QCOMPARE(graph.high, 2.0);
+  }
+
+  void theAxisFitsTheValuesWithinTheRangeOfTheSensor() {
+    ColumnGraph graph;
+    graph.values = {0.4, 5.7, 2.2};
+    graph.fit(0.1, 32);
+    QCOMPARE(graph.low, 0.0);
+    QCOMPARE(graph.high, 6.0);
+    graph.values = {31.5};
+    graph.fit(0.1, 32);
+    QCOMPARE(graph.high, 32.0);
+    graph.values = {};
+    graph.fit(0.1, 32);
+    QCOMPARE(graph.high, 32.0);
+  }
+
+  void theAxisGrowsAtOnceAndShrinksLater() {
+    SteadyLimits limits;
+    const auto shown = [&](double value) {
+      ColumnGraph graph;
+      graph.values = {value};
+      graph.fit(0, 32);
+      limits.apply(graph);
+      return graph.high;
+    };
+    QCOMPARE(shown(2), 2.0);
+    QCOMPARE(shown(9), 10.0);
+    for (int i = 0; i < SteadyLimits::kPatience / 2; ++i) QCOMPARE(shown(3), 10.0);
+    double last = 10;
+    for (int i = 0; i < 2 * SteadyLimits::kPatience; ++i) last = shown(3);
+    QCOMPARE(last, 3.0);
+    QCOMPARE(shown(20), 20.0);
   }
 };
 

@@ -36,6 +36,21 @@ class SceneTreeViewTest : public QObject {
     QCOMPARE(servo.sibling(servo.row(), SceneTreeModel::kKind).data().toString(), QStringLiteral("actuator"));
   }
 
+  void whatIsUnselectedElsewhereIsUnselectedHereAndSelectedByAClickAgain() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    auto& tree = child<QTreeView>(*view, "sceneTree");
+    auto& selection = sceneSelection(bench.context);
+    selection.select("red1");
+    QVERIFY(tree.currentIndex().isValid());
+    selection.select({});
+    QVERIFY(!tree.currentIndex().isValid());
+    QVERIFY(!child<QAction>(*view, "sceneTreeAloneAction").isEnabled());
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {},
+                      tree.visualRect(find(tree, QStringLiteral("red1"))).center());
+    QCOMPARE(selection.object(), std::string("red1"));
+  }
+
   void searchShowsWhatMatchesWithItsParents() {
     ObjectsBench bench;
     auto view = bench.open<SceneTreeView>();

@@ -11,6 +11,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/session/Session.h"
+#include "widgets/plots/CurveModel.h"
 
 namespace widgets::test {
 namespace {
@@ -229,6 +230,36 @@ TEST(PlotReader, valuesEndWithTheLogThatHadThem) {
 TEST(PlotReader, readsStreamsWhoseNamesBeginWithASlash) {
   EXPECT_EQ(PlotSource::fromText(QStringLiteral("/odom.pose.x")).stream, "/odom");
   EXPECT_EQ(PlotReader(read("/odom.pose.x")).streams(), std::vector<std::string>{"/odom"});
+}
+
+TEST(CurveTitles, valuesOfSensorsAreNamedAfterTheirSensor) {
+  const auto port = [](const char* path, int value) {
+    return QStringLiteral("ports: readings[port=\"%1\"].values[%2]").arg(QLatin1String(path)).arg(value);
+  };
+  const QString ball = QStringLiteral("red1/models/ball: position.x");
+  const QString ratio = QStringLiteral("= 2 * ports.readings[port=\"red1/pan\"].values[0]");
+  const auto titles = curveTitles({port("red1/headPan.position", 0), port("red1/laser", 0),
+                                   port("red1/laser", 7) + QStringLiteral(" | mean 5"), ball, ratio});
+  EXPECT_EQ(titles[0], QStringLiteral("red1/headPan.position"));
+  EXPECT_EQ(titles[1], QStringLiteral("red1/laser [0]"));
+  EXPECT_EQ(titles[2], QStringLiteral("red1/laser [7] | mean 5"));
+  EXPECT_EQ(titles[3], ball);
+  EXPECT_EQ(titles[4], QStringLiteral("= 2 * red1/pan"));
+  EXPECT_EQ(curveTitles({port("red1/laser", 3)}).front(), QStringLiteral("red1/laser [3]"));
+  EXPECT_TRUE(curveTitles({}).empty());
+}
+
+TEST(CurveTitles, theLegendShowsThemWithTheWholeSourceAsTip) {
+  CurveModel curves;
+  const auto source = read("ports: readings[port=\"red1/laser\"].values[0]");
+  ASSERT_TRUE(curves.add(source));
+  const auto name = [&](int row) { return curves.index(row, CurveModel::kName).data().toString(); };
+  EXPECT_EQ(name(0), QStringLiteral("red1/laser"));
+  EXPECT_TRUE(curves.index(0, 0).data(Qt::ToolTipRole).toString().contains(source.text()));
+  ASSERT_TRUE(curves.add(read("ports: readings[port=\"red1/laser\"].values[1]")));
+  EXPECT_EQ(name(0), QStringLiteral("red1/laser [0]"));
+  curves.remove(1);
+  EXPECT_EQ(name(0), QStringLiteral("red1/laser"));
 }
 
 TEST(PlotKeys, aStreamThatIsOffHasTheKeyThatPublishesIt) {

@@ -71,6 +71,13 @@ struct ModesScene : ShownScene {
       return c.red() > 100 && c.green() > 55 && c.green() < c.red() - 20 && c.blue() < 110;
     });
   }
+  /// How many pixels have the first of the calm colors, which is a grayish blue; the sky is paler.
+  int calmBlue() const {
+    return count([](const QColor& c) {
+      return c.hslHue() > 195 && c.hslHue() < 230 && c.hslSaturationF() > 0.2 && c.hslSaturationF() < 0.5 &&
+             c.lightnessF() < 0.66;
+    });
+  }
   /// How many blue pixels have the color of their left neighbor.
   int alike() const {
     const QImage shown = picture();

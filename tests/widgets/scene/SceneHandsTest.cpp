@@ -196,7 +196,8 @@ class SceneHandsTest : public QObject {
     QTest::keyClick(s.canvas, Qt::Key_Insert);
     auto& palette = child<ScenePalette>(s.view, "scenePalette");
     QVERIFY(palette.isVisible());
-    QVERIFY(palette.count() >= 5);
+    QVERIFY(palette.count() >= 6);
+    QCOMPARE(palette.findItems(QStringLiteral("Wall"), Qt::MatchExactly).size(), 1);
     QMimeData nothing;
     QVERIFY(ScenePalette::kindIn(nothing).isEmpty());
   }

@@ -7,6 +7,7 @@
 
 #include "robotcontrol/Requests.pb.h"
 #include "tests/widgets/scene/ModesScene.h"
+#include "widgets/Theme.h"
 #include "widgets/scene/ObjectLooks.h"
 #include "widgets/scene/SceneObjects.h"
 #include "widgets/scene/render/MeshBuilder.h"
@@ -121,14 +122,86 @@ class SceneModesTest : public QObject {
     QVERIFY(s.step());
     const int edges = s.orange();
     QVERIFY2(edges > 60 && s.red() > 1500, qPrintable(QString::number(edges)));
+    const int before = s.calmBlue();
     QVERIFY(s.view.showLayer("visuals", false));
     QVERIFY(s.step());
-    const int filled = s.orange();
-    QVERIFY2(s.red() == 0 && s.green() == 0 && filled > 2 * edges, qPrintable(QString::number(filled)));
+    const int filled = s.calmBlue();
+    QVERIFY2(s.red() == 0 && s.green() == 0 && filled > before + 2000, qPrintable(QString::number(filled)));
+    QCOMPARE(s.orange(), 0);
     QVERIFY(s.view.drawObject({}, "wire"));
     QVERIFY(s.step());
-    QVERIFY2(s.orange() < filled / 2, qPrintable(QString::number(s.orange())));
+    QVERIFY2(s.calmBlue() < filled / 2, qPrintable(QString::number(s.calmBlue())));
+    QVERIFY(s.view.showLayer("visuals", true) && s.view.drawObject({}, "shaded"));
+    QVERIFY(s.step());
+    QVERIFY2(s.orange() > 60, "edges over visible shapes stand out");
     QVERIFY(!s.view.showLayer("dreams", true));
+  }
+
+  void calmColorsDifferAndAreNeverGlaring() {
+    QPalette light, dark;
+    light.setColor(QPalette::Base, Qt::white);
+    light.setColor(QPalette::Text, Qt::black);
+    dark.setColor(QPalette::Base, Qt::black);
+    dark.setColor(QPalette::Text, Qt::white);
+    for (int i = 0; i < 12; ++i) {
+      const QColor onLight = calmColor(i, 0.38, light), onDark = calmColor(i, 0.38, dark);
+      QVERIFY2(onLight.hslSaturationF() < 0.4 && onDark.hslSaturationF() < 0.4, qPrintable(onLight.name()));
+      // The sky behind them is pale, or dark.
+      QVERIFY(onLight.lightnessF() < 0.6 && onDark.lightnessF() > 0.55);
+      QVERIFY2(calmColor(i, 0.1, light).hslSaturationF() < 0.12, "what is fixed is nearly gray");
+      if (i > 0) QVERIFY(onLight != calmColor(i - 1, 0.38, light));
+    }
+  }
+
+  void theSurroundingsAreSelectedByADoubleClickOnly() {
+    ModesScene s;
+    const auto& selection = sceneSelection(s.world.context);
+    const QPoint floor = s.at({1.2, -0.6, 0});
+    QVERIFY(s.canvas->hitAt(floor)->owner() == "floor" && s.canvas->isBackground(*s.canvas->hitAt(floor)));
+    QTest::mouseClick(s.canvas, Qt::LeftButton, {}, floor);
+    QCOMPARE(selection.object(), std::string());
+    QTest::mouseClick(s.canvas, Qt::LeftButton, {}, s.at(ModesScene::kTop));
+    QCOMPARE(selection.object(), std::string("crate"));
+    QTest::mouseClick(s.canvas, Qt::LeftButton, {}, floor);
+    QCOMPARE(selection.object(), std::string("crate"));
+    doubleClick(*s.canvas, floor);
+    QCOMPARE(selection.object(), std::string("floor"));
+    QTest::keyClick(s.canvas, Qt::Key_Escape);
+    QCOMPARE(selection.object(), std::string());
+  }
+
+  void aLongWallIsNoSurroundings() {
+    const auto plank = [](double length, double width, double angle) {
+      SceneShape shape;
+      MeshBuilder(shape.opaque).box(robotlink::Pose3::Identity(), {length, width, 1}, {200, 200, 200, 255});
+      SceneBody body;
+      body.shape = std::make_shared<const SceneShape>(std::move(shape));
+      body.inField.rotate(Eigen::AngleAxisd(angle, robotlink::Vector3::UnitZ()));
+      body.object = std::make_shared<const std::string>("room/link:l/visual:v");
+      return body;
+    };
+    QVERIFY(!isSurroundings("room", {plank(8, 0.1, 0)}));
+    QVERIFY(!isSurroundings("room", {plank(8, 0.1, 0.8)}));
+    QVERIFY(isSurroundings("room", {plank(8, 0.1, 0), plank(8, 0.1, 1.57)}));
+    QVERIFY(isSurroundings("room", {plank(3, 1.5, 0.3)}));
+    QVERIFY(!isSurroundings("other", {plank(3, 3, 0)}));
+    // Beside a large robot, a table is an object as well.
+    SceneBody robot = plank(0.8, 0.8, 0);
+    robot.model = "robot";
+    QVERIFY(!isSurroundings("room", {plank(3, 1.5, 0.3), robot}));
+    robot.model = "room";
+    QVERIFY2(!isSurroundings("room", {robot, plank(8, 8, 0)}), "it moves");
+  }
+
+  void aRoomIsNoneOfTheObjectsOfTheMenuUntilItIsSelected() {
+    ModesScene s;
+    const robotlink::Vector3 floor(1.2, -0.6, 0);
+    sceneSelection(s.world.context).select("crate");
+    QMenu* menu = menuAt(s, floor);
+    QVERIFY(menu != nullptr);
+    QCOMPARE(sceneSelection(s.world.context).object(), std::string("crate"));
+    QVERIFY2(menu->findChild<QMenu*>(QStringLiteral("sceneObject:floor")) != nullptr, "it can be hidden");
+    menu->close();
   }
 
   void nothingHidesJointsFramesAndCenters() {
@@ -331,6 +404,11 @@ class SceneModesTest : public QObject {
   }
 
  private:
+  static void doubleClick(QWidget& widget, const QPoint& at) {
+    QTest::mouseClick(&widget, Qt::LeftButton, {}, at);
+    QTest::mouseDClick(&widget, Qt::LeftButton, {}, at);
+    QTest::mouseRelease(&widget, Qt::LeftButton, {}, at);
+  }
   /// The menu of a right click at a place of the scene.
   static QMenu* menuAt(ModesScene& s, const robotlink::Vector3& place) {
     QTest::mouseClick(s.canvas, Qt::RightButton, {}, s.at(place));

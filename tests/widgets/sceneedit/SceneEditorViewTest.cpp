@@ -6,7 +6,9 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QSplitter>
 #include <QTabBar>
 #include <QTableView>
 #include <QTextBlock>
@@ -185,6 +187,7 @@ class SceneEditorViewTest : public QObject {
     RoomBench bench;
     bench.show();
     QVERIFY(bench.waitForProblems(0));
+    QVERIFY2(!bench.problems().isVisible(), "an empty table takes no room");
     const QAbstractItemModelTester tester(bench.problems().model(),
                                           QAbstractItemModelTester::FailureReportingMode::Fatal);
     bench.setCursor("<link name=\"top");
@@ -203,6 +206,22 @@ class SceneEditorViewTest : public QObject {
     const QRect cell = bench.problems().visualRect(bench.problems().model()->index(1, 1));
     QTest::mouseClick(bench.problems().viewport(), Qt::LeftButton, {}, cell.center());
     QCOMPARE(bench.line(), 8);
+  }
+
+  void fewProblemsTakeLittleOfALowView() {
+    RoomBench bench;
+    bench.show();
+    bench.view->resize(700, 380);
+    QVERIFY(bench.waitForProblems(0));
+    const auto& halves = child<QSplitter>(*bench.view, "sceneHalves");
+    QTRY_VERIFY(halves.sizes()[1] < halves.height() / 5);
+    bench.setCursor("<link name=\"top");
+    QTest::keyClicks(&bench.text(), QStringLiteral(" wrong"));
+    QVERIFY(bench.waitForProblems(1));
+    QTRY_VERIFY(bench.problems().isVisible());
+    QTRY_VERIFY2(halves.sizes()[1] <= halves.height() / 3 + 1,
+                 qPrintable(QStringLiteral("%1 of %2").arg(halves.sizes()[1]).arg(halves.height())));
+    QVERIFY(bench.problems().viewport()->height() >= bench.problems().rowHeight(0) / 2);
   }
 
   void theMouseShowsErrorsAndWhatElementsMean() {
@@ -362,6 +381,27 @@ class SceneEditorViewTest : public QObject {
     RoomBench last;
     last.bench().startRecovery(user.path() / "scenes");
     QVERIFY(last.bench().files().empty());
+  }
+
+  void thePlaceInATextIsKeptBehindOtherTabsAndForTheNextEditor() {
+    RoomBench bench;
+    bench.show();
+    bench.view->resize(600, 220);
+    QTRY_VERIFY(bench.text().verticalScrollBar()->maximum() > 2);
+    bench.text().select(40, 80);
+    bench.text().verticalScrollBar()->setValue(2);
+    const TextPlace before = bench.text().place();
+    QVERIFY(before.position != before.anchor);
+    QCOMPARE(before.top, 2);
+    QCOMPARE(bench.refusal("scene.edit " + bench.rover.string()), std::string());
+    QVERIFY(!(bench.text().place() == before));
+    QCOMPARE(bench.refusal("scene.edit " + bench.room.string()), std::string());
+    QVERIFY(bench.text().place() == before);
+    // As when the appearance is changed, for which all views are created again.
+    bench.view.reset();
+    bench.view = bench.open<SceneEditorView>({600, 220});
+    QVERIFY(bench.text().place() == before);
+    QTRY_COMPARE(bench.text().verticalScrollBar()->value(), 2);
   }
 
   void aDocumentOutlivesTheView() {

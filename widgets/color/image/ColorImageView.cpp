@@ -228,7 +228,7 @@ void ColorImageView::tick() {
     Q_EMIT titleChanged(tr("Color image: %1").arg(QString::fromStdString(streams_->path(session()))));
   if (!gesture_) bench_.setFrame(shownFrame());
   colorSender(bench_).tick();
-  left_->setHint(imageHint(session(), streams_->path(session())));
+  left_->setHint(imageHint(context(), streams_->path(session())));
   updateStatus();
 }
 

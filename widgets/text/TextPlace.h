@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace widgets {
+
+/// Where one is in a text that is edited: what an editor keeps for the one that comes after it, or for the
+/// next time when the text is shown.
+struct TextPlace {
+  /// The cursor and the other end of the selection, in characters.
+  int position = 0, anchor = 0;
+  /// The values of the scroll bars.
+  int top = 0, left = 0;
+
+  bool operator==(const TextPlace&) const = default;
+};
+
+}  // namespace widgets
