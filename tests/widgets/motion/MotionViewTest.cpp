@@ -425,7 +425,7 @@ class MotionViewTest : public QObject {
              pad.mapTo(bench.view.get(), QPoint(0, pad.height())).y() - 1;
     };
     QVERIFY(!isBelow());
-    bench.view->resize(340, 260);
+    bench.view->resize(400, 260);
     bench.step();
     QTRY_VERIFY(isBelow());
     QTRY_COMPARE(scrolled.horizontalScrollBar()->maximum(), 0);
