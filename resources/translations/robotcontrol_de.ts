@@ -1191,6 +1191,10 @@
         <source>%1 has no camera. Choose another robot, or other images at the top. A simulated robot can be given a camera in the scene editor.</source>
         <translation>%1 hat keine Kamera. Wählen Sie einen anderen Roboter oder oben andere Bilder. Ein simulierter Roboter kann im Szeneneditor eine Kamera bekommen.</translation>
     </message>
+    <message>
+        <source>There is no robot in this scene. Add one, or a camera, by + in the view Scene, or choose other images at the top.</source>
+        <translation>In dieser Szene ist kein Roboter. Fügen Sie mit + in der Ansicht Szene einen Roboter oder eine Kamera hinzu, oder wählen Sie oben andere Bilder.</translation>
+    </message>
 </context>
 <context>
     <name>KeyValue</name>

@@ -61,6 +61,13 @@ bool lacksCamera(const ViewContext& context, const std::string& robot) {
 QString imageHint(const ViewContext& context, const std::string& path) {
   robotlink::Session& session = context.session;
   const bool exists = session.store().find(path) != nullptr;
+  // A simulation of things without programs.
+  if (session.robots().empty() && robotPart(path).empty() &&
+      session.store().find(robotlink::streams::kObjects) != nullptr)
+    return imageSentence(
+        QT_TRANSLATE_NOOP("ImageHint",
+                          "There is no robot in this scene. Add one, or a camera, by + in the view Scene, or "
+                          "choose other images at the top."));
   if (session.robots().empty() && !exists && hasForeignStreams(session.store()))
     return imageSentence(
         QT_TRANSLATE_NOOP("ImageHint",

@@ -92,8 +92,9 @@ void paintColumns(QPainter& painter, const QSize& size, const ColumnGraph& graph
                   std::optional<int> marked) {
   painter.fillRect(QRect(QPoint(), size), palette.color(QPalette::Base));
   const QRectF area = columnArea(size);
-  paintAxis(painter, area, graph, palette);
+  // What stands there then is how to fill it.
   if (graph.values.empty()) return;
+  paintAxis(painter, area, graph, palette);
   const double step = area.width() / static_cast<double>(graph.values.size());
   const double zero = heightOf(area, graph, 0);
   const double gap = step > 4 ? 0.15 * step : 0;

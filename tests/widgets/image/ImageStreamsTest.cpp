@@ -105,6 +105,15 @@ class ImageStreamsTest : public QObject {
              qPrintable(s.canvas().hint()));
   }
 
+  void aSceneWithoutRobotsSaysSo() {
+    ShownStreams s;
+    s.world.session.setRobots({});
+    s.world.push("objects", robotcontrol::WorldObjects(), 1);
+    s.step();
+    QVERIFY2(s.canvas().hint().startsWith(QStringLiteral("There is no robot in this scene.")),
+             qPrintable(s.canvas().hint()));
+  }
+
   void afterAnotherSceneWasOpenedTheImagesOfItsRobotAreShown() {
     ShownStreams s;
     s.world.session.setRobots({"red1"});

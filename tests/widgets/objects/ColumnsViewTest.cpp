@@ -2,7 +2,9 @@
 #include "widgets/objects/ColumnsView.h"
 
 #include <QComboBox>
+#include <QImage>
 #include <QLabel>
+#include <QPainter>
 #include <cmath>
 
 #include "foxglove/Ranging.pb.h"
@@ -64,6 +66,16 @@ class ColumnsViewTest : public QObject {
     QCOMPARE(child<QComboBox>(other, "columnsSource").currentText(), QStringLiteral("red1/laser"));
     other.tick();
     QCOMPARE(bench.requests.size(), std::size_t(1));  // the simulation is asked for it again
+  }
+
+  void withoutValuesThereIsNoAxisBehindTheHint() {
+    QImage picture(200, 100, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    paintColumns(painter, picture.size(), {}, QPalette());
+    painter.end();
+    for (int y = 0; y < picture.height(); y += 2)
+      QCOMPARE(picture.pixelColor(120, y), picture.pixelColor(120, 50));
   }
 
   void columnsReachFromZeroToTheirValue() {
