@@ -47,7 +47,7 @@ class KickPlanner {
     robotlink::Vector2 ball;
     std::vector<robotlink::Vector2> opponents;
     /// Robots of the own team, which stop a ball, too.
-    std::vector<robotlink::Vector2> mates;
+    std::vector<robotlink::Vector2> mates = {};
     /// Distance of the player's place from the ball, m, and its speeds, m/s and rad/s.
     double standOff = 0.27, forwardSpeed = 0.18, sidewardSpeed = 0.12, turnSpeed = 1.1;
   };

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/core/program/LeftOverPrograms.h"
+#include "app/core/program/ShippedFiles.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
