@@ -100,9 +100,10 @@ bool SoccerMind::coversBall() const {
 }
 
 bool SoccerMind::hidesBall() const {
-  return !now_.ballFromTeam && lastBall_.norm() < options_.dribbleDistance &&
-         now_.ballAge > options_.coveredAfter && now_.ballAge < options_.lostAfter &&
-         machine_.stateTime() > options_.coveredAfter;
+  // The model may have forgotten the ball already.
+  const double unseen = now_.time - ballSeenAt_;
+  return lastBall_.norm() < options_.dribbleDistance && unseen > options_.coveredAfter &&
+         unseen < 2 * options_.lostAfter && machine_.stateTime() > options_.coveredAfter;
 }
 
 void SoccerMind::observe(const GameSituation& now) {
@@ -111,7 +112,10 @@ void SoccerMind::observe(const GameSituation& now) {
   const bool wasPlaying = now_.phase == GameSituation::Phase::kPlaying && now_.time > 0;
   now_ = now;
   if (now.seesField) fieldSeenAt_ = now.time;
-  if (now.seesBall()) lastBall_ = now.ball;
+  if (now.seesBall()) {
+    lastBall_ = now.ball;
+    ballSeenAt_ = now.time;
+  }
   if (now.phase == GameSituation::Phase::kPlaying) {
     if (!wasPlaying) {
       playingSince_ = now.time;

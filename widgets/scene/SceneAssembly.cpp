@@ -20,7 +20,7 @@ constexpr char kFixedFrame[] = "field";  // the frame of what cannot be moved
 /// How colorful solids are.
 constexpr double kMovingSaturation = 0.38, kFixedSaturation = 0.1;
 /// A model is wide from this many times the size of what moves, m, within these limits.
-constexpr double kTimesWider = 3, kLeastWide = 1, kMostWide = 3;
+constexpr double kTimesWider = 3, kMinWide = 1, kMaxWide = 3;
 constexpr int kWidthDirections = 18;
 
 /// Gives all surfaces one color.
@@ -184,7 +184,7 @@ bool isSurroundings(const std::string& model, const std::vector<SceneBody>& bodi
   const bool canMove =
       std::ranges::any_of(bodies, [&](const SceneBody& body) { return body.model == model; });
   if (model.empty() || canMove) return false;
-  const double wide = std::clamp(kTimesWider * largestMoving(bodies), kLeastWide, kMostWide);
+  const double wide = std::clamp(kTimesWider * largestMoving(bodies), kMinWide, kMaxWide);
   return leastWidthOf(model, bodies) >= wide;
 }
 

@@ -170,6 +170,22 @@ TEST_F(SoccerPlayerTest, theGoalieStaysInItsGoalAndClearsNearBalls) {
   EXPECT_EQ(state("keep goal"), "guard");
 }
 
+TEST_F(SoccerPlayerTest, theGoalieTurnsToABallThatVanishedBesideIt) {
+  GameSituation now = situation(TeamPlaces(field_, {}).goalie({-1.2, 0.2}), {-1.2, 0.2});
+  now.givenRole = Role::kGoalie;
+  play(now, 30);
+  EXPECT_EQ(state("keep goal"), "guard");
+  now.ball = {0, 0.25};
+  play(now);
+  EXPECT_EQ(state("keep goal"), "clear");
+  now.knowsBall = false;
+  const Intention intention = play(now, 20);
+  EXPECT_EQ(state("keep goal"), "turn to ball");
+  EXPECT_GT(intention.turn, 0.3) << "to the left";
+  play(now, 200);
+  EXPECT_EQ(state("keep goal"), "guard") << "it does not look for it for ever";
+}
+
 TEST_F(SoccerPlayerTest, theStrikerLeavesABallInItsOwnPenaltyAreaToTheGoalie) {
   GameSituation now = situation({-1.2, 0.3, 0}, {-1.8, 0.3});
   now.number = 2;
