@@ -112,26 +112,42 @@ std::vector<Series::Column> Series::columnsOfFew(std::size_t begin, std::size_t 
                                                  std::size_t count) const {
   std::vector<Column> columns;
   columns.reserve(count);
-  const double perTime = static_cast<double>(count) / (to - from);
-  const auto last = static_cast<double>(count - 1);
+  const double width = (to - from) / static_cast<double>(count), perTime = 1 / width;
   double until = -std::numeric_limits<double>::infinity();
+  // Kept in registers, unlike what is in a vector.
+  Column column;
+  Extent extent;
+  const auto complete = [&] {
+    column.extent = extent;
+    if (column.begin < column.end) columns.push_back(column);
+  };
   while (begin < end) {
     // The points of one block lie one behind the other.
     const std::size_t number = begin_ + begin;
     const double* times = block(number) + number % kBlock;
     const double* values = times + kBlock;
     const std::size_t length = std::min(kBlock - number % kBlock, end - begin);
-    for (std::size_t i = 0; i < length; ++i) {
+    for (std::size_t i = 0; i < length;) {
       if (times[i] >= until) {
-        const double column = std::clamp(std::floor((times[i] - from) * perTime), 0.0, last);
-        until = column == last ? std::numeric_limits<double>::infinity() : from + (column + 1) / perTime;
-        columns.push_back({begin + i, begin + i, {}});
+        complete();
+        const std::size_t next = columns.empty() ? 0 : columns.back().part + 1;
+        column.part = std::clamp(static_cast<std::size_t>((times[i] - from) * perTime), next, count - 1);
+        column.begin = begin + i;
+        column.first = values[i];
+        extent = {};
+        until = column.part == count - 1 ? std::numeric_limits<double>::infinity()
+                                         : from + static_cast<double>(column.part + 1) * width;
       }
-      ++columns.back().end;
-      columns.back().extent.add({values[i], values[i]});
+      do {
+        extent.add({values[i], values[i]});
+        ++i;
+      } while (i < length && times[i] < until);
+      column.end = begin + i;
+      column.last = values[i - 1];
     }
     begin += length;
   }
+  complete();
   return columns;
 }
 
@@ -151,7 +167,10 @@ std::vector<Series::Column> Series::columns(double from, double to, std::size_t 
     std::size_t end = isNear ? guess : firstFromNear(begin, guess, until);
     if (i < count && end - begin >= kFan * kFan) end -= (begin_ + end) % kFan;
     width = end - begin;
-    if (width > 0) columns.push_back({begin, end, extent(begin, end)});
+    if (width > 0) {
+      columns.push_back({i - 1, begin, end, valueAt(begin_ + begin), valueAt(begin_ + end - 1),
+                         extent(begin, end)});
+    }
     begin = end;
   }
   return columns;

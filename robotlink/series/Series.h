@@ -33,7 +33,9 @@ class Series {
   };
   /// The points in one of several equal parts of a range of time, [begin, end) by their indices.
   struct Column {
+    std::size_t part = 0;  ///< Which of the parts, from 0.
     std::size_t begin = 0, end = 0;
+    double first = 0, last = 0;  ///< The values of its first and its last point.
     Extent extent;
   };
   static constexpr std::size_t kBytesPerPoint = 18;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace widgets {
 namespace {
@@ -26,11 +27,14 @@ double valueBetween(const Series::Point& a, const Series::Point& b, double time)
 class SeriesGraph::Bars {
  public:
   Bars(const QCPAxis& value, const QRect& area)
-      : area_(area),
+      : top_(area.top() - 2),
+        height_(area.height() + 3),
         lower_(value.range().lower),
-        offset_(value.coordToPixel(lower_)),
+        offset_(value.coordToPixel(lower_) - top_),
         // As the axis computes it, which takes a call for each.
-        scale_((value.coordToPixel(value.range().upper) - offset_) / value.range().size()) {}
+        scale_((value.coordToPixel(value.range().upper) - top_ - offset_) / value.range().size()) {
+    lines_.reserve(2 * static_cast<std::size_t>(area.width()) + 1);
+  }
 
   /// The line comes to column `x` at a value, or begins there.
   void leaveAt(int x, double value) {
@@ -41,7 +45,7 @@ class SeriesGraph::Bars {
   void interrupt() { isDrawing_ = false; }
   /// Draws the line up to the point at which it comes to column `x`.
   void goTo(int x, double value) {
-    if (isDrawing_ && !std::isnan(value) && x > x_ + 1) lines_.append(QLine(x_, y_, x, pixel(value)));
+    if (isDrawing_ && !std::isnan(value) && x > x_ + 1) lines_.emplace_back(x_, y_, x, pixel(value));
   }
   void add(int x, const Series::Extent& extent) {
     int top = pixel(extent.max), bottom = pixel(extent.min);
@@ -49,21 +53,21 @@ class SeriesGraph::Bars {
       top = std::min(top, y_);
       bottom = std::max(bottom, y_);
     }
-    lines_.append(QLine(x, top, x, bottom));
+    lines_.emplace_back(x, top, x, bottom);
   }
   /// As lines: where there is a clip, rectangles take twenty times as long.
-  const QVector<QLine>& lines() const { return lines_; }
+  void draw(QCPPainter& painter) const { painter.drawLines(lines_.data(), static_cast<int>(lines_.size())); }
 
  private:
   /// A little outside for all that is not seen.
   int pixel(double value) const {
-    return static_cast<int>(
-        std::floor(std::clamp(offset_ + scale_ * (value - lower_), area_.top() - 2.0, area_.bottom() + 2.0)));
+    return top_ + static_cast<int>(std::clamp(offset_ + scale_ * (value - lower_), 0.0, height_));
   }
 
-  const QRect area_;
+  const int top_;        ///< Pixels are counted from here.
+  const double height_;
   const double lower_, offset_, scale_;
-  QVector<QLine> lines_;
+  std::vector<QLine> lines_;
   int x_ = 0, y_ = 0;
   bool isDrawing_ = false;
 };
@@ -106,27 +110,24 @@ void SeriesGraph::drawColumns(QCPPainter& painter, int count) {
   const Series& series = *series_;
   const QRect area = keyAxis()->axisRect()->rect();
   const double from = keyAxis()->range().lower, to = keyAxis()->range().upper;
-  const auto columnAt = [&](double time) {
-    return area.left() + std::clamp(static_cast<int>((time - from) / (to - from) * count), 0, count - 1);
-  };
   Bars bars(*valueAxis(), area);
   std::size_t before = series.firstFrom(from);
   // The line comes from the point before, and leads to the one behind.
   if (before > 0) bars.leaveAt(area.left() - 1, valueBetween(series[before - 1], series[before], from));
   for (const Series::Column& column : series.columns(from, to, static_cast<std::size_t>(count))) {
-    const Point first = series[column.begin], last = series[column.end - 1];
-    if (column.begin > 0 && isInterrupted(series[column.begin - 1], first)) bars.interrupt();
-    const int x = columnAt(first.time);
-    bars.goTo(x, first.value);
+    if (!gaps_.empty() && column.begin > 0 && isInterrupted(series[column.begin - 1], series[column.begin]))
+      bars.interrupt();
+    const int x = area.left() + static_cast<int>(column.part);
+    bars.goTo(x, column.first);
     if (!column.extent.isEmpty()) bars.add(x, column.extent);
-    bars.leaveAt(x, last.value);
+    bars.leaveAt(x, column.last);
     before = column.end;
   }
   if (before < series.size() && before > 0 && !isInterrupted(series[before - 1], series[before]))
     bars.goTo(area.right(), valueBetween(series[before - 1], series[before], to));
   painter.setAntialiasing(false);
   painter.setPen(pen());
-  painter.drawLines(bars.lines());
+  bars.draw(painter);
 }
 
 }  // namespace widgets

@@ -116,16 +116,24 @@ TEST(SeriesTest, aRangeOfTimeIsDividedIntoColumns) {
   std::vector<Point> points = noise(10'000);
   for (int i = 0; i < 50; ++i) points.push_back({150.0 + i, static_cast<double>(i % 7)});
   const Series series = seriesOf(points);
+  constexpr auto kNone = static_cast<std::size_t>(-1);
   for (const std::size_t count : {1, 7, 500, 40'000}) {
     SCOPED_TRACE(count);
-    std::size_t at = series.firstFrom(3.1), seen = 0;
+    std::size_t at = series.firstFrom(3.1), seen = 0, before = kNone;
     for (const auto& column : series.columns(3.1, 180, count)) {
       EXPECT_EQ(column.begin, at);
-      EXPECT_LT(column.begin, column.end);
+      ASSERT_LT(column.begin, column.end);
+      EXPECT_EQ(column.first, series[column.begin].value);
+      EXPECT_EQ(column.last, series[column.end - 1].value);
+      EXPECT_LT(column.part, count);
+      EXPECT_TRUE(before == kNone || column.part > before);
+      before = column.part;
+      const double width = (180 - 3.1) / static_cast<double>(count);
+      EXPECT_NEAR(series[column.begin].time, 3.1 + (static_cast<double>(column.part) + 0.5) * width,
+                  width * 5 / 8 + 0.01 * Series::kFan);
       const auto plain = plainExtent(series, column.begin, column.end);
       EXPECT_EQ(column.extent.min, plain.min);
       EXPECT_EQ(column.extent.max, plain.max);
-      const double width = (180 - 3.1) / static_cast<double>(count);
       EXPECT_LT(series[column.end - 1].time - series[column.begin].time, width * 9 / 8 + 0.01 * Series::kFan);
       seen += column.end - column.begin;
       at = column.end;
