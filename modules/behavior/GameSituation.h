@@ -57,6 +57,9 @@ struct GameSituation {
   /// The camera shows colors of the field, so it is not blind.
   bool seesField = true;
 
+  /// Since it saw a beacon or a goal, s; 0 if there is no such sense.
+  double landmarkAge = 0;
+
   /// The robot in the team's frame; empty while it does not know where it is.
   std::optional<robotlink::Pose2> pose;
 

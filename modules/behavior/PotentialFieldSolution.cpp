@@ -146,6 +146,7 @@ const robotlink::SolutionRegistration kPotentialField =
         .uses(robotlink::kGameState)
         .uses(robotlink::kRobotState)
         .uses(robotlink::kColorRegions)
+        .uses(robotlink::kLandmarkPercepts)
         .uses(robotlink::kMotionStatus)
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)

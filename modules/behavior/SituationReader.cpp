@@ -43,7 +43,8 @@ SituationReader::SituationReader(robotlink::SolutionContext& context)
       game_(context.input(robotlink::kGameState)),
       robotState_(context.input(robotlink::kRobotState)),
       regions_(context.input(robotlink::kColorRegions)),
-      status_(context.input(robotlink::kMotionStatus)) {}
+      status_(context.input(robotlink::kMotionStatus)),
+      landmarks_(context.input(robotlink::kLandmarkPercepts)) {}
 
 Pose2 SituationReader::teamInField() const {
   bool isTurned = team_ == "blue";
@@ -57,12 +58,13 @@ Pose2 SituationReader::teamInField() const {
   return {0, 0, isTurned ? robotlink::kPi : 0};
 }
 
-GameSituation SituationReader::read(const Options& options) const {
+GameSituation SituationReader::read(const Options& options) {
   GameSituation now;
   now.time = robotlink::seconds(clock_.now());
   now.number = number_;
   readGame(now);
   readBody(now);
+  readLandmarks(now);
   now.seesField = seesField(options.minimumColored);
   if (pose_ && pose_->position_deviation() <= options.positionDeviation &&
       pose_->heading_deviation() <= options.headingDeviation)
@@ -93,6 +95,12 @@ void SituationReader::readBody(GameSituation& now) const {
   now.fallen = status_->fallen();
   now.stable = status_->stable();
   now.playsMotion = status_->executed().kind() == robotcontrol::MotionRequest::KEY_FRAMES;
+}
+
+void SituationReader::readLandmarks(GameSituation& now) {
+  if (!landmarks_) return;
+  if (!landmarkSeenAt_ || !landmarks_->landmarks().empty()) landmarkSeenAt_ = now.time;
+  now.landmarkAge = now.time - *landmarkSeenAt_;
 }
 
 /// A blind camera shows no color at all. In front of a wall or in a goal there is no green, but white or the

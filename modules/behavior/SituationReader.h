@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "modules/behavior/GameSituation.h"
@@ -28,7 +29,8 @@ class SituationReader {
 
   explicit SituationReader(robotlink::SolutionContext& context);
 
-  GameSituation read(const Options& options) const;
+  /// Call it once a frame.
+  GameSituation read(const Options& options);
   /// The pose of the team's frame in the field's.
   robotlink::Pose2 teamInField() const;
   const std::string& team() const { return team_; }
@@ -36,6 +38,7 @@ class SituationReader {
  private:
   void readGame(GameSituation& now) const;
   void readBody(GameSituation& now) const;
+  void readLandmarks(GameSituation& now);
   void readBall(GameSituation& now, const Options& options) const;
   void readRobots(GameSituation& now, const Options& options) const;
   void readMates(GameSituation& now, const Options& options) const;
@@ -54,6 +57,9 @@ class SituationReader {
   robotlink::Input<robotcontrol::RobotState> robotState_;
   robotlink::Input<robotcontrol::ColorRegions> regions_;
   robotlink::Input<robotcontrol::MotionStatus> status_;
+  robotlink::Input<robotcontrol::LandmarkPercepts> landmarks_;
+  /// When one was seen last, s.
+  std::optional<double> landmarkSeenAt_;
 };
 
 }  // namespace modules

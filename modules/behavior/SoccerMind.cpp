@@ -16,6 +16,8 @@ namespace {
 constexpr double kNever = 1e3;
 /// Added to the bid of a player that has not seen the ball itself, s.
 constexpr double kHearsayPenalty = 2;
+/// Looking up takes at least so long, and ends with a beacon that was seen such a time ago, s.
+constexpr double kEnoughLooking = 0.4, kJustSeen = 0.1;
 /// How far a ball rolls without being touched by anybody, m.
 constexpr double kMoved = 0.12;
 
@@ -94,7 +96,18 @@ bool SoccerMind::mustGlance() const {
   return now_.time - glancedAt_ > options_.glanceAgain + options_.glanceTime;
 }
 
+void SoccerMind::lookUp() {
+  const bool mayLookUp = now_.time - lookedUpAt_ > options_.lookUpAfter && now_.seesBall();
+  if (mayLookUp && now_.landmarkAge > options_.lookUpAfter) lookedUpAt_ = now_.time;
+  const double looking = now_.time - lookedUpAt_;
+  // Some frames with a beacon tell enough.
+  const bool isEnough = looking > kEnoughLooking && now_.landmarkAge < kJustSeen;
+  if (looking < options_.lookUpTime && !isEnough) intention_.head = Intention::Head::kLookAround;
+}
+
 bool SoccerMind::coversBall() const {
+  // It does not see a ball either while it looks for beacons.
+  if (now_.time - lookedUpAt_ < options_.lookUpTime + options_.coveredAfter) return false;
   return !now_.ballFromTeam && lastBall_.norm() < options_.coveredDistance &&
          now_.ballAge > options_.coveredAfter && machine_.stateTime() > options_.coveredAfter;
 }
@@ -170,7 +183,10 @@ void SoccerMind::walkToPlace(const Pose2& placeInTeam) {
 void SoccerMind::approachBall() {
   target_ = skills_.placeBehind(now_.ball, aim_);
   intention_ = skills_.approach(now_.ball, aim_, now_.robots);
-  if (now_.ball.norm() < options_.glanceDistance) return;
+  if (now_.ball.norm() < options_.glanceDistance) {
+    lookUp();
+    return;
+  }
   if (mustGlance() && now_.seesBall()) glancedAt_ = now_.time;
   if (now_.time - glancedAt_ < options_.glanceTime) intention_.head = Intention::Head::kLookAround;
 }

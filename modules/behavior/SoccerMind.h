@@ -37,6 +37,9 @@ class SoccerMind {
     double glanceTime = 1.2, glanceAgain = 6;
     /// Distance of the ball from which on it does so while it walks, m.
     double glanceDistance = 0.8;
+    /// Beside the ball, where others turn it, it looks up for them if it has not seen any for so long, for at
+    /// most such a time, s.
+    double lookUpAfter = 1.5, lookUpTime = 0.9;
     /// Angle between ball and aim up to which it pushes the ball, and from which on it goes behind it again,
     /// rad.
     double alignTolerance = 0.3, alignLost = 0.9;
@@ -101,6 +104,8 @@ class SoccerMind {
   bool isForGoalie() const;
   bool isAtPlace() const;
   bool mustGlance() const;
+  /// Turns the head to beacons and goals if none was seen for long; call it beside the ball.
+  void lookUp();
   /// The ball was at its paws and is not seen any more: it may lie under the body.
   bool coversBall() const;
   /// It stands, and the ball was beside it and is not seen any more.
@@ -135,7 +140,7 @@ class SoccerMind {
   robotlink::Vector2 lastBall_ = robotlink::Vector2::UnitX();
   /// 1 to the left, -1 to the right.
   double turnDirection_ = 1;
-  double ballSeenAt_ = -1e9, fieldSeenAt_ = 0, glancedAt_ = -1e9, playingSince_ = 0;
+  double ballSeenAt_ = -1e9, fieldSeenAt_ = 0, glancedAt_ = -1e9, lookedUpAt_ = -1e9, playingSince_ = 0;
   bool started_ = false;
   /// The motion task confirmed that the kick is being played.
   bool kickBegan_ = false;

@@ -195,6 +195,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .does([&p] {
         p.intention_ = p.skills_.position(p.now_.ball, p.aim_, p.side_);
         p.isAtBall_ = true;
+        p.lookUp();
       })
       .to("search", "the ball is lost", isLost())
       .to("approach", "the ball is away", isAway)

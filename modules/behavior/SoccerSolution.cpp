@@ -122,6 +122,8 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {Fields::kGlanceTimeFieldNumber, playing<&P::glanceTime>, kAtLeastZero},
     {Fields::kGlanceAgainFieldNumber, playing<&P::glanceAgain>, kAtLeastZero},
     {Fields::kGlanceDistanceFieldNumber, playing<&P::glanceDistance>, kAtLeastZero},
+    {Fields::kLookUpAfterFieldNumber, playing<&P::lookUpAfter>, kAtLeastZero},
+    {Fields::kLookUpTimeFieldNumber, playing<&P::lookUpTime>, kAtLeastZero},
     {Fields::kAlignToleranceFieldNumber, playing<&P::alignTolerance>, kAboveZero},
     {Fields::kAlignLostFieldNumber, playing<&P::alignLost>, kAboveZero},
     {Fields::kDribbleDistanceFieldNumber, playing<&P::dribbleDistance>, kAboveZero},
@@ -294,6 +296,7 @@ const robotlink::SolutionRegistration kSoccer =
         .uses(robotlink::kGameState)
         .uses(robotlink::kRobotState)
         .uses(robotlink::kColorRegions)
+        .uses(robotlink::kLandmarkPercepts)
         .uses(robotlink::kMotionStatus)
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)

@@ -2,7 +2,7 @@
 // The solutions of the task "players-model": the positions of other robots.
 #include "ModelingParameters.pb.h"
 #include "modules/modeling/PlayerTracker.h"
-#include "modules/modeling/PlayersModeler.h"
+#include "modules/modeling/SeenPlayers.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
@@ -11,10 +11,10 @@
 namespace modules {
 namespace {
 
-class PerceptPlayers final : public PlayersModeler {
+class PerceptPlayers final : public SeenPlayers {
  public:
   explicit PerceptPlayers(robotlink::SolutionContext& context)
-      : PlayersModeler(context),
+      : SeenPlayers(context),
         percepts_(context.input(robotlink::kRobotPercepts)),
         pose_(context.input(robotlink::kRobotPose)),
         parameters_(context.parameters<robotcontrol::PerceptPlayersParameters>()) {}
@@ -29,7 +29,7 @@ class PerceptPlayers final : public PlayersModeler {
     tracker_.setOptions(
         {parameters_.same_within(), parameters_.half_life(), parameters_.forget_below(), parameters_.pull()});
     tracker_.update(robotlink::seconds(robotlink::instant(percepts_->timestamp())), seen_);
-    publish(tracker_.players(), percepts_->timestamp());
+    publishSeen(tracker_.players(), percepts_->timestamp());
   }
 
  private:
@@ -46,6 +46,7 @@ const robotlink::SolutionRegistration kPercepts =
         "Keeps the robots that were seen until they have not been seen for a while.")
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)
+        .uses(robotlink::kTeamMessages)
         .yields(robotlink::kPlayersModel)
         .keys({&kPlayersKey, &kPlayerCountKey})
         .parameters<robotcontrol::PerceptPlayersParameters>();

@@ -13,6 +13,9 @@ namespace {
 constexpr double kNearest = 0.06;
 // If the head lags behind a sweep by more than this, rad, the sweep waits.
 constexpr double kLag = 0.5;
+// A ball that is nearer to the body's origin is before the paws, m, and from there on it is kept lower the
+// farther it is away, in full after this distance.
+constexpr double kBeforePaws = 0.2, kFullyLow = 0.1;
 
 }  // namespace
 
@@ -34,7 +37,7 @@ HeadAngles HeadController::advance(const HeadCommand& desired, const std::option
   }
   if (ball && ball->position.allFinite() && ball->age < parameters_.lostAfter) {
     state_ = State::kTracking;
-    return anglesTowards({ball->position.x(), ball->position.y(), parameters_.ballRadius});
+    return tracking(ball->position);
   }
   const double far = parameters_.searchFarTilt, near = parameters_.searchNearTilt;
   const double wide = parameters_.searchFarPan * side_, narrow = parameters_.searchNearPan * side_;
@@ -61,6 +64,14 @@ HeadAngles HeadController::swept(const std::vector<Waypoint>& path, State state,
   sweep_.pan = approached(sweep_.pan, target.pan, step);
   if (sweep_.tilt == target.tilt && sweep_.pan == target.pan) waypoint_ = (waypoint_ + 1) % path.size();
   return sweep_;
+}
+
+HeadAngles HeadController::tracking(const robotlink::Vector2& ball) const {
+  HeadAngles angles = anglesTowards({ball.x(), ball.y(), parameters_.ballRadius});
+  const double share = std::clamp((ball.norm() - kBeforePaws) / kFullyLow, 0.0, 1.0);
+  const double up = std::max(0.0, parameters_.aroundTilt - angles.tilt);
+  angles.tilt += std::min(up, share * parameters_.ballLow);
+  return angles;
 }
 
 HeadAngles HeadController::anglesTowards(const robotlink::Vector3& pointInRobot) const {

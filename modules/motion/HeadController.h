@@ -48,6 +48,9 @@ struct HeadParameters {
   double sweepSpeed = 1.9;
   /// Time without seeing the ball before it is searched, s.
   double lostAfter = 0.7;
+  /// How far below the middle of the image a tracked ball is kept, if beacons and goals are higher, rad. A
+  /// ball before the paws is kept in the middle.
+  double ballLow = 0.2;
   bool operator==(const HeadParameters&) const = default;
 };
 
@@ -71,6 +74,8 @@ class HeadController {
   /// The angles with which the camera's axis points at a point in the robot's frame, as far as the neck
   /// allows.
   HeadAngles anglesTowards(const robotlink::Vector3& pointInRobot) const;
+  /// The angles with which it tracks a ball there, in the robot's frame, m.
+  HeadAngles tracking(const robotlink::Vector2& ball) const;
 
   /// For drawings and logs.
   enum class State { kStill, kTracking, kSearching, kSweeping };

@@ -103,6 +103,7 @@ HeadParameters headParameters(const robotcontrol::HeadControlParameters& from) {
   if (from.has_around_pan()) to.aroundPan = from.around_pan();
   if (from.has_sweep_speed() && from.sweep_speed() >= 0) to.sweepSpeed = from.sweep_speed();
   if (from.has_lost_after() && from.lost_after() >= 0) to.lostAfter = from.lost_after();
+  if (from.has_ball_low() && from.ball_low() >= 0) to.ballLow = from.ball_low();
   return to;
 }
 
@@ -133,6 +134,7 @@ robotlink::ParameterRules headRules() {
   robotlink::ParameterRules rules;
   rules.ranges[robotcontrol::HeadControlParameters::kSweepSpeedFieldNumber] = {};
   rules.ranges[robotcontrol::HeadControlParameters::kLostAfterFieldNumber] = {};
+  rules.ranges[robotcontrol::HeadControlParameters::kBallLowFieldNumber] = {};
   return rules;
 }
 

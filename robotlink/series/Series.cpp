@@ -168,8 +168,8 @@ std::vector<Series::Column> Series::columns(double from, double to, std::size_t 
     if (i < count && end - begin >= kFan * kFan) end -= (begin_ + end) % kFan;
     width = end - begin;
     if (width > 0) {
-      columns.push_back({i - 1, begin, end, valueAt(begin_ + begin), valueAt(begin_ + end - 1),
-                         extent(begin, end)});
+      columns.push_back(
+          {i - 1, begin, end, valueAt(begin_ + begin), valueAt(begin_ + end - 1), extent(begin, end)});
     }
     begin = end;
   }

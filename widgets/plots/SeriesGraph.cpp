@@ -64,7 +64,7 @@ class SeriesGraph::Bars {
     return top_ + static_cast<int>(std::clamp(offset_ + scale_ * (value - lower_), 0.0, height_));
   }
 
-  const int top_;        ///< Pixels are counted from here.
+  const int top_;  ///< Pixels are counted from here.
   const double height_;
   const double lower_, offset_, scale_;
   std::vector<QLine> lines_;

@@ -25,6 +25,8 @@ constexpr double kGoalDistanceBlur = 0.6;
 /// Cells of poses in which clusters are looked for, m and per turn.
 constexpr double kClusterCell = 0.4;
 constexpr int kHeadingCells = 12;
+/// The share of new particles that keep their place and turn.
+constexpr double kTurnedShare = 0.5;
 /// The fraction by which the fit follows an image.
 constexpr double kFitRate = 0.12;
 
@@ -176,6 +178,14 @@ Pose2 FieldMonteCarlo::drawPose(const Pose2& robotInOdometry) {
           around + kPi - std::atan2(seen.y(), seen.x()) + turn};
 }
 
+Pose2 FieldMonteCarlo::turned(const Pose2& pose, const Frame& frame) {
+  const auto number =
+      static_cast<std::size_t>(random_.uniform() * static_cast<double>(frame.landmarks.size()));
+  const LandmarkMeasurement& seen = frame.landmarks[number];
+  const Vector2 way = seen.position - pose.translation();
+  return {pose.x, pose.y, std::atan2(way.y(), way.x()) - seen.bearing + options_.bearingDeviation * noise()};
+}
+
 void FieldMonteCarlo::resample(const Frame& frame) {
   const std::size_t count = particles_.size();
   double sum = 0;
@@ -197,7 +207,7 @@ void FieldMonteCarlo::resample(const Frame& frame) {
     Particle& added = drawn_.emplace_back();
     // If duplicates stayed equal, the cloud would shrink whatever is seen.
     if (random_.uniform() < share)
-      set(added, drawPose(frame.robotInOdometry));
+      set(added, random_.uniform() < kTurnedShare ? turned(from, frame) : drawPose(frame.robotInOdometry));
     else
       set(added, {from.x + rough * noise(), from.y + rough * noise(), from.heading + rough * noise()});
   }

@@ -19,8 +19,9 @@ namespace modules {
 ///
 /// Where the particles fit badly to what is seen, some are replaced by poses that follow from the landmarks
 /// that were seen lately (sensor resetting; Lenser, Veloso 2000), so that a robot that was carried away finds
-/// itself again. The estimate is the mean of the densest cluster and not of all particles, which may lie
-/// between two clusters. Deterministic for a seed. Not thread-safe.
+/// itself again; half of them only turn, since other robots turn one that pushes them. The estimate is the
+/// mean of the densest cluster and not of all particles, which may lie between two clusters. Deterministic
+/// for a seed. Not thread-safe.
 class FieldMonteCarlo {
  public:
   struct Options {
@@ -123,6 +124,8 @@ class FieldMonteCarlo {
   /// A pose from two landmarks of the memory, or around one; any pose if there is none.
   robotlink::Pose2 drawPose(const robotlink::Pose2& robotInOdometry);
   robotlink::Pose2 anyPose();
+  /// The same place, turned so that a landmark lies where the image shows it; it shows one at least.
+  robotlink::Pose2 turned(const robotlink::Pose2& pose, const Frame& frame);
   double effectiveParticles() const;
   /// The estimate is that of the densest cluster.
   void summarize();

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "ModelingParameters.pb.h"
-#include "modules/modeling/PlayersModeler.h"
+#include "modules/modeling/SeenPlayers.h"
 #include "modules/modeling/players/PlayerGrid.h"
 #include "modules/modeling/players/PlayerKalman.h"
 #include "robotcontrol/Perception.pb.h"
@@ -54,10 +54,10 @@ SeenSector sectorOf(const robotcontrol::CameraPose& camera, const robotlink::Pos
 
 /// The common part of both solutions; `Filter` is PlayerGrid or PlayerKalman.
 template <typename Filter>
-class FilteredPlayers : public PlayersModeler {
+class FilteredPlayers : public SeenPlayers {
  public:
   FilteredPlayers(robotlink::SolutionContext& context, Filter filter)
-      : PlayersModeler(context),
+      : SeenPlayers(context),
         percepts_(context.input(robotlink::kRobotPercepts)),
         pose_(context.input(robotlink::kRobotPose)),
         camera_(context.input(robotlink::kCameraPose)),
@@ -75,7 +75,7 @@ class FilteredPlayers : public PlayersModeler {
       frame.seen.push_back({robot.team(), robotlink::vector2(robot.position_in_robot()), robot.confidence()});
     prepare(filter_);
     filter_.update(frame);
-    publish(filter_.players(), percepts_->timestamp());
+    publishSeen(filter_.players(), percepts_->timestamp());
     draw(filter_);
   }
 
@@ -131,6 +131,7 @@ const robotlink::SolutionRegistration kGridPlayers =
         "Collects evidence in the cells of the field, which fades where nobody is seen; players are peaks.")
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)
+        .uses(robotlink::kTeamMessages)
         .uses(robotlink::kCameraPose)
         .yields(robotlink::kPlayersModel)
         .keys({&kPlayersKey, &kPlayerCountKey, &kGridKey})
@@ -184,6 +185,7 @@ const robotlink::SolutionRegistration kKalmanPlayers =
         "A Kalman filter with velocity for each other robot, to which percepts are assigned.")
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)
+        .uses(robotlink::kTeamMessages)
         .uses(robotlink::kCameraPose)
         .yields(robotlink::kPlayersModel)
         .keys({&kPlayersKey, &kPlayerCountKey, &kTracksKey})

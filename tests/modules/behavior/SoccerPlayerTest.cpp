@@ -296,5 +296,21 @@ TEST_F(PotentialFieldTest, kicksOnceAndOnlyTowardTheGoal) {
   EXPECT_EQ(field_.decide(now).motion, Intention::Motion::kStand);
 }
 
+TEST_F(SoccerPlayerTest, besideTheBallItLooksUpForBeaconsNowAndThen) {
+  GameSituation now = situation({-0.3, 0.2, 0}, {0, 0});
+  const auto looksUp = [&] { return play(now).head == Intention::Head::kLookAround; };
+  now.landmarkAge = 0.5;
+  for (int i = 0; i < 50; ++i) EXPECT_FALSE(looksUp());
+  now.landmarkAge = 2;
+  EXPECT_TRUE(looksUp());
+  // A ball that it does not see meanwhile is not one under its body.
+  now.ballAge = 0.7;
+  now.ball = {0.16, 0};
+  play(now, 30);
+  EXPECT_NE(state("strike"), "step back");
+  now.ballAge = 0;
+  EXPECT_FALSE(looksUp());
+}
+
 }  // namespace
 }  // namespace modules

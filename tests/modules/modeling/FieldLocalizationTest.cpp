@@ -127,11 +127,32 @@ TEST(FieldMonteCarlo, knowsHowWellTheLandmarksFit) {
   EXPECT_GT(fit, 0.35);
   walk.carry({1.2, -0.7, 3});
   double worst = fit;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 16; ++i) {
     filter.update(walk.step());
     worst = std::min(worst, filter.fit());
   }
   EXPECT_LT(worst, 0.6 * fit);
+}
+
+/// Other robots turn one that pushes them, and its dead reckoning does not know it.
+TEST(FieldMonteCarlo, aRobotThatOthersTurnedKnowsItsHeadingAgain) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    FieldWalk walk({1, 0.5, 0}, seed);
+    FieldMonteCarlo filter(walk.field(), {});
+    filter.startAt(walk.pose(), 0.1);
+    for (int i = 0; i < 50; ++i) filter.update(walk.step());
+    const Pose2 pose = walk.pose();
+    walk.carry({pose.x, pose.y, pose.heading + (seed % 2 == 0 ? 1.2 : -1.2)});
+    double error = 9;
+    // The head sweeps: there are images without landmarks among these.
+    for (int i = 0; i < 16; ++i) {
+      filter.update(walk.step());
+      error = std::min(error, headingError(filter.estimate(), walk.pose()));
+    }
+    found += error < 0.2 ? 1 : 0;
+  }
+  EXPECT_GE(found, 9);
 }
 
 }  // namespace

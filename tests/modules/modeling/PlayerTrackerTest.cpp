@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "modules/modeling/ToldMates.h"
+
 namespace modules {
 namespace {
 
@@ -37,6 +39,17 @@ TEST(PlayerTracker, forgetsWhatIsNotSeenAgain) {
   EXPECT_NEAR(tracker.players()[0].confidence, 0.25, 1e-9);
   tracker.update(6, {});
   EXPECT_TRUE(tracker.players().empty());
+}
+
+TEST(ToldMates, areWhereTheySayAndOthersWhereTheyWereSeen) {
+  const std::array told{robotlink::Vector2(1, 0)};
+  const auto players =
+      withToldMates({{"red", {1.3, 0.2}, 0.5}, {"red", {-1, 0}, 0.4}, {"blue", {1.1, 0}, 0.3}}, "red", told);
+  ASSERT_EQ(players.size(), 3U);
+  EXPECT_EQ(players[0].positionInField, robotlink::Vector2(-1, 0));
+  EXPECT_EQ(players[1].team, "blue");
+  EXPECT_EQ(players[2].team, "red");
+  EXPECT_EQ(players[2].positionInField, told[0]);
 }
 
 }  // namespace

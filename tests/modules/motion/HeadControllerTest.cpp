@@ -64,6 +64,20 @@ TEST(HeadControllerTest, aKnownBallIsTrackedInSearchTooAndALostOneIsSearchedOnIt
   }
 }
 
+TEST(HeadControllerTest, aTrackedBallIsKeptLowSoThatBeaconsAreSeenToo) {
+  const HeadParameters parameters;
+  HeadController controller(parameters);
+  const auto above = [&](const robotlink::Vector2& ball) {
+    const auto kind = desired(HeadCommand::Kind::kTrackBall);
+    const HeadAngles head = controller.advance(kind, BallSight{ball, 0}, {}, kHeadFrame);
+    return head.tilt - controller.anglesTowards({ball.x(), ball.y(), parameters.ballRadius}).tilt;
+  };
+  EXPECT_NEAR(above({0.4, 0.1}), parameters.ballLow, 1e-9);
+  // In the middle are one that is before the paws, and one that is as high as beacons.
+  EXPECT_EQ(above({0.17, 0.03}), 0);
+  EXPECT_NEAR(above({3, 0}), 0, 0.05);
+}
+
 /// Pan and tilt over some seconds, the head following at once.
 struct Sweep {
   double left = -9, right = 9, up = -9, down = 9, fastest = 0;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "modules/modeling/PlayerTracker.h"
+
+namespace modules {
+
+/// Robots of one's own team say themselves where they are. Replaces the players of `team` that were seen near
+/// places that were told, which are meters in the field, by these places; what was seen elsewhere stays,
+/// since a robot may have lost its way, or have no program that says anything.
+std::vector<TrackedPlayer> withToldMates(std::vector<TrackedPlayer> seen, const std::string& team,
+                                         std::span<const robotlink::Vector2> told);
+
+}  // namespace modules
