@@ -22,6 +22,8 @@ class PackageBoardTest : public ::testing::Test {
     board_.entry("pose").shown = true;
     board_.entry("secret");
   }
+  /// Senders of the board are closed before it ends.
+  ~PackageBoardTest() override { process_.stop(); }
   static KeyMode mode(KeyMode::Kind kind, unsigned n = 0) {
     KeyMode mode;
     mode.set_kind(kind);
