@@ -31,9 +31,13 @@ foreach(header
     arcos/codec/LaserScan.h arcos/codec/Packet.h arcos/codec/PacketDescription.h arcos/codec/PacketParser.h
     arcos/codec/RangeScan.h arcos/codec/SensorPackets.h arcos/codec/ServerPackets.h arcos/codec/SimulatorCommands.h
     arcos/codec/SimulatorPackets.h arcos/codec/StandardInformation.h arcos/stream/ByteStream.h
-    arcos/stream/MemoryStream.h arcos/stream/OpenStream.h arcos/stream/SerialPorts.h arcos/stream/StreamUrl.h
+    arcos/stream/OpenStream.h arcos/stream/SerialPorts.h arcos/stream/StreamUrl.h
     base/Clock.h base/Error.h base/Geometry.h base/GlobalPosition.h base/GroundMap.h)
   cmake_path(GET header PARENT_PATH folder)
+  # Here, and not only when somebody installs.
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/robotlink/${header})
+    message(FATAL_ERROR "there is no robotlink/${header} to install")
+  endif()
   install(FILES ${PROJECT_SOURCE_DIR}/robotlink/${header}
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol/robotlink/${folder} ${arcos_component})
 endforeach()
