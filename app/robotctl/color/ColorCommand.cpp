@@ -5,6 +5,7 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/image/ClassPresets.h"
+#include "robotlink/base/AtomicFile.h"
 
 namespace app {
 
@@ -30,6 +31,18 @@ tl::expected<NamedColorTable, robotlink::Errors> loadTable(const std::string& fi
   NamedColorTable named{std::move(*table), std::move(*classes)};
   named.nameAll();
   return named;
+}
+
+tl::expected<std::optional<colortool::ColorClasses>, robotlink::Errors> namedLabelClasses(
+    const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / kLabelClassesFile;
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return std::nullopt;
+  const auto text = robotlink::readFile(file);
+  if (!text) return tl::unexpected(robotlink::Errors{text.error()});
+  auto classes = colortool::parseColorClasses(*text, file.string());
+  if (!classes) return tl::unexpected(classes.error());
+  return std::move(*classes);
 }
 
 colortool::ColorTable singleTable(const colortool::ColorTableFile& file) {

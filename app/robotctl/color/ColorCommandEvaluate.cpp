@@ -12,7 +12,6 @@
 #include "app/robotctl/color/ColorImages.h"
 #include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/scoring/Evaluation.h"
-#include "robotlink/base/AtomicFile.h"
 
 namespace app {
 namespace {
@@ -113,12 +112,10 @@ Result<int> addImage(const ColorImages& images, const std::string& name, const E
 /// The classes of the labels' numbers: those of the option, or else those of the file beside the labels.
 tl::expected<ColorClasses, robotlink::Errors> labelClasses(const EvaluateArguments& arguments) {
   if (inLog(arguments) && arguments.labelClasses.empty()) return TrueClasses::classes();
-  const std::filesystem::path file = std::filesystem::path(arguments.labels) / kLabelClassesFile;
-  std::error_code error;
-  if (arguments.labelClasses.empty() && arguments.classes.empty() && std::filesystem::exists(file, error)) {
-    const auto text = robotlink::readFile(file);
-    if (!text) return tl::unexpected(robotlink::Errors{text.error()});
-    return colortool::parseColorClasses(*text, file.string());
+  if (arguments.labelClasses.empty() && arguments.classes.empty()) {
+    auto named = namedLabelClasses(arguments.labels);
+    if (!named) return tl::unexpected(named.error());
+    if (*named) return std::move(**named);
   }
   auto chosen = chosenClasses(arguments.labelClasses.empty() ? arguments.classes : arguments.labelClasses);
   if (!chosen) return tl::unexpected(robotlink::Errors{chosen.error()});

@@ -12,6 +12,7 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/color/ColorImages.h"
 #include "app/robotctl/color/ColorSubcommands.h"
+#include "app/robotctl/color/LabelStrokes.h"
 #include "colortool/samples/SampleFile.h"
 #include "colortool/samples/StrokeList.h"
 #include "colortool/training/TableTrainer.h"
@@ -32,7 +33,9 @@ const std::map<std::string, TrainingMethod> kMethods = {{"kernel", TrainingMetho
                                                         {"svm", TrainingMethod::kSupportVectors}};
 
 struct TrainArguments {
-  std::string strokes, images, samples, out, samplesOut;
+  std::string strokes, labels, images, samples, out, samplesOut;
+  /// Strokes in each class of a labeled image.
+  std::size_t discs = 3;
   std::string method = "kernel";
   ClassNames classes;
   /// Share of the winner's votes for further classes of a cell; 0: each cell has one class.
@@ -78,15 +81,36 @@ bool addStroke(Samples& samples, const DiscStroke& stroke, const colortool::Colo
                    {samples.classes.index(stroke.colorClass), false, 1, "point"}) != 0;
 }
 
+/// Those of the option, or else those that are named beside the labels.
+tl::expected<colortool::ColorClasses, Errors> classesOf(const TrainArguments& arguments) {
+  if (!arguments.labels.empty() && arguments.classes.empty()) {
+    auto named = namedLabelClasses(arguments.labels);
+    if (!named) return tl::unexpected(named.error());
+    if (*named) return std::move(**named);
+  }
+  auto chosen = chosenClasses(arguments.classes);
+  if (!chosen) return tl::unexpected(Errors{chosen.error()});
+  return std::move(*chosen);
+}
+
+tl::expected<std::vector<DiscStroke>, Errors> strokesOf(const TrainArguments& arguments,
+                                                        const ColorImages& images,
+                                                        const colortool::ColorClasses& classes) {
+  if (arguments.labels.empty()) return colortool::readStrokeList(arguments.strokes);
+  auto made = strokesOfLabels(images, arguments.labels, classes, arguments.discs);
+  if (!made) return tl::unexpected(Errors{made.error()});
+  return std::move(*made);
+}
+
 tl::expected<Learned, Errors> samplesOfStrokes(const TrainArguments& arguments) {
-  const auto strokes = colortool::readStrokeList(arguments.strokes);
-  if (!strokes) return tl::unexpected(strokes.error());
-  auto classes = chosenClasses(arguments.classes);
-  if (!classes) return tl::unexpected(Errors{classes.error()});
-  if (auto checked = checkClasses(*strokes, *classes, arguments.strokes); !checked)
-    return tl::unexpected(checked.error());
+  auto classes = classesOf(arguments);
+  if (!classes) return tl::unexpected(classes.error());
   const auto images = ColorImages::open(arguments.images);
   if (!images) return tl::unexpected(Errors{images.error()});
+  const auto strokes = strokesOf(arguments, *images, *classes);
+  if (!strokes) return tl::unexpected(strokes.error());
+  if (auto checked = checkClasses(*strokes, *classes, arguments.strokes); !checked)
+    return tl::unexpected(checked.error());
   Learned learned;
   learned.samples.classes = std::move(*classes);
   std::map<std::string, colortool::ColorImage> loaded;
@@ -202,8 +226,8 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
 
 void addColorTrainCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<TrainArguments>();
-  CLI::App* command =
-      color.add_subcommand("train", "Makes a color table from strokes in images, or from samples");
+  CLI::App* command = color.add_subcommand(
+      "train", "Makes a color table from strokes in images, from labeled images, or from samples");
   CLI::Option* strokes = command->add_option("--strokes", arguments->strokes,
                                              "CSV with the header image,class,x,y,radius; in pixels of the "
                                              "image at a width of 320; class background means none of them");
@@ -211,8 +235,18 @@ void addColorTrainCommand(CLI::App& color, int& status) {
                                             "The folder of the images (PNG, JPEG, .yuyv), or a log file");
   CLI::Option* samples = command->add_option("--samples", arguments->samples,
                                              "Samples that the workbench saved, instead of strokes");
-  strokes->needs(images)->excludes(samples);
-  images->needs(strokes);
+  CLI::Option* labels = command->add_option(
+      "--labels", arguments->labels,
+      "A folder of gray PNG files with the true classes' numbers, as of robotctl sim --labelled-images, "
+      "instead of strokes: some are made in the midst of each class");
+  command
+      ->add_option("--discs", arguments->discs, "How many strokes are made in each class of a labeled image")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->needs(labels);
+  strokes->needs(images)->excludes(samples)->excludes(labels);
+  labels->needs(images)->excludes(samples);
+  images->excludes(samples);
   command->add_option("--out", arguments->out, "The color table (.c64)")->required();
   command->add_option("--save-samples", arguments->samplesOut,
                       "Also writes the samples it learned from, for the workbench");
@@ -232,9 +266,9 @@ void addColorTrainCommand(CLI::App& color, int& status) {
   CLI::Option* own = command->add_flag("--own-settings", arguments->asLearned,
                                        "Uses the options in the samples file instead of those given here");
   own->needs(samples);
-  command->callback([arguments, strokes, samples, &status] {
-    if (strokes->empty() && samples->empty())
-      throw CLI::RequiredError("--strokes with --images, or --samples");
+  command->callback([arguments, strokes, labels, samples, &status] {
+    if (strokes->empty() && labels->empty() && samples->empty())
+      throw CLI::RequiredError("--strokes or --labels with --images, or --samples");
     status = train(*arguments);
   });
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,10 @@ tl::expected<colortool::NamedColorTable, robotlink::Errors> loadTable(const std:
                                                                       const ClassNames& names);
 /// The file in a folder of labels that names their classes, in the format of the file beside a color table.
 constexpr const char* kLabelClassesFile = "labels.classes";
+
+/// The classes that this file names; nothing if there is none in the folder.
+tl::expected<std::optional<colortool::ColorClasses>, robotlink::Errors> namedLabelClasses(
+    const std::filesystem::path& folder);
 
 /// Number of cells of each class; cells of several classes are counted under all their names: "orange+red".
 std::map<std::string, std::uint64_t> cellCounts(const colortool::NamedColorTable& table);

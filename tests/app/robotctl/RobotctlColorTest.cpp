@@ -170,6 +170,25 @@ TEST_P(RobotctlColorImages, fewStrokesMakeAGoodTable) {
   EXPECT_LT(ours.at("false_color"), 0.02);
 }
 
+TEST(RobotctlColorLabels, aTableIsMadeFromLabeledImages) {
+  const auto data = game::dataOf("made") / "colour/bhuman2009";
+  const TestFolder folder;
+  const auto both =
+      " --images '" + (data / "yuyv").string() + "' --labels '" + (data / "labels").string() + "'";
+  const auto trained = runRobotctl(folder.path(), "color train --out t.c64" + both);
+  ASSERT_EQ(trained.status, 0) << trained.errors;
+  const auto scored = runRobotctl(folder.path(), "color evaluate --json --table t.c64" + both);
+  ASSERT_EQ(scored.status, 0) << scored.errors;
+  const json figures = json::parse(scored.out);
+  for (const char* name : {"orange", "blue", "green", "white"})
+    EXPECT_GT(figures.at("recall").at(name), 0.95) << name;
+  EXPECT_LT(figures.at("false_color"), 0.02);
+  const auto without = runRobotctl(
+      folder.path(), "color train --out n.c64 --labels . --images '" + (data / "yuyv").string() + "'");
+  EXPECT_EQ(without.status, 1);
+  EXPECT_THAT(without.errors, HasSubstr("no image has labels here"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Data, RobotctlColorImages, testing::ValuesIn(game::kSources),
                          [](const auto& source) { return source.param; });
 

@@ -110,6 +110,29 @@ TEST(FastGaitTest, kicksToTheSidesAreSquare) {
   }
 }
 
+TEST(FastGaitTest, theQuickKickIsStraightAndOverInASecond) {
+  for (const robotlink::Vector2& ball :
+       {robotlink::Vector2(0.158, 0), robotlink::Vector2(0.15, 0.02), robotlink::Vector2(0.168, -0.02)}) {
+    WalkingRobot robot(fastOptions(1));
+    robot.head() = {-0.9, 0, 0, 0};
+    robot.run({}, 1);
+    robot.placeBall(ball);
+    robot.run({}, 0.2);
+    const robotlink::Vector3 before = robot.ball();
+    const robotlink::Pose2 stand = robotlink::groundPose(robot.pose());
+    robot.run(keyFrames("kick-quick"), 0.3);
+    robot.run({}, 0.7);
+    EXPECT_TRUE(robot.engine().stable());
+    robot.run({}, 3);
+    const robotlink::Vector3 way = robot.ball() - before;
+    const robotlink::Vector2 moved =
+        Eigen::Rotation2Dd(-stand.heading) * robotlink::Vector2(way.x(), way.y());
+    EXPECT_GT(moved.x(), 0.4) << ball;
+    EXPECT_LT(std::abs(moved.y()), 0.4 * moved.x()) << ball;
+    EXPECT_GT(robot.upright(), 0.98);
+  }
+}
+
 TEST(WalkingTest, theSameRunGivesTheSameBytes) {
   std::uint64_t digests[2];
   for (std::uint64_t& digest : digests) {
