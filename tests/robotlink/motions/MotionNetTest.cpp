@@ -111,8 +111,8 @@ TEST(MotionNetTest, theShippedMotionsCompileAndKeepTheirText) {
       loadMotions(folder, {"neckTilt", "headPan", "legFL1", "legFL2", "legFL3", "legFR1", "legFR2", "legFR3",
                            "legHL1", "legHL2", "legHL3", "legHR1", "legHR2", "legHR3"});
   ASSERT_TRUE(net) << describe(net.error());
-  EXPECT_EQ((*net)->motions.size(), 13U);
-  EXPECT_EQ(requestable(**net).size(), 12U);
+  EXPECT_EQ((*net)->motions.size(), 14U);
+  EXPECT_EQ(requestable(**net).size(), 13U);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const auto motion = readMotionFile(entry.path());
     ASSERT_TRUE(motion) << describe(motion.error());
