@@ -188,10 +188,12 @@ void FarRobotSteps::itsProgramMovesToAProcessOfItsOwnAndIsStartedAgain() {
   QTRY_VERIFY_WITH_TIMEOUT(hosting() != nullptr && desk.find<QToolButton>("hostingOwn").isVisible(), kWaitMs);
   QVERIFY(!hosting()->own_process());
   QTest::mouseClick(&desk.find<QToolButton>("hostingOwn"), Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(hosting()->own_process() && hosting()->pid() != 0, kWaitMs);
+  QTRY_VERIFY_WITH_TIMEOUT(hosting() != nullptr && hosting()->own_process() && hosting()->pid() != 0,
+                           kWaitMs);
   const auto before = hosting()->pid();
   QTest::mouseClick(&desk.find<QToolButton>("hostingStartAgain"), Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(hosting()->pid() != 0 && hosting()->pid() != before, kWaitMs);
+  QTRY_VERIFY_WITH_TIMEOUT(hosting() != nullptr && hosting()->pid() != 0 && hosting()->pid() != before,
+                           kWaitMs);
   QCOMPARE(hosting()->state(), robotcontrol::HostingStatus::RUNNING);
 }
 
@@ -302,7 +304,10 @@ void FarRobotSteps::itsPicturesAreThoseOfAHostedRobot() {
                                !desk.newest<SimulationStatus>("simulation")->running(),
                            kWaitMs);
   desk.run("simulation.reset");
-  QTRY_COMPARE_WITH_TIMEOUT(desk.newest<SimulationStatus>("simulation")->time(), 0.0, kWaitMs);
+  // A reset forgets what came before.
+  QTRY_VERIFY_WITH_TIMEOUT(desk.newest<SimulationStatus>("simulation") != nullptr &&
+                               desk.newest<SimulationStatus>("simulation")->time() == 0.0,
+                           kWaitMs);
   QVERIFY(step(desk, kSteps));
   QTRY_COMPARE_WITH_TIMEOUT(hosted->differences(Seen(desk)), QString(), kWaitMs);
   widgets::test::keepPicture(hosted->image, "far-image");
