@@ -90,9 +90,11 @@ void Process::wake() {
 }
 
 void Process::stop() {
-  stopped_.store(true, std::memory_order_release);
-  for (AnyReceiver* receiver : receivers()) receiver->close();
-  for (AnySender* sender : senders()) sender->close();
+  // Once: what belongs to others may be gone when the process itself ends.
+  if (!stopped_.exchange(true, std::memory_order_acq_rel)) {
+    for (AnyReceiver* receiver : receivers()) receiver->close();
+    for (AnySender* sender : senders()) sender->close();
+  }
   wake();
 }
 
