@@ -74,11 +74,6 @@ bool SoccerMind::shouldKick() const {
          roles_.role() == Role::kGoalie;
 }
 
-bool SoccerMind::isAligned() const {
-  const double tolerance = isUnderPressure() ? options_.pressedTolerance : options_.kickTolerance;
-  return std::abs(aim_) < tolerance;
-}
-
 std::vector<Vector2> SoccerMind::matesInTeam() const {
   std::vector<Vector2> places;
   for (const Mate& mate : now_.mates) places.push_back(mate.pose.translation());

@@ -50,8 +50,8 @@ class SoccerMind {
     double kickRange = 9, kickPressure = 0.45;
     /// How exactly the ball must be before the chest for a kick is tried at all for, s.
     double positionTime = 4, kickTimeout = 5;
-    /// Angle up to which it kicks, also while an opponent is near the ball, rad.
-    double kickTolerance = 0.3, pressedTolerance = 0.45;
+    /// Angle up to which it kicks, rad.
+    double kickTolerance = 0.3;
     /// Margin around the penalty area in which the goalie goes for the ball, m.
     double goalieMargin = 0.15;
     /// Margin around it in which the others leave the ball to the goalie, m: there they may not be.
@@ -100,8 +100,6 @@ class SoccerMind {
   bool isUnderPressure() const;
   std::vector<robotlink::Vector2> matesInTeam() const;
   bool shouldKick() const;
-  /// The body's direction is good enough for the kick; less will do while an opponent is at the ball.
-  bool isAligned() const;
   /// The ball is where only the goalie may play it, and there is one.
   bool isForGoalie() const;
   bool isAtPlace() const;

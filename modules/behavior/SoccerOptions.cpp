@@ -189,7 +189,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .to("approach", "the goal is elsewhere", isBeside)
       .to("kick", "the ball is before the paws, and the goal near or an opponent", [&p] {
         return p.shouldKick() && p.skills_.canKick(p.now_.ball, p.side_) && p.now_.seesBall() &&
-               p.isAligned();
+               std::abs(p.aim_) < p.options_.kickTolerance;
       });
   strike.state("position", "Walks the last centimeters to where the kick reaches the ball.")
       .does([&p] {
@@ -203,7 +203,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .to("kick", "the ball is before the paws",
           [&p] {
             return p.skills_.canKick(p.now_.ball, p.side_) && p.now_.seesBall() &&
-                   p.isAligned();
+                   std::abs(p.aim_) < p.options_.kickTolerance;
           })
       .to("approach", "positioning takes too long", after(&SoccerMind::Options::positionTime));
   strike.state("kick", "Kicks with chest and head.")

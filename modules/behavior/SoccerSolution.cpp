@@ -131,7 +131,6 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {Fields::kKickRangeFieldNumber, playing<&P::kickRange>, kAtLeastZero},
     {Fields::kKickPressureFieldNumber, playing<&P::kickPressure>, kAtLeastZero},
     {Fields::kKickToleranceFieldNumber, playing<&P::kickTolerance>, kAboveZero},
-    {Fields::kPressedToleranceFieldNumber, playing<&P::pressedTolerance>, kAboveZero},
     {Fields::kPositionTimeFieldNumber, playing<&P::positionTime>, kAtLeastZero},
     {Fields::kKickTimeoutFieldNumber, playing<&P::kickTimeout>, kAboveZero},
     {Fields::kGoalieDistanceFieldNumber, placing<&T::goalieDistance>, kAboveZero},
