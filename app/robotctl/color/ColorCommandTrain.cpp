@@ -149,7 +149,7 @@ int printTrainedLosses(const TrainArguments& arguments, const Learned& learned,
   for (const robotlink::Error& problem : learned.problems)
     std::cerr << robotlink::printable(problem.describe()) << "\n";
   if (learned.outside != 0) {
-    std::cerr << arguments.strokes << ": "
+    std::cerr << (arguments.labels.empty() ? arguments.strokes : arguments.labels) << ": "
               << (learned.outside == 1
                       ? "one stroke is outside its image"
                       : std::to_string(learned.outside) + " strokes are outside their images")

@@ -65,8 +65,8 @@ QList<WId> stacking() {
   return windows;
 }
 
-bool isAbove(const QWidget& upper, const QWidget& lower) {
-  const QList<WId> windows = stacking();
+/// In such a list, which takes a while to be asked for: a widget may end meanwhile.
+bool isAbove(const QList<WId>& windows, const QWidget& upper, const QWidget& lower) {
   return windows.indexOf(lower.winId()) >= 0 &&
          windows.indexOf(upper.winId()) > windows.indexOf(lower.winId());
 }
@@ -151,19 +151,27 @@ class DocksUnderXTest : public QObject {
     }
     Desk desk(home_);
     QVERIFY(QTest::qWaitForWindowExposed(&desk.window));
-    auto* floating = dock(desk, "messages").floatingDockContainer();
-    QVERIFY(floating != nullptr);
-    QTRY_VERIFY(floating->isVisible());
-    QTRY_VERIFY(isAbove(*floating, desk.window));
+    // Opening the scene restores its docks, so that the window that floats is another one then.
+    const auto floating = [&]() -> QWidget* { return dock(desk, "messages").floatingDockContainer(); };
+    const auto floatsAbove = [&](const QWidget& lower) {
+      const QList<WId> windows = stacking();
+      return floating() != nullptr && isAbove(windows, *floating(), lower);
+    };
+    QTRY_VERIFY(floating() != nullptr && floating()->isVisible());
+    QTRY_VERIFY(floatsAbove(desk.window));
     QVERIFY(click(middle(*desk.window.statusBar())));
-    QTRY_VERIFY(isAbove(*floating, desk.window));
+    QTRY_VERIFY(floatsAbove(desk.window));
     // In the dialog's own event loop, which returns when it is closed.
     bool above = false, stillAbove = false;
     QTimer::singleShot(0, &desk.window, [&] {
       if (!QTest::qWaitFor([] { return QApplication::activeModalWidget() != nullptr; })) return;
       QWidget* dialog = QApplication::activeModalWidget();
-      above = QTest::qWaitFor([&] { return isAbove(*dialog, *floating); });
-      stillAbove = click(middle(*floating)) && QTest::qWaitFor([&] { return isAbove(*dialog, *floating); });
+      const auto isBelow = [&] {
+        const QList<WId> windows = stacking();
+        return floating() != nullptr && isAbove(windows, *dialog, *floating());
+      };
+      above = QTest::qWaitFor(isBelow);
+      stillAbove = click(middle(*floating())) && QTest::qWaitFor(isBelow);
       dialog->close();
     });
     desk.find<QAction>("help.about").trigger();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/prctl.h>
+
 #include <QByteArray>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QString>
 #include <QStringList>
-#include <cstdio>
+#include <csignal>
 #include <memory>
 
 /// An X server with a window manager for a test, for what only these provide: real mouse events and stacking
@@ -50,8 +52,12 @@ class XServer {
   }
 
  private:
+  /// Ends with the test, also if that crashes: else ctest would wait for its output for ever.
+  class Companion final : public QProcess {
+    void setupChildProcess() override { ::prctl(PR_SET_PDEATHSIG, SIGTERM); }
+  };
   XServer() = default;
 
-  QProcess server_;
-  QProcess manager_;
+  Companion server_;
+  Companion manager_;
 };
