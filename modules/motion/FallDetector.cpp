@@ -8,8 +8,10 @@ namespace {
 
 constexpr double kSmoothing = 0.2;     // s
 constexpr double kFallenCosine = 0.5;  // 60 degrees
+constexpr double kSitsCosine = 0.7;    // 46 degrees, more than a kick leans for long
 constexpr double kUprightCosine = 0.8;
 constexpr double kConfirmation = 0.3;  // s
+constexpr double kSitsAfter = 1;       // s
 constexpr double kGravity = 9.81;
 
 }  // namespace
@@ -22,7 +24,8 @@ void FallDetector::update(const robotlink::Vector3& acceleration, robotlink::Dur
   if (up_.norm() < 1e-6) up_ = {0, 0, 1e-6};
   const double cosine = up().z();
   tiltedFor_ = cosine < kFallenCosine ? tiltedFor_ + dt : 0;
-  if (tiltedFor_ > kConfirmation) fallen_ = true;
+  sitsFor_ = cosine < kSitsCosine ? sitsFor_ + dt : 0;
+  if (tiltedFor_ > kConfirmation || sitsFor_ > kSitsAfter) fallen_ = true;
   if (cosine > kUprightCosine) fallen_ = false;
 }
 

@@ -22,7 +22,8 @@ class FallDetector {
   void update(const robotlink::Vector3& acceleration, robotlink::Duration frame);
   void reset() { *this = {}; }
 
-  /// True once the robot has been tilted by more than 60 degrees for 0.3 s, until it is nearly upright.
+  /// True once the robot has been tilted by more than 60 degrees for 0.3 s, or by more than 46 degrees for a
+  /// second, as when it sits on its hind legs, until it is nearly upright.
   bool fallen() const { return fallen_; }
   /// The side that is down; kNone while the robot is more or less upright.
   Side side() const;
@@ -33,7 +34,7 @@ class FallDetector {
   /// Smoothed acceleration, in units of gravity.
   robotlink::Vector3 up_{0, 0, 1};
   /// Seconds.
-  double tiltedFor_ = 0;
+  double tiltedFor_ = 0, sitsFor_ = 0;
   bool fallen_ = false;
 };
 

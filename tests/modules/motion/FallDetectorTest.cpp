@@ -37,6 +37,18 @@ TEST(FallDetectorTest, aShortShockIsNoFall) {
   EXPECT_FALSE(detector.fallen());
 }
 
+TEST(FallDetectorTest, aRobotThatSitsHasFallenButOneThatLeansForAMomentHasNot) {
+  // 56 degrees, as on the hind legs.
+  const Vector3 sits = 9.81 * Vector3(0.829, 0, 0.559);
+  FallDetector detector;
+  feel(detector, sits, 60);
+  EXPECT_FALSE(detector.fallen());
+  feel(detector, {0, 0, 9.8}, 60);
+  feel(detector, sits, 200);
+  EXPECT_TRUE(detector.fallen());
+  EXPECT_EQ(detector.side(), Side::kRear);
+}
+
 TEST(FallDetectorTest, brokenReadingsAreIgnored) {
   FallDetector detector;
   feel(detector, {NAN, 0, 0}, 100);
