@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
@@ -393,7 +394,7 @@ Result<void> MainWindow::saveView(const std::string& id, const std::string& file
 void MainWindow::stepLayout(void (LayoutHistory::*step)()) {
   whenDocksRest([this, step] {
     layouts_->look();  // what was changed just now is a step, too
-    (layouts_->*step)();
+    std::invoke(step, layouts_);
   });
 }
 

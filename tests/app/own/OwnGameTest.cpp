@@ -58,7 +58,9 @@ class OwnGameTest : public ::testing::Test {
     const auto left = run_->referee()->machine().left();
     const auto before = frames_;
     const auto steps = run_->world().simulation().steps();
-    const auto place = [&] { return run_->world().simulation().modelPose("blue1")->translation(); };
+    const auto place = [&]() -> robotlink::Vector3 {
+      return run_->world().simulation().modelPose("blue1")->translation();
+    };
     const robotlink::Vector3 blue = place();
     test::play(*run_, 4);
     EXPECT_GT(run_->world().simulation().steps(), steps);

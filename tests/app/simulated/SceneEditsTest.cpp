@@ -116,8 +116,8 @@ TEST_F(SceneEditsTest, anAdditionCanBeTakenBackAndACopyStandsBeside) {
   const auto copied = run_->duplicateModel("p3at1", "");
   ASSERT_TRUE(copied.has_value()) << robotlink::describe(copied.error());
   EXPECT_THAT(run_->robots(), ElementsAre("p3at1", "p3at2"));
-  const auto way = run_->world().simulation().modelPose("p3at1")->translation() -
-                   run_->world().simulation().modelPose("p3at2")->translation();
+  const robotlink::Vector3 way = run_->world().simulation().modelPose("p3at1")->translation() -
+                                 run_->world().simulation().modelPose("p3at2")->translation();
   EXPECT_GT(way.norm(), 0.5);
   EXPECT_LT(way.norm(), 3);
   EXPECT_GT(reportsOf("p3at2", 0.5), 2);
