@@ -15,6 +15,9 @@ namespace {
 /// rad.
 constexpr double kMaxDetour = 2.2, kPassRight = 0.1;
 
+/// The share of a turn that is not made on the way.
+constexpr double kTurnShare = 0.4;
+
 double headingOf(const Vector2& way) {
   return std::atan2(way.y(), way.x());
 }
@@ -45,34 +48,41 @@ Intention BallSkills::walk(const Vector2& velocity, double turn) const {
   return intention;
 }
 
+std::vector<BallSkills::Circle> BallSkills::circles(const std::vector<Vector2>& robots, double radius) {
+  std::vector<Circle> all;
+  for (const Vector2& robot : robots) all.push_back({robot, radius});
+  return all;
+}
+
 Intention BallSkills::turnTo(double direction) const {
   return walk(Vector2::Zero(), options_.turnGain * normalizedAngle(direction));
 }
 
-Vector2 BallSkills::around(const Vector2& way, const std::vector<Vector2>& robots, double radius) const {
+Vector2 BallSkills::around(const Vector2& way, const std::vector<Circle>& circles, double maxDetour) const {
   const double distance = way.norm();
   if (distance < 0.05) return way;
-  // The turns of the way that hit a robot.
+  // The turns of the way that hit a circle: their middle, and half their range.
   std::vector<std::pair<double, double>> blocked;
   const double direction = headingOf(way);
-  for (const Vector2& robot : robots) {
-    const double apart = robot.norm();
+  for (const Circle& circle : circles) {
+    const double apart = circle.middle.norm();
     // Beyond the aim, or the own body: not in the way.
     if (apart > options_.robotRange || apart > distance + 0.1 || apart < 0.05) continue;
-    const double beside = normalizedAngle(headingOf(robot) - direction);
-    const double half = std::asin(std::min(1.0, radius / apart));
-    blocked.emplace_back(beside - half, beside + half);
+    blocked.emplace_back(normalizedAngle(headingOf(circle.middle) - direction),
+                         std::asin(std::min(1.0, circle.radius / apart)));
   }
   const auto isFree = [&](double turn) {
-    return std::ranges::none_of(
-        blocked, [&](const auto& one) { return one.first < turn - 1e-6 && turn + 1e-6 < one.second; });
+    return std::ranges::none_of(blocked, [&](const auto& one) {
+      return std::abs(normalizedAngle(turn - one.first)) < one.second - 1e-6;
+    });
   };
   if (isFree(0)) return way;
   // Robots that stand side by side are passed together. One that is met head-on is passed on the right, by
   // both.
-  double best = 0, least = kMaxDetour;
-  for (const auto& [right, left] : blocked) {
-    for (const double turn : {right, left}) {
+  double best = 0, least = maxDetour;
+  for (const auto& [middle, half] : blocked) {
+    for (const double edge : {middle - half, middle + half}) {
+      const double turn = normalizedAngle(edge);
       const double cost = std::abs(turn) + (turn > 0 ? kPassRight : 0);
       if (cost >= least || !isFree(turn)) continue;
       least = cost;
@@ -85,7 +95,7 @@ Vector2 BallSkills::around(const Vector2& way, const std::vector<Vector2>& robot
 Intention BallSkills::walkTo(const Vector2& place, double direction,
                              const std::vector<Vector2>& robots) const {
   const double distance = place.norm();
-  const Vector2 way = around(place, robots, options_.robotRadius);
+  const Vector2 way = around(place, circles(robots, options_.robotRadius), kMaxDetour);
   if (distance < options_.nearby) {
     const Vector2 velocity = options_.walkGain * way;
     return walk(velocity, options_.turnGain * normalizedAngle(direction));
@@ -97,6 +107,14 @@ Intention BallSkills::walkTo(const Vector2& place, double direction,
   const double blend = std::clamp((distance - options_.nearby) / 0.3, 0.0, 1.0);
   const double facing = normalizedAngle(heading + (1 - blend) * 0.5 * normalizedAngle(direction - heading));
   return walk(way.normalized() * options_.forwardSpeed * share, options_.turnGain * facing);
+}
+
+Intention BallSkills::makeWay(const Vector2& place, const Vector2& ball,
+                              const std::vector<Vector2>& robots) const {
+  std::vector<Circle> obstacles = circles(robots, options_.duelRadius);
+  obstacles.push_back({ball, options_.clearDistance});
+  const Vector2 way = around(place, obstacles, robotlink::kPi + kPassRight);
+  return walk(way.normalized() * options_.forwardSpeed, 0);
 }
 
 double BallSkills::offset(const Vector2& ball, double aim) {
@@ -129,7 +147,7 @@ Intention BallSkills::approach(const Vector2& ball, double aim, const std::vecto
   const Vector2 place = placeBehind(ball, aim);
   // Near the ball it looks at it: it circles it with its head toward it.
   if (ball.norm() < 2 * options_.standOff + 0.1) {
-    const Vector2 way = around(place, robots, options_.duelRadius);
+    const Vector2 way = around(place, circles(robots, options_.duelRadius), kMaxDetour);
     const double facing = place.norm() < 0.12 ? 0.5 * (aim + headingOf(ball)) : headingOf(ball);
     return walk(options_.walkGain * std::max(1.0, 0.12 / std::max(0.02, way.norm())) * way,
                 options_.turnGain * facing);
@@ -166,9 +184,19 @@ bool BallSkills::canKick(const Vector2& ball, KickSide side) const {
          std::abs(off.y()) < (isAhead ? options_.kickToleranceY : options_.sideToleranceY);
 }
 
+/// Straight, or along a circle around the ball, and the rest of the turn there.
 double BallSkills::secondsTo(const Vector2& ball, double aim) const {
-  const double detour = std::abs(offset(ball, aim)) / robotlink::kPi * 0.6;
-  return (ball.norm() + detour) / options_.forwardSpeed + std::abs(headingOf(ball)) / options_.turnSpeed;
+  const double distance = std::max(ball.norm(), options_.standOff);
+  const double beside = std::abs(offset(ball, aim));
+  // From where the tangent of the circle touches it, the rest is along the circle.
+  const double touch = std::acos(options_.standOff / distance);
+  const double arc = std::max(0.0, beside - touch) * options_.standOff;
+  const Vector2 behind = ball - inDirection(aim) * options_.standOff;
+  const double straight =
+      beside < touch ? behind.norm() : std::sqrt(distance * distance - options_.standOff * options_.standOff);
+  const double turn = std::abs(normalizedAngle(aim));
+  return straight / options_.forwardSpeed + arc / options_.sidewardSpeed +
+         kTurnShare * turn / options_.turnSpeed;
 }
 
 }  // namespace modules

@@ -39,6 +39,8 @@ class BallSkills {
     double duelRadius = 0.17;
     /// Distance up to which robots are avoided, m.
     double robotRange = 0.7;
+    /// Distance from the ball within which a player makes way for a mate that plays it, m.
+    double clearDistance = 0.45;
     /// Distance of the place behind the ball, m.
     double standOff = 0.27;
     /// Distance at which it passes the ball on the way behind it, m.
@@ -69,6 +71,9 @@ class BallSkills {
   /// Walks to the place behind the ball.
   Intention approach(const robotlink::Vector2& ball, double aim,
                      const std::vector<robotlink::Vector2>& robots) const;
+  /// Steps away from the ball for a mate that plays it, on the way to a place, without turning about.
+  Intention makeWay(const robotlink::Vector2& place, const robotlink::Vector2& ball,
+                    const std::vector<robotlink::Vector2>& robots) const;
   /// Pushes the ball into the direction `aim`, with the ball between the fore paws.
   Intention dribble(const robotlink::Vector2& ball, double aim) const;
   /// Walks the last centimeters to where a kick reaches the ball, and turns to `aim`.
@@ -85,9 +90,16 @@ class BallSkills {
   Intention walk(const robotlink::Vector2& velocity, double turn) const;
   /// Where the ball must be for a kick.
   robotlink::Vector2 kickSpot(KickSide side) const;
-  /// The way to a place, turned so that it passes other robots at this distance.
-  robotlink::Vector2 around(const robotlink::Vector2& way, const std::vector<robotlink::Vector2>& robots,
-                            double radius) const;
+  /// What the own middle keeps out of.
+  struct Circle {
+    robotlink::Vector2 middle;
+    double radius;
+  };
+  static std::vector<Circle> circles(const std::vector<robotlink::Vector2>& robots, double radius);
+  /// The way to a place, turned by as little as possible, and at most by `maxDetour` (rad), so that it passes
+  /// the circles; unchanged if it cannot. In a circle it leads out of it.
+  robotlink::Vector2 around(const robotlink::Vector2& way, const std::vector<Circle>& circles,
+                            double maxDetour) const;
 
   Options options_;
 };

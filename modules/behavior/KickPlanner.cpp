@@ -22,8 +22,6 @@ constexpr double kBesideWall = 0.2;
 constexpr double kTight = 0.02;
 /// A ball stops at a robot whose middle is nearer, m, and a robot that is so near to a place occupies it.
 constexpr double kStops = 0.14, kOccupies = 0.22;
-/// The share of a turn that is not made on the way.
-constexpr double kTurnShare = 0.4;
 /// What a ball costs that rolls into the own goal, s.
 constexpr double kOwnGoal = 100;
 
@@ -37,21 +35,13 @@ Vector2 towards(double angle) {
 
 }  // namespace
 
-/// The time for the way behind the ball, straight or along a circle around it, and for turning there.
+/// The time for the way behind the ball, and what it costs to push an opponent away from there.
 double KickPlanner::secondsBehind(const Situation& now, double heading) const {
-  const Vector2 fromBall = now.robot.translation() - now.ball;
-  const double distance = std::max(fromBall.norm(), now.standOff);
-  const double around = std::abs(normalizedAngle(wayAngle(fromBall) - heading - kPi));
-  // From where the tangent of the circle touches it, the rest is along the circle.
-  const double touch = std::acos(now.standOff / distance);
-  const double arc = std::max(0.0, around - touch) * now.standOff;
-  const Vector2 behind = now.ball - towards(heading) * now.standOff;
-  const double straight = around < touch ? (behind - now.robot.translation()).norm()
-                                         : std::sqrt(distance * distance - now.standOff * now.standOff);
-  const double turn = std::abs(normalizedAngle(heading - now.robot.heading));
+  const Vector2 behind = now.ball - towards(heading) * now.skills.standOff;
   const bool isOccupied = std::ranges::any_of(
       now.opponents, [&](const Vector2& robot) { return (robot - behind).norm() < kOccupies; });
-  return straight / now.forwardSpeed + arc / now.sidewardSpeed + kTurnShare * turn / now.turnSpeed +
+  const Vector2 ball = now.robot.inverse() * now.ball;
+  return BallSkills(now.skills).secondsTo(ball, normalizedAngle(heading - now.robot.heading)) +
          (isOccupied ? options_.occupiedSeconds : 0);
 }
 
@@ -71,21 +61,24 @@ double KickPlanner::secondsAfter(const Situation& now, const Choice& choice) con
   const double length = choice.side == KickSide::kAhead ? options_.kickLength : options_.sideLength;
   const Vector2 step = kRollStep * towards(choice.direction);
   Vector2 ball = now.ball;
+  bool stopped = false;
   for (double way = 0; way < length; way += kRollStep) {
     const Vector2 next = ball + step;
     if (std::abs(next.x()) > goal.x() - kBallRadius && std::abs(next.y()) < half)
       return next.x() > 0 ? 0 : kOwnGoal;
-    if (isStopped(now, ball, next)) break;
+    stopped = isStopped(now, ball, next);
+    if (stopped) break;
     ball = places_.within(next, kBallRadius);
   }
   const bool isBesideWall = (places_.within(ball, kBesideWall) - ball).norm() > 0.01;
   const double turn = std::abs(normalizedAngle(wayAngle(goal - ball) - choice.heading()));
   return options_.secondsPerKick + options_.secondsPerMeter * (goal - ball).norm() +
-         turn * now.standOff / now.sidewardSpeed + (isBesideWall ? options_.wallSeconds : 0);
+         turn * now.skills.standOff / now.skills.sidewardSpeed + (isBesideWall ? options_.wallSeconds : 0) +
+         (stopped ? options_.stoppedSeconds : 0);
 }
 
 std::optional<double> KickPlanner::secondsToGoal(const Situation& now, const Choice& choice) const {
-  const Vector2 behind = now.ball - towards(choice.heading()) * now.standOff;
+  const Vector2 behind = now.ball - towards(choice.heading()) * now.skills.standOff;
   if ((places_.reachable(behind) - behind).norm() > kTight) return std::nullopt;
   // The mean over the spread, by the three points of a Gauss-Hermite quadrature.
   const double spread = choice.side == KickSide::kAhead ? options_.kickSpread : options_.sideSpread;

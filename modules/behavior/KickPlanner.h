@@ -30,6 +30,8 @@ class KickPlanner {
     double wallSeconds = 8;
     /// How much sooner another direction has to be to be chosen instead of the last one, s.
     double keepSeconds = 1.5;
+    /// What it costs that a robot stops the ball, s.
+    double stoppedSeconds = 0;
     /// What it costs that an opponent stands where the robot has to be behind the ball, s.
     double occupiedSeconds = 3;
     bool operator==(const Options&) const = default;
@@ -48,8 +50,8 @@ class KickPlanner {
     std::vector<robotlink::Vector2> opponents;
     /// Robots of the own team, which stop a ball, too.
     std::vector<robotlink::Vector2> mates = {};
-    /// Distance of the player's place from the ball, m, and its speeds, m/s and rad/s.
-    double standOff = 0.27, forwardSpeed = 0.18, sidewardSpeed = 0.12, turnSpeed = 1.1;
+    /// How fast the player walks, and how far from the ball.
+    BallSkills::Options skills = {};
   };
 
   /// `places` must outlive it.

@@ -18,6 +18,10 @@ constexpr double kNever = 1e3;
 constexpr double kHearsayPenalty = 2;
 /// Looking up takes at least so long, and ends with a beacon that was seen such a time ago, s.
 constexpr double kEnoughLooking = 0.4, kJustSeen = 0.1;
+/// How far off a ball is that the team says is before the paws, m.
+constexpr double kTeamBallError = 0.1;
+/// How long a player bids for a ball that it does not know any more, s.
+constexpr double kForgetting = 1;
 /// How far a ball rolls without being touched by anybody, m.
 constexpr double kMoved = 0.12;
 
@@ -43,11 +47,8 @@ double SoccerMind::playDirection() {
     side_ = KickSide::kAhead;
     return std::atan2(now_.ball.y(), now_.ball.x());
   }
-  const BallSkills::Options& skills = options_.skills;
   const KickPlanner::Choice choice =
-      kicks_.choose({*now_.pose, *ball, now_.opponents, matesInTeam(), skills.standOff, skills.forwardSpeed,
-                     skills.sidewardSpeed, skills.turnSpeed},
-                    isAtBall_);
+      kicks_.choose({*now_.pose, *ball, now_.opponents, matesInTeam(), options_.skills}, isAtBall_);
   side_ = choice.side;
   return normalizedAngle(choice.heading() - now_.pose->heading);
 }
@@ -108,7 +109,8 @@ void SoccerMind::lookUp() {
 bool SoccerMind::coversBall() const {
   // It does not see a ball either while it looks for beacons.
   if (now_.time - lookedUpAt_ < options_.lookUpTime + options_.coveredAfter) return false;
-  return !now_.ballFromTeam && lastBall_.norm() < options_.coveredDistance &&
+  const bool isElsewhere = now_.ballFromTeam && now_.ball.norm() > options_.coveredDistance + kTeamBallError;
+  return !isElsewhere && lastBall_.norm() < options_.coveredDistance &&
          now_.ballAge > options_.coveredAfter && machine_.stateTime() > options_.coveredAfter;
 }
 
@@ -141,10 +143,19 @@ void SoccerMind::observe(const GameSituation& now) {
     }
   }
   aim_ = playDirection();
-  secondsToBall_ = kNever;
-  if (now.knowsBall && !now.fallen && !now.penalized && !now.pickedUp)
-    secondsToBall_ = skills_.secondsTo(now.ball, aim_) + std::min(5.0, now.ballAge) +
-                     (now.ballFromTeam ? kHearsayPenalty : 0);
+  const bool mayPlay = !now.fallen && !now.penalized && !now.pickedUp;
+  // A ball that is forgotten is often seen again at once: roles wait for that.
+  if (!mayPlay || (!now.knowsBall && now.time - ballKnownAt_ > kForgetting)) secondsToBall_ = kNever;
+  if (now.knowsBall) ballKnownAt_ = now.time;
+  if (now.knowsBall && mayPlay) {
+    // At its paws it does not see the ball while it looks up.
+    const bool isNear = std::max(lastBall_.norm(), now.ball.norm()) < options_.dribbleDistance;
+    const double looking = isNear ? options_.lookUpTime + options_.coveredAfter : 0;
+    secondsToBall_ = std::clamp(now.ballAge - looking, 0.0, 5.0);
+    // A striker that has reached the ball keeps it: two that change places are in each other's way.
+    if (!isNear || roles_.role() != Role::kStriker) secondsToBall_ += skills_.secondsTo(now.ball, aim_);
+    if (now.ballFromTeam) secondsToBall_ += kHearsayPenalty;
+  }
   (void)roles_.decide(now, secondsToBall_);
 }
 
@@ -170,10 +181,14 @@ void SoccerMind::walkToPlace(const Pose2& placeInTeam) {
   const Pose2 rest = now_.pose->inverse() * placeInTeam;
   target_ = rest.translation();
   std::vector<Vector2> obstacles = now_.robots;
-  // It leaves the ball to the striker.
-  if (now_.knowsBall && roles_.role() != Role::kStriker && roles_.role() != Role::kGoalie)
-    obstacles.push_back(now_.ball);
-  intention_ = skills_.walkTo(rest.translation(), rest.heading, obstacles);
+  const Role role = roles_.role();
+  const bool leavesBall = now_.knowsBall && (role == Role::kDefender || role == Role::kSupporter);
+  if (leavesBall && now_.ball.norm() < options_.skills.clearDistance) {
+    intention_ = skills_.makeWay(rest.translation(), now_.ball, now_.robots);
+  } else {
+    if (leavesBall) obstacles.push_back(now_.ball);
+    intention_ = skills_.walkTo(rest.translation(), rest.heading, obstacles);
+  }
   // On the way it looks at the ball, and now and then for beacons and goals.
   if (mustGlance()) glancedAt_ = now_.time;
   const bool glances = now_.time - glancedAt_ < options_.glanceTime || !now_.knowsBall;

@@ -140,7 +140,8 @@ class SoccerMind {
   robotlink::Vector2 lastBall_ = robotlink::Vector2::UnitX();
   /// 1 to the left, -1 to the right.
   double turnDirection_ = 1;
-  double ballSeenAt_ = -1e9, fieldSeenAt_ = 0, glancedAt_ = -1e9, lookedUpAt_ = -1e9, playingSince_ = 0;
+  double ballSeenAt_ = -1e9, ballKnownAt_ = -1e9, fieldSeenAt_ = 0, glancedAt_ = -1e9, lookedUpAt_ = -1e9,
+         playingSince_ = 0;
   bool started_ = false;
   /// The motion task confirmed that the kick is being played.
   bool kickBegan_ = false;

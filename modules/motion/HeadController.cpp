@@ -17,12 +17,23 @@ constexpr double kLag = 0.5;
 // farther it is away, in full after this distance.
 constexpr double kBeforePaws = 0.2, kFullyLow = 0.1;
 
+// A ball that was nearer than this, m, is searched before the paws first.
+constexpr double kNearBall = 0.45;
+
 }  // namespace
 
 HeadAngles HeadController::advance(const HeadCommand& desired, const std::optional<BallSight>& ball,
                                    const HeadAngles& now, robotlink::Duration frame) {
   const double dt = robotlink::seconds(frame);
-  if (ball && ball->position.allFinite()) side_ = ball->position.y() < 0 ? -1 : 1;
+  const bool isKnown = ball && ball->position.allFinite();
+  if (isKnown) {
+    side_ = ball->position.y() < 0 ? -1 : 1;
+    searchesNear_ = ball->position.norm() < kNearBall;
+  }
+  const bool looksForBall =
+      desired.kind == HeadCommand::Kind::kTrackBall || desired.kind == HeadCommand::Kind::kSearchBall;
+  // Where the head looked elsewhere, an old ball is looked for at its place first.
+  lookedFor_ = isKnown && looksForBall ? std::min(ball->age, lookedFor_ + dt) : 0;
   switch (desired.kind) {
     case HeadCommand::Kind::kLookAhead:
       state_ = State::kStill;
@@ -35,12 +46,14 @@ HeadAngles HeadController::advance(const HeadCommand& desired, const std::option
     default:
       break;
   }
-  if (ball && ball->position.allFinite() && ball->age < parameters_.lostAfter) {
+  if (isKnown && lookedFor_ < parameters_.lostAfter) {
     state_ = State::kTracking;
     return tracking(ball->position);
   }
   const double far = parameters_.searchFarTilt, near = parameters_.searchNearTilt;
   const double wide = parameters_.searchFarPan * side_, narrow = parameters_.searchNearPan * side_;
+  if (searchesNear_)
+    return swept({{near, narrow}, {near, -narrow}, {far, -wide}, {far, wide}}, State::kSearching, now, dt);
   return swept({{far, wide}, {far, -wide}, {near, -narrow}, {near, narrow}}, State::kSearching, now, dt);
 }
 

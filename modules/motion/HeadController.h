@@ -46,7 +46,7 @@ struct HeadParameters {
   double aroundPan = robotlink::radians(85);
   /// Radians per second.
   double sweepSpeed = 1.9;
-  /// Time without seeing the ball before it is searched, s.
+  /// Time of looking at where the ball should be, without seeing it, before it is searched, s.
   double lostAfter = 0.7;
   /// How far below the middle of the image a tracked ball is kept, if beacons and goals are higher, rad. A
   /// ball before the paws is kept in the middle.
@@ -58,8 +58,8 @@ struct HeadParameters {
 /// when it is lost.
 ///
 /// The search sweeps from side to side, alternately far and near, starting at the side where the ball was
-/// last. The result depends only on the calls. Angles in rad; the motion task limits them to the range of the
-/// joints. Not thread-safe.
+/// last, and near if the ball was. The result depends only on the calls. Angles in rad; the motion task
+/// limits them to the range of the joints. Not thread-safe.
 class HeadController {
  public:
   explicit HeadController(const HeadParameters& parameters, const RobotDimensions& dimensions = {})
@@ -96,6 +96,9 @@ class HeadController {
   std::size_t waypoint_ = 0;
   /// The side where a search begins: 1 left, -1 right.
   double side_ = 1;
+  bool searchesNear_ = false;
+  /// How long it has looked at the ball's place without seeing it, s.
+  double lookedFor_ = 0;
   /// The present target of the sweep.
   HeadAngles sweep_;
 };

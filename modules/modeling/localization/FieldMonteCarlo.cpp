@@ -24,6 +24,8 @@ constexpr double kGoalBlur = 0.12;
 constexpr double kGoalDistanceBlur = 0.6;
 /// Cells of poses in which clusters are looked for, m and per turn.
 constexpr double kClusterCell = 0.4;
+/// How many times denser than the cluster of the last estimate another one has to be to take its place.
+constexpr double kKeepsCluster = 1.5;
 constexpr int kHeadingCells = 12;
 /// The share of new particles that keep their place and turn.
 constexpr double kTurnedShare = 0.5;
@@ -254,7 +256,21 @@ FieldMonteCarlo::Block FieldMonteCarlo::densestBlock() {
   }
   const auto index = static_cast<int>(std::ranges::max_element(cells_) - cells_.begin());
   const int place = index / kHeadingCells;
-  return {place % columns, place / columns, index % kHeadingCells};
+  Block best{place % columns, place / columns, index % kHeadingCells};
+  if (!hasEstimate_) return best;
+  // Where two clusters are as dense, the estimate does not jump to and fro.
+  const Block last = cellOf(estimate_.robotInField);
+  double most = at(best.x, best.y, best.heading) / kKeepsCluster;
+  for (int y = std::max(0, last.y - 1); y <= std::min(last.y, rows - 1); ++y) {
+    for (int x = std::max(0, last.x - 1); x <= std::min(last.x, columns - 1); ++x) {
+      for (const int heading : {(last.heading + kHeadingCells - 1) % kHeadingCells, last.heading}) {
+        if (at(x, y, heading) <= most) continue;
+        most = at(x, y, heading);
+        best = {x, y, heading};
+      }
+    }
+  }
+  return best;
 }
 
 void FieldMonteCarlo::summarize() {
@@ -271,6 +287,7 @@ void FieldMonteCarlo::summarize() {
     squares += particle.weight * (particle.pose.x * particle.pose.x + particle.pose.y * particle.pose.y);
   }
   if (!(sum > 0)) return;
+  hasEstimate_ = true;
   x /= sum;
   y /= sum;
   estimate_.robotInField = {x, y, std::atan2(s, c)};
@@ -283,7 +300,11 @@ void FieldMonteCarlo::summarize() {
 }
 
 void FieldMonteCarlo::update(const Frame& frame) {
-  if (hasOdometry_) move(odometry_.inverse() * frame.robotInOdometry, frame.shaken);
+  if (hasOdometry_) {
+    const Pose2 step = odometry_.inverse() * frame.robotInOdometry;
+    move(step, frame.shaken);
+    estimate_.robotInField = estimate_.robotInField * step;
+  }
   odometry_ = frame.robotInOdometry;
   hasOdometry_ = true;
   if (frame.carried) {

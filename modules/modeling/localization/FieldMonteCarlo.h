@@ -109,7 +109,8 @@ class FieldMonteCarlo {
     bool contains(const Block& cell) const;
   };
   Block cellOf(const robotlink::Pose2& pose) const;
-  /// The block of cells with the highest sum of weights.
+  /// The block of cells with the highest sum of weights, or that of the last estimate if it is nearly as
+  /// dense.
   Block densestBlock();
   void set(Particle& particle, const robotlink::Pose2& pose) const;
   void move(const robotlink::Pose2& step, bool shaken);
@@ -147,7 +148,7 @@ class FieldMonteCarlo {
   /// Weights of cells of poses, for summarize().
   std::vector<double> cells_;
   robotlink::Pose2 odometry_;
-  bool hasOdometry_ = false;
+  bool hasOdometry_ = false, hasEstimate_ = false;
   double fit_ = 0;
   PoseEstimate estimate_;
 };

@@ -54,5 +54,26 @@ TEST_F(BallSkillsTest, nearTheBallItGetsCloserToOthersThatPlayIt) {
   EXPECT_LT(skills_.walkTo({0.3, 0}, 0, beside).left, -0.01) << "elsewhere it keeps away";
 }
 
+TEST_F(BallSkillsTest, itMakesWayForAMateWithoutTurningAbout) {
+  const Vector2 ball{0.2, 0.02}, beyond{1, 0.3};
+  const Intention alone = skills_.makeWay(beyond, ball, {});
+  EXPECT_EQ(alone.turn, 0);
+  EXPECT_GT(std::hypot(alone.forward, alone.left), 0.05);
+  EXPECT_LE(alone.forward * ball.x() + alone.left * ball.y(), 1e-9) << "not through the ball";
+  // The mate is on its left, and another robot behind it.
+  const Vector2 mate{0.02, 0.15};
+  const Intention between = skills_.makeWay(beyond, ball, {mate, {-0.3, -0.1}});
+  EXPECT_LT(between.left, -0.01);
+  EXPECT_LE(between.forward * mate.x() + between.left * mate.y(), 1e-9) << "nor through the mate";
+}
+
+TEST_F(BallSkillsTest, theWayBehindTheBallTakesLongestFromItsFront) {
+  const double behind = skills_.secondsTo({0.4, 0}, 0), front = skills_.secondsTo({0.4, 0}, robotlink::kPi);
+  EXPECT_LT(behind, 1);
+  EXPECT_GT(front, 5) << "around half a circle";
+  EXPECT_LT(skills_.secondsTo({0.4, 0}, 0.5 * robotlink::kPi), front);
+  EXPECT_GT(skills_.secondsTo({2, 0}, 0), 8) << "2 m at its speed";
+}
+
 }  // namespace
 }  // namespace modules

@@ -61,6 +61,16 @@ TEST_F(KickPlannerTest, aBallStopsAtRobots) {
       << "it is played past the opponent";
 }
 
+TEST_F(KickPlannerTest, aStoppedBallCostsWhatTheOptionsSay) {
+  const KickPlanner::Choice ahead{KickSide::kAhead, 0};
+  const KickPlanner::Situation blocked{{0.3, 0, 0}, {0.6, 0}, {{0.75, 0}}};
+  const double before = *planner_.secondsToGoal(blocked, ahead);
+  planner_.setOptions({.stoppedSeconds = 5});
+  EXPECT_NEAR(*planner_.secondsToGoal(blocked, ahead), before + 5, 1e-9);
+  const KickPlanner::Situation free{{0.3, 0, 0}, {0.6, 0}, {}};
+  EXPECT_LT(*planner_.secondsToGoal(free, ahead), before);
+}
+
 TEST_F(KickPlannerTest, anOpponentBehindTheBallIsInTheWay) {
   const KickPlanner::Choice ahead{KickSide::kAhead, 0};
   const KickPlanner::Situation free{{0.3, 0, 0}, {0.6, 0}, {}};

@@ -155,6 +155,48 @@ TEST_F(SoccerPlayerTest, theStrikerKeepsItsRoleUntilAnotherIsClearlyFaster) {
   EXPECT_NE(player_.role(), Role::kStriker);
 }
 
+TEST_F(SoccerPlayerTest, aStrikerAtTheBallKeepsIt) {
+  // It is on the wrong side of the ball, and a mate behind it would be there sooner.
+  GameSituation now = situation({0.3, 0, robotlink::kPi}, {0, 0});
+  now.number = 2;
+  play(now, 2);
+  ASSERT_EQ(player_.role(), Role::kStriker);
+  EXPECT_LT(player_.secondsToBall(), 0.5);
+  now.mates = {mate(3, Role::kSupporter, {-0.5, 0}, 0.8)};
+  play(now, 10);
+  EXPECT_EQ(player_.role(), Role::kStriker);
+  now.ballAge = 1;
+  play(now);
+  EXPECT_EQ(player_.role(), Role::kStriker) << "it looked up";
+  now.ballAge = 6;
+  play(now);
+  EXPECT_NE(player_.role(), Role::kStriker) << "it does not know where the ball is";
+}
+
+TEST_F(SoccerPlayerTest, whoeverDoesNotPlayTheBallMakesWay) {
+  GameSituation now = situation({0, 0, 0}, {0.2, 0});
+  now.number = 2;
+  now.mates = {mate(3, Role::kStriker, {0.1, 0.2}, 0.1)};
+  now.robots = {{0.1, 0.2}};
+  const Intention leaving = play(now, 10);
+  ASSERT_NE(player_.role(), Role::kStriker);
+  EXPECT_EQ(leaving.motion, Intention::Motion::kWalk);
+  EXPECT_LE(leaving.forward, 0.01);
+  EXPECT_EQ(leaving.turn, 0);
+}
+
+TEST_F(SoccerPlayerTest, stepsBackFromABallThatTheTeamSeesUnderIt) {
+  GameSituation now = situation({0, 0, 0}, {0.15, 0});
+  now.number = 2;
+  play(now);
+  ASSERT_EQ(state("strike"), "approach");
+  now.ballAge = 2.1;
+  now.ballFromTeam = true;
+  now.ball = {0.05, 0};
+  play(now, 20);
+  EXPECT_EQ(state("strike"), "step back");
+}
+
 TEST_F(SoccerPlayerTest, theGoalieStaysInItsGoalAndClearsNearBalls) {
   GameSituation now = situation({-1.9, 0, 0}, {1, 0});
   now.mates = {mate(2, Role::kStriker, {0, 0}, 3)};

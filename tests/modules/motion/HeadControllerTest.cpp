@@ -57,11 +57,37 @@ TEST(HeadControllerTest, aKnownBallIsTrackedInSearchTooAndALostOneIsSearchedOnIt
     HeadAngles head = controller.advance(desired(kind), BallSight{{1, -0.5}, 0.1}, {}, kHeadFrame);
     EXPECT_EQ(controller.state(), HeadController::State::kTracking);
     EXPECT_LT(head.pan, -0.3);
-    for (int i = 0; i < 30; ++i)
+    for (int i = 0; i < 130; ++i)
       head = controller.advance(desired(kind), BallSight{{1, -0.5}, 2}, head, kHeadFrame);
     EXPECT_EQ(controller.state(), HeadController::State::kSearching);
     EXPECT_LT(head.pan, -0.7);
   }
+}
+
+TEST(HeadControllerTest, afterLookingElsewhereAnOldBallIsLookedForAtItsPlace) {
+  HeadController controller(HeadParameters{});
+  const BallSight old{{0.25, 0.1}, 3};
+  HeadAngles head;
+  for (int i = 0; i < 100; ++i)
+    head = controller.advance(desired(HeadCommand::Kind::kLookAround), old, head, kHeadFrame);
+  EXPECT_EQ(controller.state(), HeadController::State::kSweeping);
+  head = controller.advance(desired(HeadCommand::Kind::kTrackBall), old, head, kHeadFrame);
+  EXPECT_EQ(controller.state(), HeadController::State::kTracking);
+  EXPECT_EQ(head, controller.tracking(old.position));
+}
+
+TEST(HeadControllerTest, aNearBallIsSearchedBeforeThePawsFirst) {
+  const auto tiltOfSearch = [](const robotlink::Vector2& ball) {
+    HeadController controller(HeadParameters{});
+    HeadAngles head;
+    for (int i = 0; i < 150; ++i)
+      head = controller.advance(desired(HeadCommand::Kind::kTrackBall), BallSight{ball, 5}, head, kHeadFrame);
+    EXPECT_EQ(controller.state(), HeadController::State::kSearching);
+    return head.tilt;
+  };
+  const HeadParameters parameters;
+  EXPECT_NEAR(tiltOfSearch({0.25, 0.1}), parameters.searchNearTilt, 1e-6);
+  EXPECT_NEAR(tiltOfSearch({1.5, 0.1}), parameters.searchFarTilt, 1e-6);
 }
 
 TEST(HeadControllerTest, aTrackedBallIsKeptLowSoThatBeaconsAreSeenToo) {
