@@ -20,6 +20,8 @@ constexpr double kHearsayPenalty = 2;
 constexpr double kEnoughLooking = 0.4, kJustSeen = 0.1;
 /// How far off a ball is that the team says is before the paws, m.
 constexpr double kTeamBallError = 0.1;
+/// A ball that was left to the goalie has to be so far beyond the margin before others come back, m.
+constexpr double kComesBack = 0.1;
 /// How long a player bids for a ball that it does not know any more, s.
 constexpr double kForgetting = 1;
 /// How far a ball rolls without being touched by anybody, m.
@@ -83,7 +85,8 @@ std::vector<Vector2> SoccerMind::matesInTeam() const {
 
 bool SoccerMind::isForGoalie() const {
   const auto ball = now_.ballInTeam();
-  return ball && roles_.role() != Role::kGoalie && places_.isGoaliesBall(*ball, options_.ownAreaMargin) &&
+  const double margin = options_.ownAreaMargin + (isLeftToGoalie_ ? kComesBack : 0);
+  return ball && roles_.role() != Role::kGoalie && places_.isGoaliesBall(*ball, margin) &&
          std::ranges::any_of(now_.mates, [](const Mate& mate) { return mate.role == Role::kGoalie; });
 }
 
@@ -157,6 +160,7 @@ void SoccerMind::observe(const GameSituation& now) {
     if (now.ballFromTeam) secondsToBall_ += kHearsayPenalty;
   }
   (void)roles_.decide(now, secondsToBall_);
+  isLeftToGoalie_ = isForGoalie();
 }
 
 Intention SoccerMind::decide(const GameSituation& now) {

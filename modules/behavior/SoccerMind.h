@@ -133,6 +133,7 @@ class SoccerMind {
   KickSide side_ = KickSide::kAhead;
   /// The last action was one at the ball, where the choice of a kick is kept.
   bool isAtBall_ = false;
+  bool isLeftToGoalie_ = false;
   double secondsToBall_ = 1e3;
   /// Where the player of the present option has its place, in the team's frame.
   robotlink::Pose2 place_;

@@ -239,8 +239,11 @@ TEST_F(SoccerPlayerTest, theStrikerLeavesABallInItsOwnPenaltyAreaToTheGoalie) {
   EXPECT_EQ(state("playing"), "leave");
   EXPECT_FALSE(TeamPlaces(field_, {}).isGoaliesBall(*now.pose * *player_.target(), 0.1));
   EXPECT_NE(intention.motion, Intention::Motion::kKick);
+  now.ball = now.pose->inverse() * Vector2(-field_.goalLineX() + field_.penaltyAreaLength + 0.1, 0.3);
+  play(now, 2);
+  EXPECT_EQ(state("playing"), "leave") << "it comes back when the ball is clearly outside";
   now.ball = now.pose->inverse() * Vector2(-1.2, 0.6);
-  play(now);
+  play(now, 2);
   EXPECT_EQ(state("playing"), "striker");
 }
 
