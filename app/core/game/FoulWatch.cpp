@@ -78,6 +78,8 @@ std::vector<FoulWatch::Foul> FoulWatch::look(const std::vector<Robot>& robots,
     count(history.outside, isOutside, history.outside, GameRules::Watch::kLeaving, robot.index);
     const bool defends = defendsIllegally(robot, robots);
     count(history.defending, defends, history.defending, GameRules::Watch::kDefending, robot.index);
+    const bool holds = ball && (*ball - robot.place).norm() < rules_.holdingDistance;
+    count(history.holding, holds, history.holding, GameRules::Watch::kHolding, robot.index);
     count(history.pushing, pushes(robot, robots, ball, touching), kEvery, GameRules::Watch::kPushing,
           robot.index);
   }
@@ -87,7 +89,7 @@ std::vector<FoulWatch::Foul> FoulWatch::look(const std::vector<Robot>& robots,
 
 void FoulWatch::transfer(simcore::StateStream& stream) {
   for (History& history : histories_) {
-    for (Duration* time : {&history.outside, &history.pushing, &history.defending})
+    for (Duration* time : {&history.outside, &history.pushing, &history.defending, &history.holding})
       transferTime(stream, *time);
     bool isKnown = history.place.has_value();
     stream.flag(isKnown);

@@ -17,8 +17,8 @@ class StateStream;
 
 namespace app {
 
-/// Notices that robots leave the field, push opponents, or defend where only their goalkeeper may, from where
-/// all of them are at regular intervals.
+/// Notices that robots leave the field, push opponents, hold the ball under their body, or defend where only
+/// their goalkeeper may, from where all of them are at regular intervals.
 ///
 /// A robot pushes while it touches an opponent, goes toward it, and that one gives way; not near the ball,
 /// nor a goalkeeper in its own penalty area. It defends where it may not while it is in its own penalty area
@@ -64,7 +64,7 @@ class FoulWatch {
 
  private:
   struct History {
-    robotlink::Duration outside{}, pushing{}, defending{};
+    robotlink::Duration outside{}, pushing{}, defending{}, holding{};
     /// Where it was the last time.
     std::optional<robotlink::Vector2> place;
   };

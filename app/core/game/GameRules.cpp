@@ -93,7 +93,8 @@ void readPenalty(const YamlNode& node, GameRules& rules) {
   if (const YamlNode watch = node.optionalChild("watch"); !watch.empty()) {
     penalty.watch = wordOf<GameRules::Watch>(watch, {{"leaving", GameRules::Watch::kLeaving},
                                                      {"pushing", GameRules::Watch::kPushing},
-                                                     {"defending", GameRules::Watch::kDefending}});
+                                                     {"defending", GameRules::Watch::kDefending},
+                                                     {"holding", GameRules::Watch::kHolding}});
     penalty.after = secondsAt(node, "after");
   }
   if (penalty.reason.empty() || rules.penalty(penalty.reason) != nullptr)
@@ -109,6 +110,8 @@ void readPenalties(const YamlNode& root, GameRules& rules) {
   rules.pushingSpeed = pushing.numberIn("speed", 0, 10);
   rules.pushingNearBall = pushing.numberIn("near_ball", 0, 10);
   rules.leavingMargin = root.child("leaving").numberIn("margin", 0, 10);
+  if (const YamlNode holding = root.optionalChild("holding"); !holding.empty())
+    rules.holdingDistance = holding.numberIn("distance", 0, 10);
   const YamlNode penalized = root.child("penalized");
   rules.besideField = penalized.numberIn("beside", 0, 10);
   rules.besideSpacing = penalized.numberIn("spacing", 0.01, 10);

@@ -29,7 +29,7 @@ struct RadioSettings {
 /// field's frame; places are those of the team that plays toward +x. A plain value.
 struct GameRules {
   /// What the referee notices by itself.
-  enum class Watch : std::uint8_t { kNothing, kLeaving, kPushing, kDefending };
+  enum class Watch : std::uint8_t { kNothing, kLeaving, kPushing, kDefending, kHolding };
   enum class Placing : std::uint8_t { kAll, kIllegal };
   /// Why a robot is taken out of the game, and for how long.
   struct Penalty {
@@ -65,6 +65,8 @@ struct GameRules {
   /// m/s, and m.
   double pushingSpeed = 0, pushingNearBall = 0;
   double leavingMargin = 0;
+  /// A ball that is nearer to the middle of a robot lies under it, m.
+  double holdingDistance = 0;
   /// Where penalized robots stand: from the field's edge, and from each other.
   double besideField = 0, besideSpacing = 0;
 

@@ -18,7 +18,9 @@ class Pushing : public testing::Test {
   Pushing() {
     rules_.penalties = {{"pushing", GameRules::Watch::kPushing, std::chrono::seconds(2), {}},
                         {"leaving", GameRules::Watch::kLeaving, std::chrono::seconds(1), {}},
-                        {"defending", GameRules::Watch::kDefending, std::chrono::seconds(3), {}}};
+                        {"defending", GameRules::Watch::kDefending, std::chrono::seconds(3), {}},
+                        {"holding", GameRules::Watch::kHolding, std::chrono::seconds(4), {}}};
+    rules_.holdingDistance = 0.09;
     rules_.pushingSpeed = 0.02;
     rules_.pushingNearBall = 0.25;
     rules_.leavingMargin = 0.1;
@@ -74,7 +76,7 @@ TEST_F(Pushing, isAllowedNearTheBallAndToAGoalkeeperAtHome) {
   robots[0].isGoalie = true;
   EXPECT_EQ(untilFoul(robots, 0.03, 0.03, farBall_), 10);
   Robots others = both();
-  EXPECT_EQ(untilFoul(others, 0, 0, others[0].place), 10);
+  EXPECT_EQ(untilFoul(others, 0, 0, others[0].place + Vector2(0.1, 0)), 10);
 }
 
 TEST_F(Pushing, thoseOfOneTeamMayPushEachOther) {
@@ -106,4 +108,12 @@ TEST_F(Pushing, aFieldPlayerMayNotHelpItsGoalkeeperInThePenaltyArea) {
   EXPECT_EQ(untilFoul(robots, 0, 0, farBall_), 10) << "the goalkeeper has left it";
   robots[1] = {1, 1, 1, true, {-1.8, 0.4}};
   EXPECT_EQ(untilFoul(robots, 0, 0, farBall_), 10) << "it is the goalkeeper of the others";
+}
+
+TEST_F(Pushing, aBallMayNotStayUnderARobot) {
+  EXPECT_NEAR(untilFoul(both(), 0, 0, both()[1].place + Vector2(0.05, 0.05)), 4, 0.2);
+  EXPECT_EQ(robot_, 1U);
+  EXPECT_EQ(reason_, "holding");
+  watch_.restart(2);
+  EXPECT_EQ(untilFoul(both(), 0, 0, both()[1].place + Vector2(0.16, 0)), 10) << "it lies before its paws";
 }

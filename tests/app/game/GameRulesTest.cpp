@@ -38,6 +38,8 @@ TEST(GameRules, thoseOf2002AreRead) {
   EXPECT_EQ(rules->penaltyFor(Watch::kPushing)->reason, "pushing");
   EXPECT_EQ(rules->penalty("leaving")->watch, Watch::kLeaving);
   EXPECT_EQ(rules->penalty("illegal-defender")->watch, Watch::kDefending);
+  EXPECT_EQ(rules->penalty("holding")->watch, Watch::kHolding);
+  EXPECT_GT(rules->holdingDistance, 0.05);
   EXPECT_EQ(rules->penalty("request")->watch, Watch::kNothing);
   EXPECT_EQ(rules->penalty("laughing"), nullptr);
   EXPECT_LT(rules->goalie.x(), 0) << "it stands in its own half";
