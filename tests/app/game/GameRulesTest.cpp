@@ -38,13 +38,21 @@ TEST(GameRules, thoseOf2002AreRead) {
   EXPECT_EQ(rules->penaltyFor(Watch::kPushing)->reason, "pushing");
   EXPECT_EQ(rules->penalty("leaving")->watch, Watch::kLeaving);
   EXPECT_EQ(rules->penalty("illegal-defender")->watch, Watch::kDefending);
-  EXPECT_EQ(rules->penalty("holding")->watch, Watch::kHolding);
+  EXPECT_EQ(rules->penalty("holding")->watch, Watch::kNothing);
   EXPECT_GT(rules->holdingDistance, 0.05);
   EXPECT_EQ(rules->penalty("request")->watch, Watch::kNothing);
   EXPECT_EQ(rules->penalty("laughing"), nullptr);
   EXPECT_LT(rules->goalie.x(), 0) << "it stands in its own half";
   for (const auto* places : {&rules->kicking, &rules->waiting})
     for (const auto& place : *places) EXPECT_LT(place.x(), 0);
+}
+
+TEST(GameRules, holdingIsWatchedIfTheFileSaysSo) {
+  const auto text =
+      rulesWith(shippedRules(), "reason: holding,", "reason: holding, watch: holding, after: 3,");
+  const auto rules = GameRules::parse(text, "rules.yaml");
+  ASSERT_TRUE(rules) << robotlink::describe(rules.error());
+  EXPECT_EQ(rules->penaltyFor(Watch::kHolding)->after, std::chrono::seconds(3));
 }
 
 TEST(GameRules, whatIsWrongIsSaidWithItsLine) {
