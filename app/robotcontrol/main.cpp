@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <cctype>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <string_view>
 
@@ -18,6 +19,7 @@
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/plugins/Plugins.h"
 #include "app/core/program/Abandoned.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
@@ -141,6 +143,12 @@ bool hasDisplay() {
     return value != nullptr && *value != '\0';
   };
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
+}
+
+/// The file of a shipped scene if that is what is named, and there is no such file; else the source itself.
+std::string fileOf(const std::string& source) {
+  std::error_code ignored;
+  return std::filesystem::exists(source, ignored) ? source : app::sceneNamed(source).string();
 }
 
 /// The files or the address to open; the default scene if none is given.
@@ -315,9 +323,10 @@ int start(int argc, char** argv) {
   }
   const bool isHere = arguments.program == "here";
   if (isHere && !arguments.token.empty()) arguments.platform.values["token"] = arguments.token;
-  for (const std::string& source : arguments.sources)
-    (robotlink::websocket::isServerUrl(source) && !isHere ? arguments.servers : arguments.files)
-        .push_back(source);
+  for (const std::string& source : arguments.sources) {
+    const bool isServer = robotlink::websocket::isServerUrl(source) && !isHere;
+    (isServer ? arguments.servers : arguments.files).push_back(isServer ? source : fileOf(source));
+  }
   if (const auto found = robotlink::checkResources(); !found) {
     return refuse(found.error().describe(), argv);
   }

@@ -112,6 +112,12 @@ TEST_F(RobotcontrolScripts, whatCannotBeOpenedOrIsRefusedFails) {
   EXPECT_THAT(refused.errors(), HasSubstr("b.script:1:1: refused: "));
 }
 
+TEST_F(RobotcontrolScripts, aShippedSceneIsOpenedByItsName) {
+  folder_.write("here/a.script", "robot.select blue1\n");
+  StartedProgram workbench = started("a.script", {"game2002-1"});
+  EXPECT_EQ(workbench.wait(), 0) << workbench.errors();
+}
+
 TEST_F(RobotcontrolScripts, robotsOfTheCommandLineAreWaitedFor) {
   std::filesystem::create_directories(folder_ / "robot/work");
   StartedProgram robot(ROBOTCTL, folder_ / "robot/work", {"sim", "field2002", "--listen", "127.0.0.1:0"});
