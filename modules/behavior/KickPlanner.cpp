@@ -37,11 +37,11 @@ Vector2 towards(double angle) {
 
 /// The time for the way behind the ball, and what it costs to push an opponent away from there.
 double KickPlanner::secondsBehind(const Situation& now, double heading) const {
-  const Vector2 behind = now.ball - towards(heading) * now.skills.standOff;
+  const Vector2 behind = now.ball - towards(heading) * now.skills.options().standOff;
   const bool isOccupied = std::ranges::any_of(
       now.opponents, [&](const Vector2& robot) { return (robot - behind).norm() < kOccupies; });
   const Vector2 ball = now.robot.inverse() * now.ball;
-  return BallSkills(now.skills).secondsTo(ball, normalizedAngle(heading - now.robot.heading)) +
+  return now.skills.secondsTo(ball, normalizedAngle(heading - now.robot.heading)) +
          (isOccupied ? options_.occupiedSeconds : 0);
 }
 
@@ -73,12 +73,12 @@ double KickPlanner::secondsAfter(const Situation& now, const Choice& choice) con
   const bool isBesideWall = (places_.within(ball, kBesideWall) - ball).norm() > 0.01;
   const double turn = std::abs(normalizedAngle(wayAngle(goal - ball) - choice.heading()));
   return options_.secondsPerKick + options_.secondsPerMeter * (goal - ball).norm() +
-         turn * now.skills.standOff / now.skills.sidewardSpeed + (isBesideWall ? options_.wallSeconds : 0) +
-         (stopped ? options_.stoppedSeconds : 0);
+         turn * now.skills.options().standOff / now.skills.options().sidewardSpeed +
+         (isBesideWall ? options_.wallSeconds : 0) + (stopped ? options_.stoppedSeconds : 0);
 }
 
 std::optional<double> KickPlanner::secondsToGoal(const Situation& now, const Choice& choice) const {
-  const Vector2 behind = now.ball - towards(choice.heading()) * now.skills.standOff;
+  const Vector2 behind = now.ball - towards(choice.heading()) * now.skills.options().standOff;
   if ((places_.reachable(behind) - behind).norm() > kTight) return std::nullopt;
   // The mean over the spread, by the three points of a Gauss-Hermite quadrature.
   const double spread = choice.side == KickSide::kAhead ? options_.kickSpread : options_.sideSpread;

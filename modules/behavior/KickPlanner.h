@@ -51,7 +51,7 @@ class KickPlanner {
     /// Robots of the own team, which stop a ball, too.
     std::vector<robotlink::Vector2> mates = {};
     /// How fast the player walks, and how far from the ball.
-    BallSkills::Options skills = {};
+    BallSkills skills{{}};
   };
 
   /// `places` must outlive it.

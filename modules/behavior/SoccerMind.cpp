@@ -50,7 +50,7 @@ double SoccerMind::playDirection() {
     return std::atan2(now_.ball.y(), now_.ball.x());
   }
   const KickPlanner::Choice choice =
-      kicks_.choose({*now_.pose, *ball, now_.opponents, matesInTeam(), options_.skills}, isAtBall_);
+      kicks_.choose({*now_.pose, *ball, now_.opponents, matesInTeam(), skills_}, isAtBall_);
   side_ = choice.side;
   return normalizedAngle(choice.heading() - now_.pose->heading);
 }

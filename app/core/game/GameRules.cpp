@@ -110,8 +110,10 @@ void readPenalties(const YamlNode& root, GameRules& rules) {
   rules.pushingSpeed = pushing.numberIn("speed", 0, 10);
   rules.pushingNearBall = pushing.numberIn("near_ball", 0, 10);
   rules.leavingMargin = root.child("leaving").numberIn("margin", 0, 10);
-  if (const YamlNode holding = root.optionalChild("holding"); !holding.empty())
-    rules.holdingDistance = holding.numberIn("distance", 0, 10);
+  // Files of before do not have it, and need not unless they watch for it.
+  const bool isHoldingWatched = rules.penaltyFor(GameRules::Watch::kHolding) != nullptr;
+  if (isHoldingWatched || !root.optionalChild("holding").empty())
+    rules.holdingDistance = root.child("holding").numberIn("distance", 0.01, 10);
   const YamlNode penalized = root.child("penalized");
   rules.besideField = penalized.numberIn("beside", 0, 10);
   rules.besideSpacing = penalized.numberIn("spacing", 0.01, 10);

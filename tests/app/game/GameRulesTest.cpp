@@ -53,6 +53,8 @@ TEST(GameRules, holdingIsWatchedIfTheFileSaysSo) {
   const auto rules = GameRules::parse(text, "rules.yaml");
   ASSERT_TRUE(rules) << robotlink::describe(rules.error());
   EXPECT_EQ(rules->penaltyFor(Watch::kHolding)->after, std::chrono::seconds(3));
+  EXPECT_FALSE(errorsIn(rulesWith(text, "holding: {distance: 0.09}", "")).empty()) << "how near is not said";
+  EXPECT_TRUE(errorsIn(rulesWith(shippedRules(), "holding: {distance: 0.09}", "")).empty());
 }
 
 TEST(GameRules, whatIsWrongIsSaidWithItsLine) {
