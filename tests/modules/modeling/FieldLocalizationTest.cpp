@@ -155,24 +155,23 @@ TEST(FieldMonteCarlo, aRobotThatOthersTurnedKnowsItsHeadingAgain) {
   EXPECT_GE(found, 9);
 }
 
-/// While two places explain what it sees, it believes one of them, and changes its mind once.
+/// Lines alone are explained by several places, of which the densest one changes: without keeping to one, the
+/// estimate jumps 24 times.
 TEST(FieldMonteCarlo, theEstimateDoesNotJumpToAndFro) {
   int jumps = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    FieldWalk walk({1, 0.5, 0}, seed);
+    FieldWalk walk({0.9, 0.4, 0}, seed);
     FieldMonteCarlo filter(walk.field(), {});
-    filter.startAt(walk.pose(), 0.1);
-    for (int i = 0; i < 50; ++i) filter.update(walk.step());
-    robotlink::Random random(seed);
-    walk.carry({random.uniform(-1.6, 0), random.uniform(-0.9, 0.9), random.uniform(-3, 3)});
-    for (int i = 0; i < 150; ++i) {
+    filter.startAt(walk.pose(), 2.5);
+    walk.showLandmarks(false);
+    filter.update(walk.step());
+    for (int i = 1; i < 200; ++i) {
       const robotlink::Vector2 before = filter.estimate().robotInField.translation();
       filter.update(walk.step());
       jumps += (filter.estimate().robotInField.translation() - before).norm() > 0.5 ? 1 : 0;
     }
   }
-  EXPECT_LE(jumps, 20);
-  EXPECT_GE(jumps, 10) << "one for each that was carried";
+  EXPECT_LE(jumps, 18);
 }
 
 }  // namespace
