@@ -2,6 +2,7 @@
 #include "app/core/truth/ErrorKeys.h"
 
 #include "app/core/truth/TruthErrors.h"
+#include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Presets.h"
 
@@ -14,6 +15,7 @@ std::shared_ptr<const robotlink::Preset> presetForErrors(
   if (!keys) keys.emplace();
   const auto always = [&](const std::string& package) { (*keys)["package/" + package] = "always"; };
   always(robotlink::kOracleWorld.name);
+  always(robotlink::kGameState.name);
   for (const std::string& package : TruthErrors::packages()) always(package);
   return std::make_shared<const robotlink::Preset>(std::move(preset));
 }

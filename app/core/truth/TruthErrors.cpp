@@ -9,9 +9,11 @@
 #include <string_view>
 
 #include "app/core/truth/PackageComparison.h"
+#include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
 
 namespace app {
@@ -64,9 +66,13 @@ void TruthErrors::add(const std::string& robot, const robotlink::SharedDebugQueu
 
 void TruthErrors::add(const std::string& name, const std::string& path, Instant published,
                       const robotlink::PackagePtr& value) {
-  const bool isTruth = path == robotlink::kOracleWorld.name;
-  if (!value || (!isTruth && comparedPackage(path).empty())) return;
+  const bool isTruth = path == robotlink::kOracleWorld.name, isGame = path == robotlink::kGameState.name;
+  if (!value || (!isTruth && !isGame && comparedPackage(path).empty())) return;
   Robot& robot = robots_[name];
+  if (isGame) {
+    addGameState(robot, value);
+    return;
+  }
   if (!isTruth) {
     robot.waiting.push_back({path, published, value});
     if (robot.waiting.size() > kMaxWaiting) robot.waiting.pop_front();
@@ -77,6 +83,24 @@ void TruthErrors::add(const std::string& name, const std::string& path, Instant 
   compareWaiting(name, robot);
 }
 
+void TruthErrors::addGameState(Robot& robot, const robotlink::PackagePtr& value) {
+  const auto* game = dynamic_cast<const robotcontrol::GameState*>(value.get());
+  const std::optional<Instant> time = timeOf(*value);
+  if (game == nullptr || !time) return;
+  const bool wasPenalized = robot.penalizedAt && !robot.playsAgainAt;
+  if (game->penalized() && !wasPenalized) {
+    robot.penalizedAt = time;
+    robot.playsAgainAt.reset();
+  } else if (!game->penalized() && wasPenalized) {
+    robot.playsAgainAt = time;
+  }
+}
+
+bool TruthErrors::isPenalized(const Robot& robot, Instant time) {
+  return robot.penalizedAt && time >= *robot.penalizedAt &&
+         (!robot.playsAgainAt || time < *robot.playsAgainAt);
+}
+
 void TruthErrors::compareWaiting(const std::string& name, Robot& robot) {
   if (robot.truths.empty()) return;
   const Instant newest = robot.truths.back().first;
@@ -84,7 +108,8 @@ void TruthErrors::compareWaiting(const std::string& name, Robot& robot) {
     const std::optional<Instant> time = timeOf(*one.value);
     if (!time) return true;
     if (*time > newest) return false;
-    if (const auto* truth = truthAt(robot, *time)) compare(name, one, *time, *truth);
+    const auto* truth = isPenalized(robot, *time) ? nullptr : truthAt(robot, *time);
+    if (truth != nullptr) compare(name, one, *time, *truth);
     return true;
   });
 }

@@ -27,7 +27,8 @@ namespace app {
 /// truth of its time waits for it.
 ///
 /// A percept counts as missed if its object's center was in the image and nearer than 2 m, whatever stood in
-/// front of it. What a model does not know counts as missed only while it could: within 2 m.
+/// front of it. What a model does not know counts as missed only while it could: within 2 m. While a robot is
+/// penalized, as game/state says, it stands beside the field, and nothing is compared.
 ///
 /// One thread at a time. Memory is bounded, however long it runs.
 class TruthErrors {
@@ -40,7 +41,7 @@ class TruthErrors {
   /// Without a field landmarks are not compared.
   void setField(std::shared_ptr<const robotlink::FieldDescription> field) { field_ = std::move(field); }
 
-  /// The packages that are compared; their keys have to be on, and that of oracle/world.
+  /// The packages that are compared; their keys have to be on, and those of oracle/world and game/state.
   static const std::vector<std::string>& packages();
 
   void add(const std::string& robot, const robotlink::SharedDebugQueue& queue);
@@ -63,8 +64,12 @@ class TruthErrors {
     /// The newest last.
     std::deque<std::pair<robotlink::Instant, robotlink::PackagePtr>> truths;
     std::deque<Waiting> waiting;
+    /// When the last penalty began, and when it was over.
+    std::optional<robotlink::Instant> penalizedAt, playsAgainAt;
   };
 
+  static void addGameState(Robot& robot, const robotlink::PackagePtr& value);
+  static bool isPenalized(const Robot& robot, robotlink::Instant time);
   void compareWaiting(const std::string& name, Robot& robot);
   static const robotcontrol::OracleWorld* truthAt(const Robot& robot, robotlink::Instant time);
   void compare(const std::string& robot, const Waiting& one, robotlink::Instant time,

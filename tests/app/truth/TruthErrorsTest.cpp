@@ -86,6 +86,37 @@ TEST_F(TruthErrorsTest, theBallOfATeamIsComparedInTheField) {
   EXPECT_NEAR(of("models/team-ball").quantities.at("position").amounts.mean(), 0.2, 1e-9);
 }
 
+TEST_F(TruthErrorsTest, whileARobotIsPenalizedNothingIsCompared) {
+  const Instant start(std::chrono::seconds(1));
+  const auto frame = [&](int number, bool isPenalized) {
+    const Instant time = start + number * kFrame;
+    auto game = at<robotcontrol::GameState>(time);
+    game->set_penalized(isPenalized);
+    errors_.add("red1", "game/state", time, game);
+    auto pose = at<robotcontrol::RobotPose>(time);
+    robotlink::assign(*pose->mutable_robot_in_field(), isPenalized ? Pose2{9, 9, 0} : Pose2{1, 0, 0});
+    errors_.add("red1", "models/pose", time, pose);
+    tellTruth(time);
+  };
+  frame(0, false);
+  for (int i = 1; i < 4; ++i) frame(i, true);
+  frame(4, false);
+  frame(5, true);
+  frame(6, false);
+  EXPECT_EQ(of("models/pose").quantities.at("position").amounts.count(), 3U);
+  EXPECT_NEAR(of("models/pose").quantities.at("position").amounts.maximum(), 0, 1e-9);
+}
+
+TEST_F(TruthErrorsTest, aGameStateWithoutTimeDecidesNothing) {
+  const Instant time(std::chrono::seconds(1));
+  auto game = std::make_shared<robotcontrol::GameState>();
+  game->set_penalized(true);
+  errors_.add("red1", "game/state", time, game);
+  errors_.add("red1", "models/pose", time, at<robotcontrol::RobotPose>(time));
+  tellTruth(time);
+  EXPECT_EQ(of("models/pose").latency.count(), 1U);
+}
+
 TEST_F(TruthErrorsTest, whatComesBeforeItsTruthWaitsForIt) {
   const Instant time(std::chrono::seconds(1));
   auto pose = at<robotcontrol::RobotPose>(time);
