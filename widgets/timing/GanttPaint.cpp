@@ -32,6 +32,16 @@ double widthOf(const GanttLook& look, double seconds) {
   return seconds * 1e9 / look.scale.nsPerPixel;
 }
 
+/// How long the tasks before one of them took, s; the entry of the whole frame is none of them.
+double secondsBefore(const GanttFrame& frame, int task) {
+  double before = 0;
+  for (int i = 0; i < task; ++i) {
+    const auto& entry = frame.times->entries(i);
+    if (!entry.task().empty()) before += entry.seconds();
+  }
+  return before;
+}
+
 /// "25.0 Hz, 2 overruns"
 QString rateText(const GanttLane& lane) {
   const QString rate = lane.rate > 0 ? GanttTexts::tr("%1 Hz").arg(lane.rate, 0, 'f', 1) : QString();
@@ -163,13 +173,8 @@ QRectF ganttBar(const GanttLook& look, const GanttHit& of) {
   if (of.task < 0) {
     return {x, lane.top() + 3, std::max(1.0, widthOf(look, frame.seconds)), split - lane.top() - 3};
   }
-  double before = 0;
-  for (int i = 0; i < of.task; ++i) {
-    const auto& entry = frame.times->entries(i);
-    if (!entry.task().empty()) before += entry.seconds();
-  }
-  return {x + widthOf(look, before), split + 1, widthOf(look, frame.times->entries(of.task).seconds()),
-          lane.bottom() - split - 5};
+  return {x + widthOf(look, secondsBefore(frame, of.task)), split + 1,
+          widthOf(look, frame.times->entries(of.task).seconds()), lane.bottom() - split - 5};
 }
 
 std::optional<GanttHit> ganttHit(const GanttLook& look, const QPointF& at) {
@@ -207,7 +212,7 @@ QString ganttText(const GanttLook& look, const GanttHit& of) {
     lines << GanttTexts::tr("%1 (%2)").arg(QString::fromStdString(entry.task()),
                                            QString::fromStdString(entry.solution()));
     took = entry.seconds();
-    for (int i = 0; i < of.task; ++i) begin += frame.times->entries(i).seconds();
+    begin += secondsBefore(frame, of.task);
   }
   lines << GanttTexts::tr("begins at %1 s").arg(begin, 0, 'f', 4);
   lines << GanttTexts::tr("takes %1").arg(millisecondsText(took));
