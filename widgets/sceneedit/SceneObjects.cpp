@@ -162,7 +162,7 @@ QString withElements(const QString& text, const QString& xml, int* position) {
   const XmlElement* around = nullptr;
   for (const char* wanted : {"world", "model"}) {
     const auto found = std::find_if(elements.begin(), elements.end(), [&](const XmlElement& one) {
-      return one.name == QLatin1String(wanted) && one.isClosed && one.closeBegin > one.openEnd;
+      return one.name == QLatin1String(wanted) && one.isClosed && one.end > one.openEnd;
     });
     if (around == nullptr && found != elements.end()) around = &*found;
   }
