@@ -37,7 +37,8 @@ std::vector<const foxglove::JointStates*> jointHistoryBefore(const StreamStore& 
   const auto begin = std::upper_bound(all.begin(), all.end(), time - JointsModel::kHistoryTime, later);
   const auto end = std::upper_bound(begin, all.end(), time, later);
   const auto count = static_cast<std::size_t>(end - begin);
-  const std::size_t step = std::max<std::size_t>(1, count / JointsModel::kHistoryPoints);
+  constexpr std::size_t kMaxPoints = JointsModel::kHistoryPoints;
+  const std::size_t step = std::max<std::size_t>(1, (count + kMaxPoints - 1) / kMaxPoints);
   // Counted from the newest, so that it is always there.
   for (std::size_t back = 1; back <= count; back += step) {
     const auto& message = *(end - static_cast<std::ptrdiff_t>(back));
