@@ -63,10 +63,11 @@ bool BehaviorModel::setGraph(const robotcontrol::BehaviorGraph* graph) {
       }
     }
     for (const auto& transition : from.transitions()) {
-      const int target = findState(to, QString::fromStdString(transition.to()));
-      if (target < 0) continue;
-      to.transitions.push_back({findState(to, QString::fromStdString(transition.from())), target,
-                                QString::fromStdString(transition.reason())});
+      const int target = findState(to, QString::fromStdString(transition.to())),
+                source = findState(to, QString::fromStdString(transition.from()));
+      // Only one without a state to begin with leads from all others.
+      if (target < 0 || (source < 0 && !transition.from().empty())) continue;
+      to.transitions.push_back({source, target, QString::fromStdString(transition.reason())});
     }
   }
   return true;

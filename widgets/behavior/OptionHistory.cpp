@@ -86,9 +86,10 @@ const OptionHistory::Segment* OptionHistory::at(const QPointF& point, double wid
 }
 
 QString OptionHistory::toolTip(const Segment& segment) {
-  QString text = HistoryTexts::tr("%1 for %2 s").arg(segment.state).arg(segment.to - segment.from, 0, 'f', 1);
-  if (!segment.reason.isEmpty()) text += QStringLiteral("<br>") + segment.reason.toHtmlEscaped();
-  return text;
+  const QString text =
+      HistoryTexts::tr("%1 for %2 s").arg(segment.state).arg(segment.to - segment.from, 0, 'f', 1);
+  if (segment.reason.isEmpty()) return text;
+  return text.toHtmlEscaped() + QStringLiteral("<br>") + segment.reason.toHtmlEscaped();
 }
 
 void OptionHistory::paint(QPainter& painter, const QRectF& area, const QPalette& palette) const {
