@@ -44,7 +44,15 @@ DrawingsModel::DrawingsModel(QStringList kinds, QObject* parent)
     : QAbstractListModel(parent), kinds_(std::move(kinds)) {}
 
 void DrawingsModel::refresh(robotlink::Session& session, const std::string& robot) {
-  if (session_ != &session || robot_ != robot) keys_ = nullptr;
+  if (session_ != &session || robot_ != robot) {
+    // What the other robot said of its keys holds no longer, also if this one says nothing of its own.
+    keys_ = nullptr;
+    for (Row& row : rows_) {
+      row.off = row.asked = false;
+      row.refusal.clear();
+    }
+    if (!rows_.empty()) Q_EMIT dataChanged(index(0), index(rowCount() - 1));
+  }
   session_ = &session;
   robot_ = robot;
   refreshStreams(session.store());
