@@ -31,6 +31,11 @@ const QHeaderView& headerOf(const QAbstractItemView& view) {
   return *static_cast<const QTableView&>(view).horizontalHeader();
 }
 
+/// Whether a character would begin another cell or another row of a table with tabs.
+bool breaksTable(QChar c) {
+  return c == QLatin1Char('\n') || c == QLatin1Char('\r') || c == QLatin1Char('\t');
+}
+
 bool isFolded(const QAbstractItemView& view, const QModelIndex& row) {
   const auto* tree = qobject_cast<const QTreeView*>(&view);
   return tree == nullptr || !tree->isExpanded(row);
@@ -83,9 +88,7 @@ class TableWriter {
   void add(QStringList cells) {
     for (QString& cell : cells) {
       if (separator_ == QLatin1Char('\t')) {
-        std::replace_if(
-            cell.begin(), cell.end(),
-            [](QChar c) { return c == QLatin1Char('\n') || c == QLatin1Char('\t'); }, QLatin1Char(' '));
+        std::replace_if(cell.begin(), cell.end(), breaksTable, QLatin1Char(' '));
       } else if (cell.contains(QLatin1Char('"')) || cell.contains(separator_) ||
                  cell.contains(QLatin1Char('\n')) || cell.contains(QLatin1Char('\r'))) {
         cell = QLatin1Char('"') + cell.replace(QLatin1String("\""), QLatin1String("\"\"")) + QLatin1Char('"');
@@ -121,10 +124,7 @@ std::optional<QString> shownNumbers(const QWidget& view) {
 }
 
 void TabTable::add(QStringList cells) {
-  const auto breaks = [](QChar c) {
-    return c == QLatin1Char('\n') || c == QLatin1Char('\r') || c == QLatin1Char('\t');
-  };
-  for (QString& cell : cells) std::replace_if(cell.begin(), cell.end(), breaks, QLatin1Char(' '));
+  for (QString& cell : cells) std::replace_if(cell.begin(), cell.end(), breaksTable, QLatin1Char(' '));
   text_ += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
 }
 
@@ -175,8 +175,7 @@ QString tabsOfCsv(const QString& csv) {
         isQuoted = !isQuoted;
       }
     } else if (isQuoted) {
-      const bool isBreak = c == QLatin1Char('\n') || c == QLatin1Char('\r') || c == QLatin1Char('\t');
-      text += isBreak ? QLatin1Char(' ') : c;
+      text += breaksTable(c) ? QLatin1Char(' ') : c;
     } else {
       text += c == QLatin1Char(',') ? QLatin1Char('\t') : c;
     }
