@@ -95,7 +95,9 @@ void readPalette(const XMLElement& parent, const fs::path& file, Palette& palett
     std::istringstream stream(color->GetText() != nullptr ? color->GetText() : "");
     int channels[3] = {-1, -1, -1};
     stream >> channels[0] >> channels[1] >> channels[2];
-    if (name == nullptr || !std::ranges::all_of(channels, [](int c) { return c >= 0 && c <= 255; })) {
+    const bool areThree = !stream.fail() && (stream >> std::ws).eof();
+    const bool areBytes = std::ranges::all_of(channels, [](int c) { return c >= 0 && c <= 255; });
+    if (name == nullptr || !areThree || !areBytes) {
       fail(errors, file, color->GetLineNum(), "scene.palette",
            "a color needs a name and three numbers from 0 to 255");
       continue;
