@@ -75,7 +75,8 @@ Result<std::vector<fs::path>> pictureFiles(const std::vector<fs::path>& filesOrF
     }
     const auto begin = static_cast<std::ptrdiff_t>(files.size());
     for (fs::directory_iterator entry(given, error), end; !error && entry != end; entry.increment(error)) {
-      if (isPictureFile(entry->path())) files.push_back(entry->path());
+      std::error_code unknown;
+      if (isPictureFile(entry->path()) && !entry->is_directory(unknown)) files.push_back(entry->path());
     }
     if (error)
       return failure("image.folder", "this folder cannot be read: " + error.message(),
