@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotctl/compare/RunPlan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <string_view>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/bytes/Fnv.h"
 
 namespace app {
 namespace {
 
-/// A part of a file's name: letters, digits, and '-' for everything else.
-std::string fileNameOf(std::string text) {
+/// A part of a file's name: letters, digits, and '-' for everything else. Names that differ only in something
+/// else, such as those of two logs, end in different numbers; words with spaces between them have none.
+std::string fileNameOf(const std::string& text) {
+  const auto isPlain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_'; };
+  std::string name = text;
   std::ranges::replace_if(
-      text, [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '_'; }, '-');
-  return text;
+      name, [&](unsigned char c) { return !isPlain(c); }, '-');
+  const bool areWords =
+      std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == ' '; });
+  return areWords || name == text ? name : fmt::format("{}-{:016x}", name, robotlink::fnv1a(text));
 }
 
 std::string commandOf(const PlannedRun& run) {
