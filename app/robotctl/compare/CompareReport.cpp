@@ -107,21 +107,25 @@ struct Range {
 /// A name that fits beside a plot.
 std::string shortened(const std::string& name) {
   constexpr std::size_t kMaxLetters = 20;
-  return name.size() <= kMaxLetters ? name : name.substr(0, kMaxLetters - 1) + "\u2026";
+  if (name.size() <= kMaxLetters) return name;
+  std::size_t end = kMaxLetters - 1;
+  // Not within a letter of several bytes.
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
+  return name.substr(0, end) + "\u2026";
 }
 
 std::string plotLine(const Comparison::Row& row, const std::string& variant, const char* color,
                      const Range& range, double y) {
   std::string svg = fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>", kLabelWidth, y + 4,
                                 escaped(shortened(variant)));
-  if (const auto cell = row.byVariant.find(variant); cell != row.byVariant.end()) {
-    for (const auto& [subject, value] : cell->second.bySubject)
-      svg += fmt::format(
-          "<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='{}' fill-opacity='.45'><title>{}, {}: "
-          "{}</title></circle>",
-          range.place(value), y, kDotRadius, color, escaped(variant), escaped(subject),
-          numberText(value, row.unit));
-  }
+  const auto cell = row.byVariant.find(variant);
+  if (cell == row.byVariant.end()) return svg;
+  for (const auto& [subject, value] : cell->second.bySubject)
+    svg += fmt::format(
+        "<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='{}' fill-opacity='.45'><title>{}, {}: "
+        "{}</title></circle>",
+        range.place(value), y, kDotRadius, color, escaped(variant), escaped(subject),
+        numberText(value, row.unit));
   const MeanInterval mean = Comparison::meanOf(row, variant);
   if (std::isfinite(mean.low))
     svg += fmt::format("<line x1='{:.1f}' x2='{:.1f}' y1='{:.1f}' y2='{:.1f}' stroke='{}' stroke-width='2'/>",
