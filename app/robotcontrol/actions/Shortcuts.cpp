@@ -23,6 +23,8 @@ using robotlink::Result;
 
 /// The property of an action that has the key as it is shipped, once it has another one.
 constexpr char kShippedKey[] = "shippedShortcut";
+/// That of an action whose tooltip ended with the key that was removed.
+constexpr char kTipHadKey[] = "toolTipHadShortcut";
 
 const robotlink::VersionedFormat& shortcutFormat() {
   static const robotlink::VersionedFormat instance{"robotcontrol-shortcuts", 1, "shortcuts"};
@@ -72,12 +74,26 @@ void addShortcut(std::vector<Shortcut>& all, Shortcut shortcut) {
   if (hadKey && std::ranges::none_of(all, same)) all.push_back(std::move(shortcut));
 }
 
+/// Says in the tooltip of an action another key than before.
+void setKeyInTip(QAction& action, const QString& before, const QString& key) {
+  const QString said = QStringLiteral(" (%1)");
+  QString tip = action.toolTip();
+  if (key.isEmpty() && !before.isEmpty() && tip.endsWith(said.arg(before))) {
+    tip.chop(said.arg(before).size());
+    action.setProperty(kTipHadKey, true);
+  } else if (!before.isEmpty()) {
+    tip.replace(before, key);
+  } else if (!key.isEmpty() && action.property(kTipHadKey).toBool()) {
+    tip += said.arg(key);
+  }
+  if (tip != action.toolTip()) action.setToolTip(tip);
+}
+
 /// Sets the key of an action, and says it in the tooltip instead of the one before.
 void setActionKey(QAction& action, const QKeySequence& key) {
   if (!action.property(kShippedKey).isValid()) action.setProperty(kShippedKey, action.shortcut());
-  const QString before = action.shortcut().toString(QKeySequence::NativeText);
-  const QString text = key.toString(QKeySequence::NativeText);
-  if (!before.isEmpty()) action.setToolTip(action.toolTip().replace(before, text));
+  setKeyInTip(action, action.shortcut().toString(QKeySequence::NativeText),
+              key.toString(QKeySequence::NativeText));
   action.setShortcut(key);
 }
 
