@@ -73,9 +73,9 @@ TEST_F(LensShadingTest, lightFallsOffWithTheSquareOfTheDistanceFromTheCenter) {
 
 TEST_F(LensShadingTest, aStripIsShadedAsThePartOfTheImageThatItIs) {
   const LensShading shading(cameraWith(1, 0), PixelFormat::kRgb8);
-  shade(shading, 4, 1, {10, 20, 30});
-  EXPECT_FLOAT_EQ(light_[0], 1 - squaredDistance(0, 4));
-  EXPECT_FLOAT_EQ(light_[1], 1 - squaredDistance(1, 4));
+  shade(shading, 3, 1, {10, 20, 30});
+  EXPECT_FLOAT_EQ(light_[0], 1 - squaredDistance(0, 3));
+  EXPECT_FLOAT_EQ(light_[1], 1 - squaredDistance(1, 3));
   EXPECT_EQ(light_[kShadedStride], 1) << "only its rows are shaded";
 }
 
