@@ -190,6 +190,17 @@ TEST_F(PlatformThreadTest, stepsAreNotJoinedAcrossWhatIsAskedBetweenThem) {
       << "nor one back to one forward";
 }
 
+TEST_F(PlatformThreadTest, stepsAreNotJoinedAcrossWhatIsDoneBetweenThem) {
+  ASSERT_TRUE(open("a"));
+  std::promise<void> goOn = block();
+  ask(frames(1));
+  thread_->connectNow();
+  ask(frames(1));
+  goOn.set_value();
+  ASSERT_TRUE(answered(2));
+  EXPECT_EQ(notes_->requests().size(), 2U);
+}
+
 TEST_F(PlatformThreadTest, stopGoesBeforeAllThatWaits) {
   ASSERT_TRUE(open("a"));
   std::promise<void> goOn = block();
