@@ -48,7 +48,9 @@ std::set<std::string> textStreams(const LogFile& log) {
 }
 
 std::string textCondition(const std::string& stream, const std::string& wanted) {
-  return stream + ".message =~ " + quoted("(?i)" + wanted);
+  // A backslash at the end would take the quotation mark behind it into the text.
+  const std::string end = wanted.ends_with('\\') ? "(?:)" : "";
+  return stream + ".message =~ " + quoted("(?i)" + wanted + end);
 }
 
 /// Adds the messages of a stream that are in memory and not on disk.
