@@ -92,8 +92,9 @@ TEST_F(LaserServiceTest, aResolutionHasLimits) {
 TEST_F(LaserServiceTest, anOddResolutionEndsBeforeTheEnd) {
   obey(CommandId::kSimLaserResolution, 3100);
   EXPECT_EQ(laser_.readings(), 6) << "180 / 31 is 5.8";
-  obey(CommandId::kSimLaserResolution, 30);
-  EXPECT_EQ(laser_.readings(), 601) << "0.3 degrees divide 180";
+  obey(CommandId::kSimLaserEnd, 20);
+  obey(CommandId::kSimLaserResolution, 110);
+  EXPECT_EQ(laser_.readings(), 101) << "1.1 degrees divide 110, whatever is lost by rounding";
 }
 
 TEST_F(LaserServiceTest, aLongScanIsSplitWithoutGaps) {
