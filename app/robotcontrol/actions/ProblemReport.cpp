@@ -13,6 +13,7 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QSysInfo>
 #include <QVBoxLayout>
@@ -133,7 +134,11 @@ QString problemReport(Workbench& workbench, const widgets::CommandLog& log, cons
   report += section(QStringLiteral("Commands and errors"), commands(log));
   report += section(QStringLiteral("Window"), verbatim(QString::fromUtf8(QJsonDocument(window).toJson())));
   const QString home = QDir::homePath();
-  return home.size() > 1 ? report.replace(home, QStringLiteral("~")) : report;
+  if (home.size() <= 1) return report;
+  // Not the beginning of another folder's name.
+  const QRegularExpression whole(QRegularExpression::escape(home) + QStringLiteral("(?![\\w-])"),
+                                 QRegularExpression::UseUnicodePropertiesOption);
+  return report.replace(whole, QStringLiteral("~"));
 }
 
 ProblemDialog::ProblemDialog(QString report, QWidget* window) : QDialog(window), report_(std::move(report)) {
