@@ -57,7 +57,7 @@ class StateStream {
     auto byte = static_cast<std::uint8_t>(value ? 1 : 0);
     raw(byte);
     require(byte <= 1);
-    value = byte != 0;
+    if (good()) value = byte != 0;
   }
   template <typename Enum>
   requires std::is_enum_v<Enum>

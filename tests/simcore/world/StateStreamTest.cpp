@@ -193,6 +193,22 @@ TEST(StateStreamTest, aSizeIsNeitherLargerThanAllowedNorThanWhatIsLeft) {
   EXPECT_EQ(sizeRead(0xFFFFFFFFU, 0xFFFFFFFFU, 8), -1);
 }
 
+TEST(StateStreamTest, aFlagIsZeroOrOne) {
+  const std::vector<std::uint8_t> bytes = {2};
+  for (const bool before : {false, true}) {
+    StateStream foreign(bytes, Trust::kForeign);
+    bool flag = before;
+    foreign.flag(flag);
+    EXPECT_FALSE(foreign.good());
+    EXPECT_EQ(flag, before);
+    StateStream again(bytes, Trust::kForeign);
+    std::vector<bool> bits = {before};
+    again.bits(bits);
+    EXPECT_FALSE(again.good());
+    EXPECT_EQ(bits[0], before);
+  }
+}
+
 TEST(StateStreamTest, anEnumeratorThatDoesNotExistIsBadWhoeverWroteIt) {
   for (const Trust trust : {Trust::kOwn, Trust::kForeign}) {
     const std::vector<std::uint8_t> bytes = {3};
