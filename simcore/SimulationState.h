@@ -42,9 +42,11 @@ class StateStream;
 class TouchCount {
  public:
   void afterStep(bool touches) {
-    if (touches && stepsSince_ > kMoment) ++count_;
-    stepsSince_ = touches ? 0 : stepsSince_ + 1;
-    if (touches) ++steps_;
+    ++stepsSince_;
+    if (!touches) return;
+    if (stepsSince_ >= kMoment) ++count_;
+    stepsSince_ = 0;
+    ++steps_;
   }
   std::uint64_t count() const { return count_; }
   std::uint64_t steps() const { return steps_; }
@@ -52,7 +54,8 @@ class TouchCount {
 
  private:
   static constexpr std::uint64_t kMoment = 25;
-  std::uint64_t stepsSince_ = kMoment + 1, count_ = 0, steps_ = 0;
+  /// Since the last touch, if there was one.
+  std::uint64_t stepsSince_ = kMoment, count_ = 0, steps_ = 0;
 };
 
 /// The timing of a sensor that measures on demand.

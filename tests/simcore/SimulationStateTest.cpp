@@ -41,6 +41,18 @@ TEST(TouchCountTest, touchesOfOneMomentAreOneAndLaterOnesAreOthers) {
   EXPECT_EQ(count.steps(), 4U);
 }
 
+TEST(TouchCountTest, touchesATenthOfASecondApartAreTwo) {
+  const auto touchesApart = [](int steps) {
+    TouchCount count;
+    pass(count, 1, true);
+    pass(count, steps - 1, false);
+    pass(count, 1, true);
+    return count.count();
+  };
+  EXPECT_EQ(touchesApart(24), 1U);
+  EXPECT_EQ(touchesApart(25), 2U);
+}
+
 TEST(TouchCountTest, aMomentGoesOnBehindASnapshot) {
   TouchCount count;
   pass(count, 1, true);
