@@ -64,7 +64,7 @@ RobotDescription::Laser readLaser(const YamlNode& node) {
   laser.inRobot = readPose(node, "pose");
   laser.startAngle = radians(node.numberIn("start_deg", -360, 360));
   laser.endAngle = radians(node.numberIn("end_deg", -360, 360));
-  laser.readings = static_cast<int>(node.numberIn("readings", 2, 10000));
+  laser.readings = node.wholeNumberIn("readings", 2, 10000);
   laser.maximum = node.numberIn("max", 0.01, 1000);
   if (laser.endAngle <= laser.startAngle) node.fail("robot.laser", "end_deg must be above start_deg");
   return laser;

@@ -231,15 +231,28 @@ template std::vector<std::string> YamlNode::as() const;
 template std::vector<double> YamlNode::as() const;
 template std::vector<int> YamlNode::as() const;
 
-double YamlNode::numberIn(std::string_view key, double minimum, double maximum) const {
+template <typename T>
+T YamlNode::within(std::string_view key, T minimum, T maximum) const {
   const YamlNode node = child(key);
-  const auto number = node.as<double>();
-  if (node.empty() || (number >= minimum && number <= maximum)) return number;
-  const auto shown = [](double value) { return YAML::Dump(YAML::Node(value)); };
+  if (node.empty()) return {};
+  const std::size_t errors = document_->errors.size();
+  const T number = node.as<T>();
+  const bool isNumber = document_->errors.size() == errors;
+  if (!isNumber) return minimum;
+  if (number >= minimum && number <= maximum) return number;
+  const auto shown = [](T value) { return YAML::Dump(YAML::Node(value)); };
   node.fail("yaml.range",
             "'" + std::string(key) + "' must be between " + shown(minimum) + " and " + shown(maximum),
             {std::string(key)});
   return minimum;
+}
+
+double YamlNode::numberIn(std::string_view key, double minimum, double maximum) const {
+  return within(key, minimum, maximum);
+}
+
+int YamlNode::wholeNumberIn(std::string_view key, int minimum, int maximum) const {
+  return within(key, minimum, maximum);
 }
 
 std::vector<double> YamlNode::numbers(std::string_view key, std::size_t count) const {

@@ -60,6 +60,8 @@ class YamlNode {
   }
   /// A required number in [minimum, maximum]; `minimum` if it is outside, which is an error.
   double numberIn(std::string_view key, double minimum, double maximum) const;
+  /// The same for whole numbers; 2.5 is an error.
+  int wholeNumberIn(std::string_view key, int minimum, int maximum) const;
   /// A list of exactly `count` numbers, filled with 0 where there are fewer, which is an error.
   std::vector<double> numbers(std::string_view key, std::size_t count) const;
 
@@ -68,6 +70,9 @@ class YamlNode {
   void fail(std::string id, std::string text, std::vector<std::string> arguments = {}) const;
 
  private:
+  template <typename T>
+  T within(std::string_view key, T minimum, T maximum) const;
+
   /// Null for an empty node.
   YamlDocument* document_ = nullptr;
   const YamlValue* value_ = nullptr;

@@ -140,6 +140,7 @@ TEST(RobotDescription, aLaserScansCounterClockwise) {
   EXPECT_THAT(errorsOfRobot(laser("90", "-90", "181")), HasSubstr("end_deg must be above start_deg"));
   EXPECT_THAT(errorsOfRobot(laser("0", "0", "181")), HasSubstr("end_deg must be above start_deg"));
   EXPECT_THAT(errorsOfRobot(laser("-90", "90", "1")), HasSubstr("'readings' must be between 2 and 10000"));
+  EXPECT_THAT(errorsOfRobot(laser("-90", "90", "2.5")), HasSubstr("a whole number, not '2.5'"));
 }
 
 TEST(RobotDescription, aCameraThatIsTiltedLooksDown) {

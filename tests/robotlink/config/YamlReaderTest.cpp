@@ -99,6 +99,24 @@ TEST(YamlReader, rangesAndLengthsAreChecked) {
       "robot.yaml:1:9: 'radius' must be between 0 and 5\nrobot.yaml:2:11: 'position' must have 3 numbers");
 }
 
+TEST(YamlReader, wholeNumbersOfARangeAreNotCut) {
+  YamlReader yaml = reader("a: 3\nb: 2.5\nc: 11\nd: 99999999999\n");
+  EXPECT_EQ(yaml.root().wholeNumberIn("a", 2, 10), 3);
+  EXPECT_EQ(yaml.root().wholeNumberIn("b", 2, 10), 2);
+  EXPECT_EQ(yaml.root().wholeNumberIn("c", 2, 10), 2);
+  EXPECT_EQ(yaml.root().wholeNumberIn("d", 2, 10), 2);
+  EXPECT_EQ(errorsOf(yaml),
+            "robot.yaml:2:4: here should be a whole number, not '2.5'\n"
+            "robot.yaml:3:4: 'c' must be between 2 and 10\n"
+            "robot.yaml:4:4: here should be a whole number, not '99999999999'");
+}
+
+TEST(YamlReader, whatIsNoNumberIsOneError) {
+  YamlReader yaml = reader("radius: large\n");
+  EXPECT_EQ(yaml.root().numberIn("radius", 1, 5), 1);
+  EXPECT_EQ(errorsOf(yaml), "robot.yaml:1:9: here should be a finite number, not 'large'");
+}
+
 TEST(YamlReader, mapsWhoseKeysAreDataKeepTheirOrder) {
   YamlReader yaml = reader("palette: {white: 1, green: 2, orange: 3}\n");
   std::vector<std::string> names;
