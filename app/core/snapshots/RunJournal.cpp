@@ -37,10 +37,6 @@ void RunJournal::spoil(std::string reason) {
   entries_.clear();
 }
 
-void RunJournal::cut(std::uint64_t step) {
-  std::erase_if(entries_, [step](const Entry& entry) { return entry.step >= step; });
-}
-
 std::vector<std::uint8_t> RunJournal::encode() const {
   std::vector<std::uint8_t> out;
   robotlink::ByteWriter writer(out);

@@ -31,8 +31,6 @@ class RunJournal {
   void add(std::uint64_t step, const robotcontrol::Request& request);
   /// The run cannot be repeated from now on, and why: "the layout was changed at 2.4 s".
   void spoil(std::string reason);
-  /// Forgets what was asked in and after a step.
-  void cut(std::uint64_t step);
 
   std::uint64_t seed() const { return seed_; }
   const std::string& settings() const { return settings_; }
