@@ -13,8 +13,12 @@
 namespace app {
 namespace {
 
+/// How long a part may be, in bytes: names of files have two of them, and suffixes, within 255 bytes.
+constexpr std::size_t kMaxPart = 100;
+
 /// A part of a file's name: letters, digits, and '-' for everything else. Names that differ only in something
-/// else, such as those of two logs, end in different numbers; words with spaces between them have none.
+/// else, such as those of two logs, or that are too long, end in different numbers; words with spaces between
+/// them have none.
 std::string fileNameOf(const std::string& text) {
   const auto isPlain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_'; };
   std::string name = text;
@@ -22,7 +26,11 @@ std::string fileNameOf(const std::string& text) {
       name, [&](unsigned char c) { return !isPlain(c); }, '-');
   const bool areWords =
       std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == ' '; });
-  return areWords || name == text ? name : fmt::format("{}-{:016x}", name, robotlink::fnv1a(text));
+  if (name.size() <= kMaxPart && (areWords || name == text)) return name;
+  // The end says more than the folder at the begin.
+  constexpr std::size_t kNumber = 17;
+  if (name.size() > kMaxPart - kNumber) name = name.substr(name.size() - (kMaxPart - kNumber));
+  return fmt::format("{}-{:016x}", name, robotlink::fnv1a(text));
 }
 
 std::string commandOf(const PlannedRun& run) {

@@ -55,6 +55,21 @@ TEST_F(RunFilesTest, theResultOfOneLogIsNotThatOfAnother) {
   EXPECT_EQ(robotlink::readFile(files_.result(first)).value_or(""), first.subject);
 }
 
+TEST_F(RunFilesTest, longNamesAreShortenedAndKeptApart) {
+  const std::string folder = "/" + std::string(300, 'a') + "/";
+  const PlannedRun first = runOn(folder + "game.mcap", std::string(300, 'v')),
+                   second = runOn(folder + "b/game.mcap", std::string(300, 'v')),
+                   third = runOn("seed 1", std::string(300, 'w'));
+  EXPECT_EQ(std::set<std::string>({nameOf(first), nameOf(second), nameOf(third)}).size(), 3U);
+  EXPECT_NE(nameOf(first).find("game.mcap"), std::string::npos) << "people know it by this";
+  for (const PlannedRun& run : {first, second, third}) {
+    ASSERT_TRUE(files_.prepare(run));
+    ASSERT_TRUE(robotlink::writeFileAtomically(files_.unfinished(run), run.subject));
+    ASSERT_TRUE(files_.finish(run));
+    EXPECT_TRUE(files_.isDone(run));
+  }
+}
+
 TEST_F(RunFilesTest, aNameLeadsNowhereElse) {
   const PlannedRun run = runOn("../../secret", "..");
   EXPECT_EQ(files_.result(run).parent_path(), files_.folder());
