@@ -10,6 +10,7 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 #include "widgets/BaseSilence.h"
@@ -26,6 +27,16 @@ QLabel* addLabel(QStatusBar& bar, const char* name, const QString& tip, int char
   label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   bar.addPermanentWidget(label);
   return label;
+}
+
+/// Null: nothing is known of the robot.
+std::shared_ptr<const robotlink::RobotDescription> descriptionOf(const Workbench& workbench,
+                                                                 const std::string& robot) {
+  if (workbench.loaded() != nullptr) {
+    const auto found = workbench.loaded()->robots.find(robot);
+    if (found != workbench.loaded()->robots.end()) return found->second;
+  }
+  return workbench.remote().known(robot).description;
 }
 
 }  // namespace
@@ -64,13 +75,16 @@ QString StatusLine::robotState(const robotcontrol::SimulationStatus& status) {
   const double silence = heard == nullptr ? 0 : robotlink::seconds(newest - heard->time);
   const auto* link =
       session.store().latestAs<robotcontrol::LinkStatus>(robot + '/' + robotlink::kLinkStatus.name, newest);
-  const bool connected = link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTED;
+  const auto described = descriptionOf(workbench_, robot);
+  const bool hasBase = described && described->drive;
+  // A camera on a tripod has no line whose state it could say.
+  const bool hasLine = link != nullptr || !described || hasBase || !described->joints.empty();
+  const bool connected = link != nullptr ? link->state() == robotcontrol::LinkStatus::CONNECTED : !hasLine;
+  const bool connecting = link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTING;
+  if (heard == nullptr && hasBase && connected) return tr("connected");
   if (connected && silence < widgets::kSilentAfter) return tr("running");
-  if (heard == nullptr) return connected ? tr("connected") : tr("not connected");
-  const QString what = connected ? tr("silent")
-                       : link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTING
-                           ? tr("connecting")
-                           : tr("lost");
+  if (heard == nullptr) return connecting ? tr("connecting") : tr("not connected");
+  const QString what = connected ? tr("silent") : connecting ? tr("connecting") : tr("lost");
   return tr("%1, last heard %2 s ago").arg(what).arg(silence, 0, 'f', 0);
 }
 

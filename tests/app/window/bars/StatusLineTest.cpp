@@ -9,6 +9,7 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/config/RobotDescription.h"
 #include "tests/app/open/FakeFeed.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/Bench.h"
@@ -27,6 +28,13 @@ struct ShownStatus {
   void publish(const std::string& path, const T& message, milliseconds time = milliseconds(1000)) {
     workbench.session().push({path, robotlink::Instant(time), std::make_shared<const T>(message)});
     workbench.session().tick();
+  }
+  /// Opens the real robot p3at1.
+  void openRobot(const robotlink::RobotDescription& description) {
+    LoadedPlatform loaded = fakePlatform("tcp://robot:8101");
+    loaded.robots = {{"p3at1", std::make_shared<const robotlink::RobotDescription>(description)}};
+    workbench.open(fakeOpening(loaded, std::make_shared<FeedNotes>()));
+    QTRY_VERIFY((workbench.tick(), workbench.loaded() != nullptr));
   }
   QString text(const char* label) {
     line.refresh();
@@ -110,6 +118,48 @@ class StatusLineTest : public WindowTest {
     shown.publish("p3at1/link/status", linkStatus(LinkStatus::CONNECTED));
     QCOMPARE(shown.state(), QStringLiteral("running"));  // It may have no base that sends.
     shown.publish("p3at1/link/status", linkStatus(LinkStatus::LOST));
+    QCOMPARE(shown.state(), QStringLiteral("not connected"));
+  }
+
+  void aRobotOnWheelsRunsOnceItsBaseWasHeard() {
+    ShownStatus shown(home_);
+    robotlink::RobotDescription wheels;
+    wheels.drive.emplace();
+    shown.openRobot(wheels);
+    SimulationStatus status = simulationStatus(true);
+    status.set_is_real(true);
+    shown.publish("simulation", status);
+    shown.publish("p3at1/link/status", linkStatus(LinkStatus::CONNECTING));
+    QCOMPARE(shown.state(), QStringLiteral("connecting"));
+    shown.publish("p3at1/link/status", linkStatus(LinkStatus::CONNECTED));
+    QCOMPARE(shown.state(), QStringLiteral("connected"));
+    shown.publish("p3at1/drive/state", robotcontrol::DriveState());
+    QCOMPARE(shown.state(), QStringLiteral("running"));
+  }
+
+  void aRobotOnLegsRunsOnceItIsConnected() {
+    ShownStatus shown(home_);
+    robotlink::RobotDescription legs;
+    legs.joints.emplace_back();
+    shown.openRobot(legs);
+    SimulationStatus status = simulationStatus(true);
+    status.set_is_real(true);
+    shown.publish("simulation", status);
+    QCOMPARE(shown.state(), QStringLiteral("not connected"));
+    shown.publish("p3at1/link/status", linkStatus(LinkStatus::CONNECTED));
+    QCOMPARE(shown.state(), QStringLiteral("running"));
+  }
+
+  void aCameraRunsWithoutALine() {
+    ShownStatus shown(home_);
+    robotlink::RobotDescription camera;
+    camera.camera.emplace();
+    shown.openRobot(camera);
+    SimulationStatus status = simulationStatus(true);
+    status.set_is_real(true);
+    shown.publish("simulation", status);
+    QCOMPARE(shown.state(), QStringLiteral("running"));
+    shown.publish("p3at1/link/status", linkStatus(LinkStatus::LOST));  // one that is offered elsewhere
     QCOMPARE(shown.state(), QStringLiteral("not connected"));
   }
 
