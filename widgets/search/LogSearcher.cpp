@@ -9,6 +9,7 @@
 
 #include "foxglove/Robot.pb.h"
 #include "logplayer/base/RobotNames.h"
+#include "robotlink/expressions/BoundExpression.h"
 #include "robotlink/expressions/Expression.h"
 #include "robotlink/session/Session.h"
 #include "widgets/TypedStreams.h"
@@ -33,18 +34,34 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-/// The streams of texts of a log; those of robots without the robot, so that all of them are meant.
-std::set<std::string> textStreams(const LogFile& log) {
-  std::set<std::string> streams;
-  const auto robots = log.robots();
-  for (const auto& stream : log.streams()) {
-    if (!stream.holds(kTextType)) continue;
-    const std::size_t slash = stream.path.find('/');
-    const bool isOfRobot =
-        slash != std::string::npos && std::ranges::find(robots, stream.path.substr(0, slash)) != robots.end();
-    streams.insert(isOfRobot ? stream.path.substr(slash + 1) : stream.path);
+/// The robot of a stream; empty if it is of none.
+std::string robotOf(const std::string& path, const std::vector<std::string>& robots) {
+  const std::size_t slash = path.find('/');
+  if (slash == std::string::npos) return {};
+  std::string robot = path.substr(0, slash);
+  return std::ranges::find(robots, robot) != robots.end() ? robot : std::string();
+}
+
+/// What expressions call some of all streams so that each of them is meant: those of robots without the
+/// robot, unless this is the name of another stream.
+std::set<std::string> namesOf(const std::set<std::string>& some, const std::set<std::string>& all,
+                              const std::vector<std::string>& robots) {
+  std::set<std::string> names;
+  for (const std::string& path : some) {
+    const std::string robot = robotOf(path, robots);
+    const std::string name = robot.empty() ? path : path.substr(robot.size() + 1);
+    names.insert(all.contains(name) ? path : name);
   }
-  return streams;
+  return names;
+}
+
+std::set<std::string> textStreams(const LogFile& log) {
+  std::set<std::string> texts, all;
+  for (const auto& stream : log.streams()) {
+    all.insert(stream.path);
+    if (stream.holds(kTextType)) texts.insert(stream.path);
+  }
+  return namesOf(texts, all, log.robots());
 }
 
 std::string textCondition(const std::string& stream, const std::string& wanted) {
@@ -101,31 +118,24 @@ Result<LogSearcher::History> LogSearcher::historyOf(robotlink::Session& session,
   History history;
   history.robots = session.robots();
   if (const auto* archive = session.history().archive()) history.pieces = archive->pieces();
-  const auto shortName = [&](const std::string& path) {
-    const std::size_t slash = path.find('/');
-    const bool isOfRobot = slash != std::string::npos &&
-                           std::ranges::find(history.robots, path.substr(0, slash)) != history.robots.end();
-    return isOfRobot ? path.substr(slash + 1) : path;
-  };
+  // A misspelled name may mean any of them.
+  std::set<std::string> all;
+  for (const auto* stream : store.streams()) all.insert(stream->path);
+  for (const auto& piece : history.pieces) {
+    for (const auto& [path, times] : *piece.times) all.insert(path);
+  }
   std::set<std::string> needed;
   if (isTexts) {
-    for (const auto* stream : streamsOfType(store, {}, kTextType))
-      history.textStreams.insert(shortName(stream->path));
-    needed = history.textStreams;
+    for (const auto* stream : streamsOfType(store, {}, kTextType)) needed.insert(stream->path);
     if (needed.empty()) return robotlink::failure("search.texts", "nobody has said anything yet");
+    history.textStreams = namesOf(needed, all, history.robots);
   } else {
-    std::vector<std::string> known;
-    for (const auto* stream : store.streams()) {
-      known.push_back(stream->path);
-      known.push_back(shortName(stream->path));
-    }
-    const auto parsed = robotlink::Expression::parse(wanted, known);
-    if (!parsed) return tl::unexpected(parsed.error());
-    for (const auto& input : parsed->inputs()) needed.insert(input.stream);
+    const auto bound = robotlink::BoundExpression::bind(wanted, {all.begin(), all.end()}, history.robots);
+    if (!bound) return tl::unexpected(bound.error());
+    for (const auto& one : *bound) needed.insert(one.streams().begin(), one.streams().end());
   }
   for (const auto* stream : store.streams()) {
-    if (needed.contains(stream->path) || needed.contains(shortName(stream->path)))
-      addFromMemory(*stream, history);
+    if (needed.contains(stream->path)) addFromMemory(*stream, history);
   }
   return history;
 }
@@ -180,7 +190,8 @@ class LogSearcher::Run {
           *log, (*expressions)[i],
           {.progress = [&](double share) { return progress(before + share / passes); }},
           [&](const logplayer::SearchHit& hit) {
-            addHit(number, logplayer::renamedRobot(hit.robot, own, entry.robots), entry.offset, hit);
+            const std::string robot = robotOfHit(hit, own);
+            addHit(number, logplayer::renamedRobot(robot, own, entry.robots), entry.offset, hit);
             return !stop_.stop_requested() && !isFull();
           },
           computedFor(entry, own));
@@ -203,7 +214,7 @@ class LogSearcher::Run {
           *logplayer::historySource(history.pieces), conditions[i], history.robots,
           [&](double share) { return progress((static_cast<double>(i) + share) / passes); },
           [&](const logplayer::SearchHit& hit) {
-            addHit(0, hit.robot, {}, hit);
+            addHit(0, robotOfHit(hit, history.robots), {}, hit);
             return !stop_.stop_requested() && !isFull();
           });
       if (!report) return tl::unexpected(report.error());
@@ -214,8 +225,18 @@ class LogSearcher::Run {
     return {};
   }
   bool isFull() const { return count_ >= kMaxHits; }
+  /// Reports how many logs are searched. False: the search is to end.
+  bool progress(double logs) {
+    const double all = plan_.history ? 1 : static_cast<double>(plan_.logs.size());
+    searcher_.report(stop_, [&](News& news) { news.progress = logs / all; });
+    return !stop_.stop_requested();
+  }
 
  private:
+  /// Texts have a robot also where their stream had to be named in full.
+  std::string robotOfHit(const logplayer::SearchHit& hit, const std::vector<std::string>& robots) const {
+    return plan_.isTexts && hit.text ? robotOf(hit.text->path, robots) : hit.robot;
+  }
   /// Adds to the news what is computed for a log with these robots.
   logplayer::ComputedStreams computedFor(const Log& entry, const std::vector<std::string>& own) {
     return {plan_.computation, [this, &entry, &own](const std::set<std::string>& streams) {
@@ -224,11 +245,6 @@ class LogSearcher::Run {
                   news.computed.insert(renamedStream(stream, own, entry.robots));
               });
             }};
-  }
-  bool progress(double logs) {
-    const double all = plan_.history ? 1 : static_cast<double>(plan_.logs.size());
-    searcher_.report(stop_, [&](News& news) { news.progress = logs / all; });
-    return !stop_.stop_requested();
   }
   void addHit(std::size_t number, const std::string& robot, robotlink::Duration offset,
               const logplayer::SearchHit& found) {
@@ -257,12 +273,15 @@ void LogSearcher::work(const Plan& plan, const std::stop_token& stop) {
     const auto done = run.searchHistory();
     some = done.has_value();
     if (!done) failure = done.error();
+    // One with few messages reports nothing on its way.
+    if (!run.isFull()) run.progress(1);
   }
   for (std::size_t i = 0; i < plan.logs.size() && !stop.stop_requested() && !run.isFull(); ++i) {
     const auto done = run.search(i);
     // A log that does not have what is searched for is none of several to fail for.
     some = some || done;
     if (!done && !failure) failure = done.error();
+    if (!run.isFull()) run.progress(static_cast<double>(i + 1));
   }
   report(stop, [&](News& news) {
     news.isDone = true;

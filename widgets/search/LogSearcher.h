@@ -35,7 +35,7 @@ class LogSearcher {
     /// Those of each stream are in order of time.
     std::vector<robotlink::HistoryArchive::Piece> pieces;
     std::vector<std::string> robots;
-    /// Those of texts that are wanted, without their robots.
+    /// Those of texts, as expressions call them.
     std::set<std::string> textStreams;
   };
   struct Plan {

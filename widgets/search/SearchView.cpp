@@ -32,6 +32,12 @@ const ViewRegistration kSearchViewRegistration{
      QT_TRANSLATE_NOOP("View", "Searches whole logs for conditions and texts, without playing them."),
      "search", false, create<SearchView>}};
 
+QString searchErrorText(const robotlink::Error& error) {
+  const QString reason = QString::fromStdString(error.text);
+  return error.where.column > 0 ? SearchView::tr("At character %1: %2").arg(error.where.column).arg(reason)
+                                : reason;
+}
+
 }  // namespace
 
 SearchView::SearchView(ViewContext& context, QWidget* parent)
@@ -106,7 +112,7 @@ void SearchView::connectSignals() {
 
 void SearchView::searchTyped() {
   const auto begun = search(wanted_->text(), kind_->currentIndex() == 1);
-  if (!begun) showOutcome(*state_, QString::fromStdString(begun.error().text), true);
+  if (!begun) showOutcome(*state_, searchErrorText(begun.error()), true);
 }
 
 Result<void> SearchView::search(const QString& wanted, bool isTexts) {
@@ -222,12 +228,7 @@ void SearchView::showState(const LogSearcher::News& news) {
     const QString running = news.computed.empty() ? tr("Searching: %1 %, %2") : tr("Computing: %1 %, %2");
     return showOutcome(*state_, running.arg(static_cast<int>(news.progress * kPercent)).arg(count), false);
   }
-  if (news.failure) {
-    const int column = news.failure->where.column;
-    const QString reason = QString::fromStdString(news.failure->text);
-    return showOutcome(*state_, column > 0 ? tr("At character %1: %2").arg(column).arg(reason) : reason,
-                       true);
-  }
+  if (news.failure) return showOutcome(*state_, searchErrorText(*news.failure), true);
   QStringList lines{news.isCut ? tr("%1; there are more, which are not shown").arg(count) : count};
   if (!news.computed.empty()) {
     QStringList streams;

@@ -289,8 +289,12 @@ class SearchViewTest : public QObject {
     const auto cell = table.visualRect(table.model()->index(3, 0)).center();
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, cell);
     QCOMPARE(bench.session.history().chosen(), view->hits().row(3).from);
-    QCOMPARE(find("models/bal.position_in_robot.x > 1", false), 0);
-    QVERIFY(child<QLabel>(*view, "searchState").text().contains(QStringLiteral("models/ball")));
+    child<QComboBox>(*view, "searchKind").setCurrentIndex(0);
+    child<QLineEdit>(*view, "searchWanted").setText(QStringLiteral("0 < models/bal.position_in_robot.x"));
+    click(child<QToolButton>(*view, "searchStart"));
+    QVERIFY(!view->isSearching());
+    QCOMPARE(child<QLabel>(*view, "searchState").text(),
+             QStringLiteral("At character 5: there is no stream models/bal; did you mean 'models/ball'?"));
     QVERIFY(view->search(QStringLiteral("frame"), true));
     bench.session.store().clear();
     bench.tick(*view);
