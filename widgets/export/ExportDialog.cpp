@@ -67,6 +67,11 @@ QString fileNameOf(QString view) {
   return view.replace(QLatin1Char('#'), QLatin1Char('-'));
 }
 
+bool isVideo(const QFileInfo& file) {
+  const QString suffix = file.suffix().toLower();
+  return suffix == QLatin1String("mp4") || suffix == QLatin1String("avi");
+}
+
 }  // namespace
 
 ExportDialog::ExportDialog(std::vector<Offer> offers, const QString& chosen, robotlink::Session& session,
@@ -221,16 +226,18 @@ ExportDialog::Kind ExportDialog::kind() const {
 
 void ExportDialog::proposeTarget() {
   const QString view = fileNameOf(view_->currentData().toString());
-  const QString suffix = isImages()             ? QStringLiteral("-images")
+  const QString images = QStringLiteral("-images");
+  const QString suffix = isImages()             ? images
                          : kind() == Kind::kMp4 ? QStringLiteral(".mp4")
                                                 : QStringLiteral(".avi");
   const QString typed = target_->text();
   if (typed.isEmpty() || typed == proposed_) {
     proposed_ = QDir::toNativeSeparators(QDir(folder_).filePath(view + suffix));
     target_->setText(proposed_);
-  } else if (!isImages()) {
-    const QFileInfo file(typed);
-    target_->setText(QDir::toNativeSeparators(file.dir().filePath(file.completeBaseName() + suffix)));
+  } else if (const QFileInfo file(typed); !isImages() || isVideo(file)) {
+    QString name = file.completeBaseName();
+    if (!isVideo(file) && name.endsWith(images)) name.chop(images.size());
+    target_->setText(QDir::toNativeSeparators(file.dir().filePath(name + suffix)));
   }
   updateSummary();
 }

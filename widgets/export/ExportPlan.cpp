@@ -21,6 +21,15 @@ using robotlink::Result;
 
 namespace {
 
+/// Whether this is the name of one of its images; "field-2-00001.png" is none of "field".
+bool isImageOf(const ExportPlan& plan, std::string_view name) {
+  const std::string begin = plan.name + "-";
+  constexpr std::string_view kEnd = ".png";
+  if (!name.starts_with(begin) || !name.ends_with(kEnd)) return false;
+  const std::string_view number = name.substr(begin.size(), name.size() - begin.size() - kEnd.size());
+  return !number.empty() && std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 Result<void> checkFolder(const ExportPlan& plan) {
   std::error_code error;
   fs::create_directories(plan.target, error);
@@ -32,7 +41,7 @@ Result<void> checkFolder(const ExportPlan& plan) {
                    {plan.target.string(), 0, 0});
   for (fs::directory_iterator it(plan.target, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (name.starts_with(plan.name + "-") && name.ends_with(".png"))
+    if (isImageOf(plan, name))
       return failure("export.exists",
                      "there are images of an earlier export in this folder, such as " + name +
                          "; choose another one, or delete them",

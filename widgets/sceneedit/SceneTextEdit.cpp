@@ -208,8 +208,10 @@ void SceneTextEdit::indentLines(bool outwards) {
     cursor.insertText(QString(kIndentBlanks, QLatin1Char(' ')));
     return;
   }
-  const QTextBlock last = document()->findBlock(cursor.selectionEnd());
   QTextBlock block = document()->findBlock(cursor.selectionStart());
+  QTextBlock last = document()->findBlock(cursor.selectionEnd());
+  // Whole lines are selected up to the begin of the one behind them.
+  if (last != block && cursor.selectionEnd() == last.position()) last = last.previous();
   cursor.beginEditBlock();
   for (; block.isValid() && block.blockNumber() <= last.blockNumber(); block = block.next()) {
     QTextCursor begin(block);
