@@ -19,12 +19,14 @@ constexpr std::size_t kMaxSetBytes = 1U << 20U;
 
 RobotSet::Robot readSetRobot(const YamlNode& node) {
   RobotSet::Robot robot;
-  robot.name = node.required<std::string>("name");
+  const YamlNode name = node.child("name");
+  robot.name = name.as<std::string>();
+  if (robot.name.empty()) name.fail("robots.name", "a robot needs a name, as its program has it");
   robot.team = node.optional<std::string>("team", {});
   robot.role = node.optional<std::string>("role", {});
   const YamlNode address = node.child("address");
   robot.address = address.as<std::string>();
-  if (const auto url = robotlink::websocket::parseServerUrl(robot.address); !robot.address.empty() && !url)
+  if (const auto url = robotlink::websocket::parseServerUrl(robot.address); !url)
     address.fail("robots.address", url.error().text, {robot.address});
   robot.layout = node.optional<std::string>("layout", {});
   robot.colorTable = node.optional<std::string>("color-table", {});

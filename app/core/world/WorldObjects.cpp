@@ -315,8 +315,11 @@ class PortWriter {
     }
     for (const auto& servo : simulation.servos()) {
       WorldObject& object = addActuator(servo.info, servo.minimum, servo.maximum);
-      addNumbers(object, "maximum_speed", {servo.maximumSpeed}, "rad/s");
-      addNumbers(object, "maximum_torque", {servo.maximumTorque}, "N m");
+      const std::string& unit = servo.info.unit;
+      const bool slides = unit == "m" || unit == "m/s" || unit == "N";
+      addNumbers(object, "maximum_speed", {servo.maximumSpeed}, slides ? "m/s" : "rad/s");
+      addNumbers(object, slides ? "maximum_force" : "maximum_torque", {servo.maximumTorque},
+                 slides ? "N" : "N m");
     }
     for (const auto& drive : simulation.drives()) {
       WorldObject& object = addActuator(drive.info, -drive.maximumSpeed, drive.maximumSpeed);

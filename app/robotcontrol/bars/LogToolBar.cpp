@@ -301,7 +301,7 @@ void LogToolBar::refreshTips() {
   const auto tip = [this](ReplayKey key, const QString& text) {
     keyed_.at(key)->setToolTip(
         QStringLiteral("%1 (%2)").arg(text, widgets::keySequence(key).toString(QKeySequence::NativeText)));
-    keyed_.at(key)->setEnabled(!logs_.replay().steppedStream().empty());
+    keyed_.at(key)->setEnabled(logs_.replay().open() && !logs_.replay().steppedStream().empty());
   };
   tip(ReplayKey::kMessageBack, tr("Back to the last message of %1").arg(name));
   tip(ReplayKey::kMessageOn, tr("Forward to the next message of %1").arg(name));

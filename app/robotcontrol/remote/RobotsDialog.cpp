@@ -53,6 +53,17 @@ std::string RobotSet::Robot::*memberOf(int column) {
   }
 }
 
+/// "robot3", a name that no robot of the set has.
+std::string freeName(const RobotSet& set) {
+  std::string name;
+  for (std::size_t number = set.robots.size() + 1; name.empty(); ++number) {
+    std::string next = "robot" + std::to_string(number);
+    if (std::ranges::find(set.robots, next, &RobotSet::Robot::name) == set.robots.end())
+      name = std::move(next);
+  }
+  return name;
+}
+
 }  // namespace
 
 RobotsDialog::RobotsDialog(Workbench& workbench, CommandActions& actions, QWidget* parent)
@@ -179,8 +190,10 @@ void RobotsDialog::createReport() {
 
 void RobotsDialog::connectSignals() {
   connect(name_, &QLineEdit::textEdited, this, [this] { setChanged(true); });
-  connect(table_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem*, int column) {
-    if (!isShowing_ && column != kSetState) setChanged(true);
+  connect(table_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* row, int column) {
+    if (isShowing_ || column == kSetState) return;
+    row->setToolTip(column, row->text(column));
+    setChanged(true);
   });
   connect(table_, &QTreeWidget::currentItemChanged, this, &RobotsDialog::enableButtons);
   connect(add_, &QPushButton::clicked, this, &RobotsDialog::addRobots);
@@ -332,9 +345,7 @@ void RobotsDialog::addRobots() {
       if (!isThere) added = addRow({.name = robot, .address = connection.url});
     }
   }
-  if (added == nullptr)
-    added =
-        addRow({.name = "robot" + std::to_string(now.robots.size() + 1), .address = "ws://127.0.0.1:8765"});
+  if (added == nullptr) added = addRow({.name = freeName(now), .address = "ws://127.0.0.1:8765"});
   table_->setCurrentItem(added);
   setChanged(true);
 }

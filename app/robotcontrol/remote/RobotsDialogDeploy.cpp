@@ -73,16 +73,16 @@ std::vector<RobotSet::Robot> RobotsDialog::chosen() const {
 
 void RobotsDialog::connectAll() {
   state_->clear();
+  QStringList problems;
   for (const RobotSet::Robot& robot : chosen()) {
     const auto connections = workbench_.remote().connections();
     if (connectionTo(connections, robot.address) != nullptr) continue;
     const auto done = workbench_.commands().run("remote.connect", {robot.address, std::string()});
     if (!done)
-      widgets::showOutcome(*state_,
-                           QStringLiteral("%1: %2").arg(QString::fromStdString(robot.name),
-                                                        QString::fromStdString(done.error().text)),
-                           true);
+      problems << QStringLiteral("%1: %2").arg(QString::fromStdString(robot.name),
+                                               QString::fromStdString(done.error().text));
   }
+  if (!problems.isEmpty()) widgets::showOutcome(*state_, problems.join(QLatin1Char('\n')), true);
 }
 
 void RobotsDialog::disconnectAll() {

@@ -42,6 +42,17 @@ robots:
       << errors;
 }
 
+TEST(RobotSet, anEmptyNameOrAddressIsNone) {
+  RobotSet set{"Home", {{.name = "", .address = "ws://192.168.1.7:8765"}}};
+  const auto nameless = parseRobotSet(toText(set), "set.yaml");
+  ASSERT_FALSE(nameless) << "its color table would be a hidden file";
+  EXPECT_THAT(robotlink::describe(nameless.error()), HasSubstr("set.yaml:5:11: a robot needs a name"));
+  set.robots.front() = {.name = "red1"};
+  const auto nowhere = parseRobotSet(toText(set), "set.yaml");
+  ASSERT_FALSE(nowhere);
+  EXPECT_THAT(robotlink::describe(nowhere.error()), HasSubstr("set.yaml:6"));
+}
+
 TEST(RobotSet, ofANewerVersionOrNoneIsRefused) {
   for (const char* text : {"", "name: a\nrobots: []\n", "robot-set: 2\nname: a\nrobots: []\n", "[]", "a: [",
                            "robot-set: 1\nname: a\nrobots: 3\n"})

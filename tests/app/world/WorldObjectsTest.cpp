@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/world/WorldObjects.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "robotcontrol/World.pb.h"
+#include "simcore/Scene.h"
+#include "simcore/Simulation.h"
+#include "tests/TestFolder.h"
+
+namespace app {
+namespace {
+
+using robotcontrol::WorldObject;
+
+const char* const kLift =
+    R"(<sdf version="1.9" xmlns:robotcontrol="urn:robotcontrol:sdf"><world name="lift">
+<light name="sun" type="directional"><pose>0 0 5 0 0 0</pose><direction>0 0 -1</direction></light>
+<model name="lift"><pose>0 0 0.1 0 0 0</pose>
+<link name="mast"><inertial><mass>5</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
+<collision name="c"><geometry><cylinder><radius>0.1</radius><length>0.2</length></cylinder></geometry></collision></link>
+<link name="fork"><inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial>
+<collision name="c"><geometry><box><size>0.1 0.2 0.3</size></box></geometry></collision></link>
+<link name="hand"><inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial></link>
+<joint name="rail" type="prismatic"><parent>mast</parent><child>fork</child>
+<axis><xyz>0 0 1</xyz><limit><lower>0</lower><upper>0.5</upper><velocity>0.2</velocity><effort>50</effort></limit></axis>
+<robotcontrol:servo/></joint>
+<joint name="wrist" type="revolute"><parent>fork</parent><child>hand</child>
+<axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper><velocity>2</velocity><effort>3</effort></limit></axis>
+<robotcontrol:servo/></joint></model>
+</world></sdf>)";
+
+class WorldObjectsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto scene = simcore::Scene::load(folder_.write("lift.sdf", kLift));
+    ASSERT_TRUE(scene.has_value()) << robotlink::describe(scene.error());
+    const auto simulation = simcore::Simulation::create(*scene, {});
+    ASSERT_TRUE(simulation.has_value());
+    objects_ = worldObjects(**simulation);
+  }
+  const WorldObject& object(const std::string& path) const {
+    static const WorldObject kNone;
+    const auto found = std::ranges::find(objects_->objects(), path, &WorldObject::path);
+    EXPECT_NE(found, objects_->objects().end()) << path;
+    return found == objects_->objects().end() ? kNone : *found;
+  }
+  /// "0.2 m/s", the first number of a property with its unit; empty if there is no such property.
+  std::string number(const std::string& path, const std::string& name) const {
+    for (const auto& property : object(path).properties()) {
+      if (property.name() != name || property.values().empty()) continue;
+      std::ostringstream text;
+      text << property.values(0) << ' ' << property.unit();
+      return text.str();
+    }
+    return {};
+  }
+
+  const TestFolder folder_;
+  std::shared_ptr<const robotcontrol::WorldObjects> objects_;
+};
+
+TEST_F(WorldObjectsTest, servosOfSlidersHaveSpeedsAndForces) {
+  for (const char* path : {"lift/joint:rail", "lift/rail/request"}) {
+    EXPECT_EQ(number(path, "maximum_speed"), "0.2 m/s") << path;
+    EXPECT_EQ(number(path, "maximum_force"), "50 N") << path;
+    EXPECT_EQ(number(path, "maximum_torque"), "") << path;
+  }
+  EXPECT_EQ(number("lift/joint:rail", "upper_limit"), "0.5 m");
+}
+
+TEST_F(WorldObjectsTest, servosOfHingesHaveTorques) {
+  for (const char* path : {"lift/joint:wrist", "lift/wrist/request"}) {
+    EXPECT_EQ(number(path, "maximum_speed"), "2 rad/s") << path;
+    EXPECT_EQ(number(path, "maximum_torque"), "3 N m") << path;
+    EXPECT_EQ(number(path, "maximum_force"), "") << path;
+  }
+}
+
+TEST_F(WorldObjectsTest, linksLieBelowTheJointThatMovesThem) {
+  EXPECT_EQ(object("lift/link:mast").parent(), "lift");
+  EXPECT_EQ(object("lift/joint:rail").parent(), "lift/link:mast");
+  EXPECT_EQ(object("lift/link:fork").parent(), "lift/joint:rail");
+  EXPECT_EQ(object("lift/link:hand").parent(), "lift/joint:wrist");
+  EXPECT_EQ(object("lift/rail/request").parent(), "lift/joint:rail");
+}
+
+TEST_F(WorldObjectsTest, theMassOfAModelIsThatOfAllItsLinks) {
+  EXPECT_EQ(number("lift", "mass"), "7 kg");
+  EXPECT_EQ(number("lift/link:fork", "mass"), "1 kg");
+}
+
+TEST_F(WorldObjectsTest, propertiesOfLampsAreFoundInTheFile) {
+  const WorldObject& sun = object("light:sun");
+  EXPECT_EQ(number("light:sun", "direction"), "0 ");
+  ASSERT_FALSE(sun.properties().empty());
+  EXPECT_EQ(sun.properties(0).file(), (folder_ / "lift.sdf").string());
+  EXPECT_EQ(sun.properties(0).element(0), "light[sun]");
+}
+
+}  // namespace
+}  // namespace app
