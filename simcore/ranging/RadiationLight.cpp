@@ -31,10 +31,6 @@ Eigen::Vector3f vectorOf(Rgb color) {
 
 }  // namespace
 
-bool isDerivedClass(const std::string& name) {
-  return std::ranges::any_of(kDerived, [&](const DerivedClass& each) { return name == each.name; });
-}
-
 RadiationLight::RadiationLight(std::shared_ptr<const RenderScene> scene)
     : scene_(std::move(scene)), tree_(*scene_) {}
 

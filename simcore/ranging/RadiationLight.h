@@ -12,9 +12,6 @@
 
 namespace simcore {
 
-/// Whether a name is that of a class that is derived from colors: Y, Cb, Cr, R, G, B.
-bool isDerivedClass(const std::string& name);
-
 /// Computes what the surfaces that rays hit send back of radiation classes; see RadiationClass. Lamps and
 /// emitters cast shadows of all instances that cast any. One thread at a time.
 class RadiationLight {

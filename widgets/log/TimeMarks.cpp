@@ -25,7 +25,6 @@ QString TimeMarks::setPattern(const QString& pattern) {
   listed_.clear();
   generation_ = 0;
   ++version_;
-  Q_EMIT patternChanged(pattern_);
   return {};
 }
 

@@ -46,9 +46,6 @@ class TimeMarks final : public QObject {
   /// Grows with every change.
   std::uint64_t version() const { return version_; }
 
- Q_SIGNALS:
-  void patternChanged(const QString& pattern);
-
  private:
   explicit TimeMarks(OpenLogs& logs) : QObject(&logs), logs_(logs) {}
   /// Forgets all texts if what they are from is another.

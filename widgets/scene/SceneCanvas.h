@@ -41,7 +41,6 @@ class SceneCanvas final : public QWidget {
   void setMovable(std::vector<std::string> models, bool always);
   /// Whether keys and the left button are reported by eventHappened() instead of moving camera and models.
   void setSendsEvents(bool sends) { sends_ = sends; }
-  bool sendsEvents() const { return sends_; }
   /// Highlights an object, with all that belongs to it, while nothing is under the cursor that a click would
   /// select; empty: none.
   void setSelected(const std::string& object);

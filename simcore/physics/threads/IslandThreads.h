@@ -34,8 +34,6 @@ class IslandThreads {
   /// As dWorldQuickStep; the random numbers of the islands follow from `seed`. With few `joints`, contacts
   /// included, one thread does it.
   void step(double seconds, int joints, std::uint64_t seed);
-  /// How many threads took part in the last step.
-  int threadsOfStep() const { return threadsOfStep_; }
 
  private:
   /// A call that ODE wants to be made: when those that it depends on have ended.
