@@ -39,10 +39,10 @@ void MotionEngine::advance(const Frame& frame) {
   if (falls_.fallen() && !wasFallen && mode_ == Mode::kGait) beginBlend();
   const MotionCommand desired = resolved(frame.desired);
 
-  // Key frames begin and end in the gait's stand; between two of them there is always a stand.
+  // Key frames end in the gait's stand; between two of them there is always a stand.
   const bool wantsKeyFrames =
       desired.kind == MotionCommand::Kind::kKeyFrames || desired.kind == MotionCommand::Kind::kGetUp;
-  if (mode_ == Mode::kGait && wantsKeyFrames && gait_.standing() && blended_ >= options_.blendTime) {
+  if (mode_ == Mode::kGait && wantsKeyFrames && mayBegin(desired.motion) && blended_ >= options_.blendTime) {
     mode_ = Mode::kKeyFrames;
     player_ = robotlink::MotionPlayer(motions_);
     played_ = {};
@@ -58,6 +58,11 @@ void MotionEngine::advance(const Frame& frame) {
   if (mode_ == Mode::kGait) runGait(wantsKeyFrames ? MotionCommand{} : desired, frame.time);
   setFreeJoints(dt);
   moveHead(frame.head, dt);
+}
+
+bool MotionEngine::mayBegin(const std::string& motion) const {
+  const bool inWalk = motions_->begin(motion) == robotlink::MotionFile::Begin::kWalk;
+  return inWalk ? gait_.betweenSteps() : gait_.standing();
 }
 
 /// The request as it can be executed: getting up after a fall takes precedence; an unknown motion becomes a

@@ -33,9 +33,10 @@ struct MotionCommand {
 /// gets up, turns single joints, and blends between them without jumps. It is the core of the task `motion`,
 /// independent of packages and debugging.
 ///
-/// A walk stops before key frames begin or joints turn, and a key-frame motion is left only at its
-/// transitions. With `getUpByItself`, a fallen robot first gets up, whatever is requested, unless its joints
-/// are turned one by one, as when it is posed by hand. Deterministic. Not thread-safe.
+/// A walk stops before joints turn, and before key frames begin whose file does not say that they begin in
+/// a walk; a key-frame motion is left only at its transitions. With `getUpByItself`, a fallen robot first
+/// gets up, whatever is requested, unless its joints are turned one by one, as when it is posed by hand.
+/// Deterministic. Not thread-safe.
 class MotionEngine {
  public:
   struct Options {
@@ -93,6 +94,8 @@ class MotionEngine {
   enum class Mode { kGait, kKeyFrames, kJoints };
   /// The request as it can be executed.
   MotionCommand resolved(const MotionCommand& desired);
+  /// Whether the gait is in what the key-frame motion begins in.
+  bool mayBegin(const std::string& motion) const;
   /// The name of the motion for the side on which the robot lies.
   std::string getUpMotion() const;
   void runGait(const MotionCommand& desired, robotlink::Duration time);

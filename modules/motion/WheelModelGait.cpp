@@ -50,7 +50,8 @@ void WheelModelGait::advance(robotlink::Duration frame, Idle idle) {
   if (standing_ && stop) return;
   standing_ = false;
   const double next = phase_ + dt / (p.stepFrames * 0.008);
-  if (stop && passesHalf(phase_, next)) {
+  betweenSteps_ = passesHalf(phase_, next);
+  if (stop && betweenSteps_) {
     standing_ = true;
     phase_ = std::floor(next * 2) / 2;
   } else {

@@ -37,6 +37,8 @@ class WheelModelGait {
   /// The present speed of the robot according to the model.
   const WalkSpeed& speed() const { return speed_; }
   bool standing() const { return standing_; }
+  /// It stands, or a step of a trot has ended in this frame, and all paws are down.
+  bool betweenSteps() const { return standing_ || betweenSteps_; }
   /// The phase of the cycle, in [0, 1).
   double phase() const { return phase_; }
   // State of a leg in the present frame.
@@ -62,6 +64,7 @@ class WheelModelGait {
   WalkSpeed requested_, speed_;
   double phase_ = 0;
   bool standing_ = true;
+  bool betweenSteps_ = false;
 };
 
 }  // namespace modules

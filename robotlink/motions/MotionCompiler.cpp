@@ -44,6 +44,7 @@ class Compiler {
         fail(file, 1, "motion.duplicate-motion", "another file already is the motion '" + file.name + "'");
       }
       net_->motions.push_back(file.name);
+      net_->begins.push_back(file.begin);
       net_->displacements.push_back({file.odometry, playTime(file)});
       lines += static_cast<int>(file.lines.size());
       collectLabels(file, node);

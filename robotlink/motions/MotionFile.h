@@ -70,11 +70,12 @@ struct MotionLine {
 /// compileMotions() compiles. See robotlink/motions/MOTIONS.md.
 ///
 /// Angles are in rad whatever the unit in the text. A plain value that knows no other files, so labels are
-/// not checked here. The header lines (`motion_id`, and our own `joints`, `units`, `time`, `odometry`) are
-/// not in `lines`.
+/// not checked here. The header lines (`motion_id`, and our own `joints`, `units`, `time`, `begin`,
+/// `odometry`) are not in `lines`.
 struct MotionFile {
   enum class AngleUnit { kDegrees, kMilliradians };
   enum class TimeUnit { kMilliseconds, kTicks };
+  enum class Begin { kStand, kWalk };
 
   /// Only for error messages.
   std::string path;
@@ -88,6 +89,9 @@ struct MotionFile {
   /// The units of numbers in the text.
   AngleUnit angleUnit = AngleUnit::kDegrees;
   TimeUnit timeUnit = TimeUnit::kMilliseconds;
+  /// Whether a robot that walks first comes to a stand, or begins the motion at once, in the middle of a
+  /// step.
+  Begin begin = Begin::kStand;
   /// Where the robot stands after the motion, in its frame before it: m, rad.
   Pose2 odometry;
   std::vector<MotionLine> lines;

@@ -10,4 +10,9 @@ int MotionNet::find(std::string_view motion) const {
   return found == motions.end() ? -1 : static_cast<int>(found - motions.begin());
 }
 
+MotionFile::Begin MotionNet::begin(std::string_view motion) const {
+  const int index = find(motion);
+  return index < 0 ? MotionFile::Begin::kStand : begins[static_cast<std::size_t>(index)];
+}
+
 }  // namespace robotlink

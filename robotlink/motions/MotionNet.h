@@ -54,14 +54,17 @@ struct MotionNet {
 
   /// Names, in the order of the files.
   std::vector<std::string> motions;
-  /// In the order of `motions`.
+  /// Each in the order of `motions`.
   std::vector<Displacement> displacements;
+  std::vector<MotionFile::Begin> begins;
   std::vector<Node> nodes;
   /// The node at the label "start" of the motion "extern".
   int entry = 0;
 
   /// The index of a motion; -1 if there is none of that name.
   int find(std::string_view motion) const;
+  /// In what a motion begins; in a stand if there is none of that name.
+  MotionFile::Begin begin(std::string_view motion) const;
 };
 
 /// Compiles files into a net for a robot's joints. Columns that a file names are matched by name, others by

@@ -89,12 +89,14 @@ class Reader {
     } else if (key == "time" && single && (words[2].text == "ms" || words[2].text == "ticks")) {
       motion_.timeUnit =
           words[2].text == "ms" ? MotionFile::TimeUnit::kMilliseconds : MotionFile::TimeUnit::kTicks;
+    } else if (key == "begin" && single && (words[2].text == "stand" || words[2].text == "walk")) {
+      motion_.begin = words[2].text == "walk" ? MotionFile::Begin::kWalk : MotionFile::Begin::kStand;
     } else if (key == "odometry" && words.size() == 5) {
       readOdometry(words);
     } else {
       fail(words[0].column, "motion.bad-header",
-           "expected 'motion_id = NAME', 'joints = NAME...', 'units = deg|mrad', 'time = ms|ticks' or "
-           "'odometry = AHEAD LEFT TURN'");
+           "expected 'motion_id = NAME', 'joints = NAME...', 'units = deg|mrad', 'time = ms|ticks', "
+           "'begin = stand|walk' or 'odometry = AHEAD LEFT TURN'");
     }
     if (columnsUsed_ && key != "motion_id") {
       fail(words[0].column, "motion.late-header",

@@ -50,6 +50,7 @@ std::string header(const MotionFile& motion) {
   }
   if (motion.angleUnit == MotionFile::AngleUnit::kMilliradians) text += "units = mrad\n";
   if (motion.timeUnit == MotionFile::TimeUnit::kTicks) text += "time = ticks\n";
+  if (motion.begin == MotionFile::Begin::kWalk) text += "begin = walk\n";
   if (motion.odometry != Pose2()) {
     const Pose2& odometry = motion.odometry;
     text += "odometry = " + shortText(odometry.x * 1000) + " " + shortText(odometry.y * 1000) + " " +

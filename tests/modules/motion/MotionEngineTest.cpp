@@ -25,11 +25,11 @@ std::vector<robotlink::RobotDescription::Joint> joints() {
 std::shared_ptr<const robotlink::MotionNet> motions() {
   std::vector<robotlink::MotionFile> files;
   std::string table = "motion_id = extern\nlabel start\n";
-  for (const char* name : {"kick", "get-up-left"}) {
-    const std::string text =
-        std::string("motion_id = ") + name +
-        "\njoints = legFL1 legFR1\nodometry = 20 -5 30\nlabel start\n57.2958 0 1 160\n0 0 1 160\n"
-        "transition allMotions extern start\n";
+  for (const char* name : {"kick", "kick-at-once", "get-up-left"}) {
+    const std::string text = std::string("motion_id = ") + name + "\njoints = legFL1 legFR1\n" +
+                             (name == std::string("kick-at-once") ? "begin = walk\n" : "") +
+                             "odometry = 20 -5 30\nlabel start\n57.2958 0 1 160\n0 0 1 160\n"
+                             "transition allMotions extern start\n";
     files.push_back(robotlink::readMotion(text, name).value());
     table += std::string("transition ") + name + " " + name + " start\n";
   }
@@ -109,6 +109,21 @@ TEST_F(MotionEngineTest, aWalkStandsBeforeKeyFramesBeginAndThenGoesOn) {
   run(walk(0.1), 200);
   EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kWalk);
   EXPECT_LT(largestStep_, 0.12);
+}
+
+TEST_F(MotionEngineTest, aMotionThatBeginsInAWalkWaitsForTheEndOfTheStepOnly) {
+  run({}, 100);
+  for (int waited = 0; waited < 20; ++waited) {
+    run(walk(0.1), 100 + waited);
+    int frames = 0;
+    for (; frames < 100 && engine_.executed().kind == MotionCommand::Kind::kWalk; ++frames)
+      run(keyFrames("kick-at-once"), 1);
+    EXPECT_EQ(engine_.executed(), keyFrames("kick-at-once"));
+    EXPECT_LE(frames, GaitParameters{}.stepFrames / 2 + 1);
+    const double phase = 2 * engine_.gait().phase();
+    EXPECT_LT(phase - std::floor(phase), 2.1 / GaitParameters{}.stepFrames) << "all paws are down";
+    run({}, 200);
+  }
 }
 
 TEST_F(MotionEngineTest, aMotionThatIsWantedAllTheTimeIsRepeatedAfterAStand) {

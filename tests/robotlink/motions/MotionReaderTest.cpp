@@ -54,7 +54,7 @@ TEST(MotionReaderTest, aMotionIsReadLineByLine) {
 
 TEST(MotionReaderTest, theHeaderSaysWhatColumnsAndNumbersMean) {
   const auto motion = readMotion(
-      "motion_id = nod\njoints = c a\nunits = mrad\ntime = ticks\nodometry = 20 -5.5 30\n"
+      "motion_id = nod\njoints = c a\nunits = mrad\ntime = ticks\nbegin = walk\nodometry = 20 -5.5 30\n"
       "label start\n1500 -250 1 4\n",
       "nod.mof", kJoints);
   ASSERT_TRUE(motion) << describe(motion.error());
@@ -63,6 +63,7 @@ TEST(MotionReaderTest, theHeaderSaysWhatColumnsAndNumbersMean) {
   EXPECT_DOUBLE_EQ(frame.joints[0].angle, 1.5);
   EXPECT_DOUBLE_EQ(frame.joints[1].angle, -0.25);
   EXPECT_EQ(frame.duration, std::chrono::milliseconds(32));
+  EXPECT_EQ(motion->begin, MotionFile::Begin::kWalk);
   EXPECT_DOUBLE_EQ(motion->odometry.x, 0.02);
   EXPECT_DOUBLE_EQ(motion->odometry.y, -0.0055);
   EXPECT_DOUBLE_EQ(motion->odometry.heading, radians(30));
@@ -96,6 +97,7 @@ TEST(MotionReaderTest, eachFaultIsReportedWhereItStands) {
   EXPECT_EQ(errorOf(head + "  jump x\n"), "motion.unknown-line 3:3");
   EXPECT_EQ(errorOf(head + "motion_id = y\n"), "motion.second-name 3:13");
   EXPECT_EQ(errorOf(head + "units = rad\n"), "motion.bad-header 3:1");
+  EXPECT_EQ(errorOf(head + "begin = run\n"), "motion.bad-header 3:1");
   EXPECT_EQ(errorOf(head + "odometry = 1 2\n"), "motion.bad-header 3:1");
   EXPECT_EQ(errorOf(head + "odometry = 1 2 x\n"), "motion.bad-odometry 3:16");
   EXPECT_EQ(errorOf(head + "odometry = 1001 2 3\n"), "motion.bad-odometry 3:12");
