@@ -33,13 +33,20 @@ struct BallOptions : Options {
   int absentImages = 10;
 };
 
+template <typename Options, auto Member>
+double& rolls(Options& options) {
+  return options.roll.*Member;
+}
+
 using RollingOptions = BallOptions<RollingBallFilter::Options>;
 using RollingFields = robotcontrol::KalmanBallParameters;
 const robotlink::ParameterTable<RollingOptions> kRollingTable{
     {RollingFields::kMemoryFieldNumber, &RollingOptions::memory, kAtLeastZero},
     {RollingFields::kMinimumConfidenceFieldNumber, &RollingOptions::minimumConfidence, kShare},
     {RollingFields::kAbsentImagesFieldNumber, &RollingOptions::absentImages, kAtLeastZero},
-    {RollingFields::kDecelerationFieldNumber, &RollingOptions::deceleration, kAtLeastZero},
+    {RollingFields::kDecelerationFieldNumber, rolls<RollingOptions, &RollingBall::deceleration>,
+     kAtLeastZero},
+    {RollingFields::kDampingFieldNumber, rolls<RollingOptions, &RollingBall::damping>, kAtLeastZero},
     {RollingFields::kAccelerationFieldNumber, &RollingOptions::acceleration, kAtLeastZero},
     {RollingFields::kDriftFieldNumber, &RollingOptions::drift, kAtLeastZero},
     {RollingFields::kStartRateFieldNumber, &RollingOptions::startRate, kAtLeastZero},
@@ -89,7 +96,10 @@ const robotlink::ParameterTable<BallParticleOptions> kBallParticleTable{
     {BallParticleFields::kMemoryFieldNumber, &BallParticleOptions::memory, kAtLeastZero},
     {BallParticleFields::kMinimumConfidenceFieldNumber, &BallParticleOptions::minimumConfidence, kShare},
     {BallParticleFields::kAbsentImagesFieldNumber, &BallParticleOptions::absentImages, kAtLeastZero},
-    {BallParticleFields::kDecelerationFieldNumber, &BallParticleOptions::deceleration, kAtLeastZero},
+    {BallParticleFields::kDecelerationFieldNumber, rolls<BallParticleOptions, &RollingBall::deceleration>,
+     kAtLeastZero},
+    {BallParticleFields::kDampingFieldNumber, rolls<BallParticleOptions, &RollingBall::damping>,
+     kAtLeastZero},
     {BallParticleFields::kStartRateFieldNumber, &BallParticleOptions::startRate, kAtLeastZero},
     {BallParticleFields::kStopRateFieldNumber, &BallParticleOptions::stopRate, kAtLeastZero},
     {BallParticleFields::kStartSpeedFieldNumber, &BallParticleOptions::startSpeed, kAtLeastZero},

@@ -35,7 +35,7 @@ void ParticleBall::move(double seconds) {
     else if (rolls && chance < stops)
       particle.velocity.setZero();
     const double speed = particle.velocity.norm();
-    if (speed > 0) particle.velocity *= std::max(0.0, speed - options_.deceleration * seconds) / speed;
+    if (speed > 0) particle.velocity *= options_.roll.speedAfter(speed, seconds) / speed;
     if (speed > 0)
       particle.velocity +=
           options_.velocityNoise * std::sqrt(seconds) * Vector2(random_.normal(), random_.normal());

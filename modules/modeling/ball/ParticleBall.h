@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "modules/RollingBall.h"
 #include "modules/modeling/BallFilter.h"
 #include "modules/modeling/ball/BallMeasuring.h"
 #include "robotlink/base/Random.h"
@@ -24,8 +25,7 @@ class ParticleBall {
     int particles = 80;
     /// How long the ball is known without percepts, s.
     double memory = 6;
-    /// Deceleration of a rolling ball, m/s^2.
-    double deceleration = 0.3;
+    RollingBall roll;
     /// How often a ball begins to roll and comes to rest, 1/s.
     double startRate = 0.5, stopRate = 0.5;
     /// Standard deviation of the velocity of a ball that begins to roll, m/s.

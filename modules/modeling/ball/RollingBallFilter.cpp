@@ -66,15 +66,16 @@ void RollingBallFilter::rest(Model& model, double seconds) const {
 
 void RollingBallFilter::roll(Model& model, double seconds) const {
   const double speed = model.state.tail<2>().norm();
-  const double slower = std::max(0.0, speed - options_.deceleration * seconds);
+  const double slower = options_.roll.speedAfter(speed, seconds);
   const double decay = speed > 1e-6 ? slower / speed : 1;
   Matrix4d transition = Matrix4d::Identity();
   transition(0, 2) = transition(1, 3) = 0.5 * (1 + decay) * seconds;
   transition(2, 2) = transition(3, 3) = decay;
   model.state = transition * model.state;
-  // A deceleration that does not depend on the speed leaves differences of velocities as they are.
+  // Differences of velocities decay by damping only: a deceleration that does not depend on the speed leaves
+  // them as they are.
   transition(0, 2) = transition(1, 3) = seconds;
-  transition(2, 2) = transition(3, 3) = 1;
+  transition(2, 2) = transition(3, 3) = std::exp(-options_.roll.damping * seconds);
   const double a = options_.acceleration * options_.acceleration, s2 = seconds * seconds;
   Matrix4d noise = Matrix4d::Zero();
   noise.topLeftCorner<2, 2>() =

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "modules/RollingBall.h"
 #include "modules/modeling/BallFilter.h"
 #include "modules/modeling/ball/BallMeasuring.h"
 
@@ -22,8 +23,7 @@ class RollingBallFilter {
   struct Options {
     /// How long the ball is known without percepts, s.
     double memory = 6;
-    /// Deceleration of a rolling ball, m/s^2.
-    double deceleration = 0.3;
+    RollingBall roll;
     /// Standard deviation of the accelerations of a rolling ball, m/s^2.
     double acceleration = 2;
     /// How far dead reckoning moves a resting ball, m after one second, growing with the root of time.

@@ -52,12 +52,9 @@ Matrix2d ballCovariance(const Vector2& ballInField, double ballDeviation,
 BallReport TeamBallFusion::predicted(const BallReport& report) const {
   BallReport now = report;
   const double speed = report.velocity.norm(), age = std::max(0.0, report.age);
-  if (speed > 0 && options_.deceleration > 0) {
-    const double time = std::min(age, speed / options_.deceleration);
-    now.position += report.velocity * time * (1 - 0.5 * options_.deceleration * time / speed);
-    now.velocity *= std::max(0.0, 1 - options_.deceleration * age / speed);
-  } else {
-    now.position += report.velocity * age;
+  if (speed > 0) {
+    now.position += report.velocity * (options_.roll.wayAfter(speed, age) / speed);
+    now.velocity *= options_.roll.speedAfter(speed, age) / speed;
   }
   const double drift = options_.drift * age;
   now.covariance += Matrix2d::Identity() * drift * drift;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "modules/RollingBall.h"
 #include "robotlink/base/Geometry.h"
 
 namespace modules {
@@ -57,8 +58,7 @@ class TeamBallFusion {
     double drift = 0.15;
     /// Reports farther from each other than this many standard deviations contradict each other.
     double gate = 3;
-    /// Deceleration of a rolling ball, m/s^2.
-    double deceleration = 0.3;
+    RollingBall roll;
   };
   explicit TeamBallFusion(const Options& options) : options_(options) {}
 

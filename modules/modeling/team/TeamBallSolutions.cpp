@@ -143,7 +143,10 @@ const robotlink::ParameterTable<FusionOptions> kFusionTable{
     {FusionFields::kMemoryFieldNumber, &FusionOptions::memory, kAtLeastZero},
     {FusionFields::kDriftFieldNumber, &FusionOptions::drift, kAtLeastZero},
     {FusionFields::kGateFieldNumber, &FusionOptions::gate, kAboveZero},
-    {FusionFields::kDecelerationFieldNumber, &FusionOptions::deceleration, kAtLeastZero}};
+    {FusionFields::kDecelerationFieldNumber, +[](FusionOptions& o) -> double& { return o.roll.deceleration; },
+     kAtLeastZero},
+    {FusionFields::kDampingFieldNumber, +[](FusionOptions& o) -> double& { return o.roll.damping; },
+     kAtLeastZero}};
 
 class WeightedTeamBall final : public TeamBallModeler {
  public:
