@@ -24,8 +24,15 @@ constexpr double kTeamBallError = 0.1;
 constexpr double kComesBack = 0.1;
 /// How long a player bids for a ball that it does not know any more, s.
 constexpr double kForgetting = 1;
+/// A ball that vanished at the paws longer ago than this lies somewhere else, s.
+constexpr double kMayStillCover = 6;
+/// After stepping back in vain it tries again after, s.
+constexpr double kUncoverAgain = 1;
+constexpr double kLongAgo = -1e9;
 /// How far a ball rolls without being touched by anybody, m.
 constexpr double kMoved = 0.12;
+/// After so many the time of a way has converged.
+constexpr int kSubstitutions = 4;
 
 }  // namespace
 
@@ -43,14 +50,28 @@ void SoccerMind::setOptions(const Options& options) {
   roles_.setOptions(options.roles);
 }
 
+Vector2 SoccerMind::ballAfter(double seconds) const {
+  const double speed = now_.ballVelocity.norm();
+  if (speed < 1e-6) return now_.ball;
+  return now_.ball + now_.ballVelocity * (options_.roll.wayAfter(speed, seconds) / speed);
+}
+
+Vector2 SoccerMind::meetingPoint() const {
+  // The time of the way to a place that depends on that time, by repeated substitution.
+  double seconds = 0;
+  for (int i = 0; i < kSubstitutions; ++i)
+    seconds = std::min(options_.interceptTime, ballAfter(seconds).norm() / options_.skills.forwardSpeed);
+  return ballAfter(seconds);
+}
+
 double SoccerMind::playDirection() {
-  const auto ball = now_.ballInTeam();
-  if (!ball) {
+  if (!now_.ballInTeam()) {
     side_ = KickSide::kAhead;
-    return std::atan2(now_.ball.y(), now_.ball.x());
+    return std::atan2(meets_.y(), meets_.x());
   }
-  const KickPlanner::Choice choice =
-      kicks_.choose({*now_.pose, *ball, now_.opponents, matesInTeam(), skills_}, isAtBall_);
+  const KickPlanner::Choice choice = kicks_.choose(
+      {*now_.pose, places_.within(*now_.pose * meets_, 0), now_.opponents, matesInTeam(), skills_},
+      isAtBall_);
   side_ = choice.side;
   return normalizedAngle(choice.heading() - now_.pose->heading);
 }
@@ -112,9 +133,18 @@ void SoccerMind::lookUp() {
 bool SoccerMind::coversBall() const {
   // It does not see a ball either while it looks for beacons.
   if (now_.time - lookedUpAt_ < options_.lookUpTime + options_.coveredAfter) return false;
-  const bool isElsewhere = now_.ballFromTeam && now_.ball.norm() > options_.coveredDistance + kTeamBallError;
-  return !isElsewhere && lastBall_.norm() < options_.coveredDistance &&
-         now_.ballAge > options_.coveredAfter && machine_.stateTime() > options_.coveredAfter;
+  if (now_.time - uncoveringSince_ < options_.stepBackTime + kUncoverAgain) return false;
+  const double unseen = now_.time - ballSeenAt_;
+  if (unseen < options_.coveredAfter || machine_.stateTime() < options_.coveredAfter) return false;
+  const double near = options_.coveredDistance + kTeamBallError;
+  if (now_.ballFromTeam && now_.ball.norm() > near) return false;
+  // Whoever carries a ball along under its body learns of it from the others.
+  const bool isTold = now_.ballFromTeam && now_.ball.norm() < options_.coveredDistance;
+  return isTold || (lastBall_.norm() < options_.coveredDistance && unseen < kMayStillCover);
+}
+
+bool SoccerMind::uncoversBall() const {
+  return now_.time - uncoveringSince_ < options_.stepBackTime;
 }
 
 bool SoccerMind::hidesBall() const {
@@ -133,6 +163,7 @@ void SoccerMind::observe(const GameSituation& now) {
   if (now.seesBall()) {
     lastBall_ = now.ball;
     ballSeenAt_ = now.time;
+    if (now.ball.norm() > options_.coveredDistance) uncoveringSince_ = kLongAgo;
   }
   if (now.phase == GameSituation::Phase::kPlaying) {
     if (!wasPlaying) {
@@ -145,6 +176,7 @@ void SoccerMind::observe(const GameSituation& now) {
       if ((*ball - *ballAtKickOff_).norm() > kMoved + 0.1 * now.ball.norm()) ballMoved_ = true;
     }
   }
+  meets_ = meetingPoint();
   aim_ = playDirection();
   const bool mayPlay = !now.fallen && !now.penalized && !now.pickedUp;
   // A ball that is forgotten is often seen again at once: roles wait for that.
@@ -156,7 +188,7 @@ void SoccerMind::observe(const GameSituation& now) {
     const double looking = isNear ? options_.lookUpTime + options_.coveredAfter : 0;
     secondsToBall_ = std::clamp(now.ballAge - looking, 0.0, 5.0);
     // A striker that has reached the ball keeps it: two that change places are in each other's way.
-    if (!isNear || roles_.role() != Role::kStriker) secondsToBall_ += skills_.secondsTo(now.ball, aim_);
+    if (!isNear || roles_.role() != Role::kStriker) secondsToBall_ += skills_.secondsTo(meets_, aim_);
     if (now.ballFromTeam) secondsToBall_ += kHearsayPenalty;
   }
   (void)roles_.decide(now, secondsToBall_);
@@ -200,8 +232,8 @@ void SoccerMind::walkToPlace(const Pose2& placeInTeam) {
 }
 
 void SoccerMind::approachBall() {
-  target_ = skills_.placeBehind(now_.ball, aim_);
-  intention_ = skills_.approach(now_.ball, aim_, now_.robots);
+  target_ = skills_.placeBehind(meets_, aim_);
+  intention_ = skills_.approach(meets_, aim_, now_.robots);
   if (now_.ball.norm() < options_.glanceDistance) {
     lookUp();
     return;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "modules/RollingBall.h"
 #include "modules/behavior/BallSkills.h"
 #include "modules/behavior/GameSituation.h"
 #include "modules/behavior/KickPlanner.h"
@@ -24,6 +25,11 @@ class SoccerMind {
     TeamPlaces::Options places;
     RoleAssignment::Options roles;
     KickPlanner::Options kicks;
+    RollingBall roll;
+    /// For how long it predicts at most where it meets a rolling ball, s.
+    double interceptTime = 2;
+    /// From the decision to kick until the ball is hit, s.
+    double kickDelay = 0.25;
     /// Search: time for which it looks about before it turns, of a turn, and of the walk after it, s.
     double lookAboutTime = 2.0, turnTime = 7, wanderTime = 5;
     /// Time without colors of the field after which it stands still, s.
@@ -95,6 +101,10 @@ class SoccerMind {
   /// Chooses the kick, and returns the direction to which the robot turns for it, in the robot's frame; the
   /// direction to the ball while the robot does not know where it is.
   double playDirection();
+  /// Where the ball will be, in the present frame of the robot.
+  robotlink::Vector2 ballAfter(double seconds) const;
+  /// Where the robot meets the ball if it walks there.
+  robotlink::Vector2 meetingPoint() const;
   /// The angle up to which a ball that is played now goes into the goal; unset if the pose is unknown.
   double distanceToGoal() const;
   bool isUnderPressure() const;
@@ -108,6 +118,8 @@ class SoccerMind {
   void lookUp();
   /// The ball was at its paws and is not seen any more: it may lie under the body.
   bool coversBall() const;
+  /// It steps back from a ball under the body, which has not come out yet.
+  bool uncoversBall() const;
   /// It stands, and the ball was beside it and is not seen any more.
   bool hidesBall() const;
 
@@ -127,6 +139,8 @@ class SoccerMind {
   GameSituation now_;
   Intention intention_;
   std::optional<robotlink::Vector2> target_;
+  /// Where it meets the ball, in the robot's frame.
+  robotlink::Vector2 meets_ = robotlink::Vector2::Zero();
   /// In the robot's frame, rad.
   double aim_ = 0;
   /// The kick for which it turns there.
@@ -142,7 +156,7 @@ class SoccerMind {
   /// 1 to the left, -1 to the right.
   double turnDirection_ = 1;
   double ballSeenAt_ = -1e9, ballKnownAt_ = -1e9, fieldSeenAt_ = 0, glancedAt_ = -1e9, lookedUpAt_ = -1e9,
-         playingSince_ = 0;
+         uncoveringSince_ = -1e9, playingSince_ = 0;
   bool started_ = false;
   /// The motion task confirmed that the kick is being played.
   bool kickBegan_ = false;

@@ -92,6 +92,9 @@ void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGo
   playing.state("leave", "Leaves a ball in its own penalty area to the goalie, and waits before it.")
       .does([&p] { p.place_ = p.places_.beforeArea(p.now_.ballInTeam().value_or(Vector2::Zero())); })
       .activates(place);
+  playing.state("uncover", "Steps back from a ball that may lie under its body.")
+      .begins([&p] { p.uncoveringSince_ = p.now_.time; })
+      .does([&p] { p.stepBack(); });
   // A kick is played to its end.
   const auto isFree = [&p] { return p.now_.stable && !p.now_.playsMotion; };
   const auto isOut = [&p] { return p.now_.pose && p.places_.isOutside(p.now_.pose->translation()); };
@@ -101,12 +104,15 @@ void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGo
   };
   playing.always("return", "it has left the field", [=] { return isFree() && isOut(); })
       .always("wait", "the other team has the kick-off", [=] { return isFree() && !isOut() && isWaiting(); });
+  const auto uncovers = [&p] { return p.uncoversBall() || p.coversBall(); };
+  playing.always("uncover", "the ball vanished before its paws, or the team sees it there",
+                 [=] { return isFree() && !isOut() && !isWaiting() && uncovers(); });
   const auto leaves = [&p] { return p.role() == Role::kStriker && p.isForGoalie(); };
   playing.always("leave", "the ball is where only the goalie may play it",
-                 [=] { return isFree() && !isOut() && !isWaiting() && leaves(); });
+                 [=] { return isFree() && !isOut() && !isWaiting() && !uncovers() && leaves(); });
   const auto add = [&](const char* state, const char* reason, Role role) {
-    playing.always(state, reason, [&p, isFree, isOut, isWaiting, leaves, role] {
-      return isFree() && !isOut() && !isWaiting() && !leaves() && p.role() == role;
+    playing.always(state, reason, [=, &p] {
+      return isFree() && !isOut() && !isWaiting() && !uncovers() && !leaves() && p.role() == role;
     });
   };
   add("goalie", "it keeps the goal", Role::kGoalie);
@@ -156,7 +162,6 @@ void SoccerOptions::buildStrike(Option& strike, Option& search) const {
   };
   strike.state("approach", "Walks to the place behind the ball, around it if need be.")
       .does([&p] { p.approachBall(); })
-      .to("step back", "the ball vanished before its paws", [&p] { return p.coversBall(); })
       .to("search", "the ball is lost", isLost())
       .to("glance", "near the ball, but where is the goal?",
           [&p, isNear] { return isNear(1.2) && !p.now_.pose && p.mustGlance(); })
@@ -173,10 +178,6 @@ void SoccerOptions::buildStrike(Option& strike, Option& search) const {
 
 void SoccerOptions::buildAtBall(Option& strike) const {
   SoccerMind& p = player_;
-  strike.state("step back", "Uncovers a ball that may lie under the body.")
-      .does([&p] { p.stepBack(); })
-      .to("approach", "there is the ball", [&p] { return p.now_.seesBall() && p.now_.ball.norm() > 0.2; })
-      .to("search", "it is not there", after(&SoccerMind::Options::stepBackTime));
   const auto isAway = [&p] { return p.now_.ball.norm() > p.options_.dribbleLost; };
   const auto isBeside = [&p] {
     return std::abs(BallSkills::offset(p.now_.ball, p.aim_)) > p.options_.alignLost ||
@@ -193,7 +194,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       });
   strike.state("position", "Walks the last centimeters to where the kick reaches the ball.")
       .does([&p] {
-        p.intention_ = p.skills_.position(p.now_.ball, p.aim_, p.side_);
+        p.intention_ = p.skills_.position(p.ballAfter(p.options_.kickDelay), p.aim_, p.side_);
         p.isAtBall_ = true;
         p.lookUp();
       })
@@ -202,7 +203,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .to("approach", "the goal is elsewhere", isBeside)
       .to("kick", "the ball is before the paws",
           [&p] {
-            return p.skills_.canKick(p.now_.ball, p.side_) && p.now_.seesBall() &&
+            return p.skills_.canKick(p.ballAfter(p.options_.kickDelay), p.side_) && p.now_.seesBall() &&
                    std::abs(p.aim_) < p.options_.kickTolerance;
           })
       .to("approach", "positioning takes too long", after(&SoccerMind::Options::positionTime));

@@ -62,6 +62,10 @@ double& playing(SoccerChoices& o) {
   return o.player.*Member;
 }
 template <auto Member>
+double& rolling(SoccerChoices& o) {
+  return o.player.roll.*Member;
+}
+template <auto Member>
 double& placing(SoccerChoices& o) {
   return o.player.places.*Member;
 }
@@ -115,6 +119,10 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {{kReading, Reading::kTeamBallAfterFieldNumber}, reading<&S::teamBallAfter>, kAtLeastZero},
     {{kReading, Reading::kMateTimeoutFieldNumber}, reading<&S::mateTimeout>, kAtLeastZero},
     {{kReading, Reading::kRobotConfidenceFieldNumber}, reading<&S::robotConfidence>, kShare},
+    {Fields::kBallDecelerationFieldNumber, rolling<&RollingBall::deceleration>, kAtLeastZero},
+    {Fields::kBallDampingFieldNumber, rolling<&RollingBall::damping>, kAtLeastZero},
+    {Fields::kInterceptTimeFieldNumber, playing<&P::interceptTime>, kAtLeastZero},
+    {Fields::kKickDelayFieldNumber, playing<&P::kickDelay>, kAtLeastZero},
     {Fields::kLookAboutTimeFieldNumber, playing<&P::lookAboutTime>, kAtLeastZero},
     {Fields::kTurnTimeFieldNumber, playing<&P::turnTime>, kAtLeastZero},
     {Fields::kWanderTimeFieldNumber, playing<&P::wanderTime>, kAtLeastZero},

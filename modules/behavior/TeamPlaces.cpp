@@ -89,7 +89,7 @@ Pose2 TeamPlaces::supporter(const Vector2& ball) const {
   if (ball.x() > 0.5 * goalX_ && std::abs(ball.y()) > options_.supporterAside)
     return facing({goalX_ - options_.beforeGoal, 0.1 * side}, ball);
   // Near the own goal it waits before the ball, where it is in nobody's way, and cleared balls come.
-  const double along = ball.x() < -0.5 * goalX_ ? options_.supporterBack : -options_.supporterBack;
+  const double along = ball.x() < -0.5 * goalX_ ? std::abs(options_.supporterBack) : -options_.supporterBack;
   const Vector2 place(std::clamp(ball.x() + along, -goalX_ + penaltyLength_ + 0.2, goalX_),
                       ball.y() + side * options_.supporterAside);
   return facing(inside(place), ball);

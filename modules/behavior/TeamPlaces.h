@@ -21,7 +21,9 @@ class TeamPlaces {
     double goalieDistance = 0.2;
     /// How far the defender stands from the ball toward its own goal.
     double defenderDistance = 0.9;
-    /// The supporter stands this far behind the ball, and this far beside it.
+    /// The supporter stands this far behind the ball (negative: ahead of it), and this far beside it; ahead
+    /// of
+    /// it in any case while the ball is near the own goal.
     double supporterBack = 0.5, supporterAside = 0.7;
     /// How far players that wait for a ball before the opponents' goal stand from its line, and those before
     /// their own penalty area from that.

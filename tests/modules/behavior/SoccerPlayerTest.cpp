@@ -193,8 +193,69 @@ TEST_F(SoccerPlayerTest, stepsBackFromABallThatTheTeamSeesUnderIt) {
   now.ballAge = 2.1;
   now.ballFromTeam = true;
   now.ball = {0.05, 0};
-  play(now, 20);
-  EXPECT_EQ(state("strike"), "step back");
+  const Intention intention = play(now, 20);
+  EXPECT_EQ(state("playing"), "uncover");
+  EXPECT_LT(intention.forward, 0);
+  now.ballAge = 0;
+  now.ballFromTeam = false;
+  now.ball = {0.25, 0};
+  play(now, 2);
+  EXPECT_EQ(state("playing"), "striker") << "there it is";
+}
+
+TEST_F(SoccerPlayerTest, whoeverCarriesTheBallAlongStepsBackFromIt) {
+  GameSituation now = situation({0, 0, 0}, {0.05, 0});
+  now.number = 3;
+  now.mates = {mate(2, Role::kStriker, {0.5, 0}, 0.1), mate(4, Role::kDefender, {-1, 0}, 9)};
+  now.ballAge = 9;
+  now.ballFromTeam = true;
+  play(now, 5);
+  ASSERT_EQ(player_.role(), Role::kSupporter);
+  EXPECT_LT(play(now, 20).forward, 0);
+  EXPECT_EQ(state("playing"), "uncover");
+  play(now, 50);
+  EXPECT_EQ(state("playing"), "supporter") << "that did not help, so it goes on";
+  now.ball = {0.5, 0};
+  play(now, 50);
+  EXPECT_EQ(state("playing"), "supporter");
+}
+
+TEST_F(SoccerPlayerTest, stepsBackFromABallThatVanishesWhileItPositionsItself) {
+  GameSituation now = situation({1.4, 0, 0}, {1.62, 0});
+  now.number = 2;
+  play(now, 3);
+  ASSERT_EQ(state("strike"), "position");
+  now.ball = {0.15, 0.06};
+  play(now);
+  for (int i = 0; i < 20; ++i) {
+    now.ballAge += 0.04;
+    play(now);
+  }
+  EXPECT_EQ(state("playing"), "uncover");
+}
+
+TEST_F(SoccerPlayerTest, walksToWhereItMeetsARollingBall) {
+  GameSituation now = situation({0, -0.5, 0}, {0.5, -0.5});
+  now.ballVelocity = {0, 0.2};
+  SoccerMind::Options options;
+  options.roll = {0, 0.33};
+  player_.setOptions(options);
+  play(now, 2);
+  EXPECT_GT(player_.target()->y(), 0.1) << "it rolls to the left";
+  options.interceptTime = 0;
+  player_.setOptions(options);
+  play(now, 2);
+  EXPECT_LT(player_.target()->y(), 0.1);
+}
+
+TEST_F(SoccerPlayerTest, kicksARollingBallWhereItWillBe) {
+  GameSituation now = situation({1.4, 0, 0}, {1.53, 0});
+  now.ballVelocity = {0.3, 0};
+  play(now, 2);
+  EXPECT_NE(state("strike"), "kick") << "before the kick hits it, it is too far away";
+  now.ballVelocity = {0.1, 0};
+  play(now, 2);
+  EXPECT_EQ(state("strike"), "kick");
 }
 
 TEST_F(SoccerPlayerTest, theGoalieStaysInItsGoalAndClearsNearBalls) {
@@ -295,6 +356,14 @@ TEST(TeamPlacesTest, aimsAtTheWidestGapOfTheGoal) {
   EXPECT_LT(places.aim({1, 0}, {{1.9, 0.1}}).y(), -0.05);
   EXPECT_GT(places.aim({1, 0}, {{1.9, -0.1}}).y(), 0.05);
   EXPECT_NEAR(places.aim({1, 0}, {{0.5, 0}}).y(), 0, 1e-9) << "who stands behind the ball is not in the way";
+}
+
+TEST(TeamPlacesTest, aSupporterThatIsSentAheadIsAheadEverywhere) {
+  const robotlink::FieldDescription field = field2002();
+  TeamPlaces::Options options;
+  options.supporterBack = -0.6;
+  const TeamPlaces places(field, options);
+  for (const double x : {-1.5, -0.5, 0.5}) EXPECT_NEAR(places.supporter({x, 0.2}).x, x + 0.6, 1e-9) << x;
 }
 
 TEST(TeamPlacesTest, playersStandBetweenTheBallAndTheirGoal) {
