@@ -29,10 +29,6 @@ void FoulWatch::forget(std::size_t robot) {
   histories_[robot] = {};
 }
 
-void FoulWatch::forgetPlaces() {
-  for (History& history : histories_) history.place.reset();
-}
-
 Vector2 FoulWatch::velocity(const Robot& robot) const {
   const auto& before = histories_[robot.index].place;
   if (!before) return Vector2::Zero();

@@ -54,8 +54,6 @@ class FoulWatch {
   void restart(std::size_t robots);
   /// Forgets what has lasted of one robot, which was put elsewhere.
   void forget(std::size_t robot);
-  /// Forgets where all were, since they were put elsewhere.
-  void forgetPlaces();
   /// Looks at all robots that play. Returns the fouls that are penalized now, each once.
   std::vector<Foul> look(const std::vector<Robot>& robots, const std::optional<robotlink::Vector2>& ball,
                          const Touching& touching);

@@ -60,7 +60,7 @@ void readTimes(const YamlNode& root, GameRules& rules) {
     rules.teams = {"red", "blue"};
   }
   const YamlNode halves = root.child("halves");
-  rules.halves = static_cast<unsigned>(halves.numberIn("count", 1, 10));
+  rules.halves = static_cast<unsigned>(halves.wholeNumberIn("count", 1, 10));
   rules.half = robotlink::fromSeconds(halves.numberIn("seconds", 1, kMaxGameSeconds));
   rules.pause = secondsAt(halves, "pause");
   rules.switchSides = halves.required<bool>("switch_sides");

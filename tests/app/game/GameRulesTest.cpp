@@ -68,6 +68,7 @@ TEST(GameRules, whatIsWrongIsSaidWithItsLine) {
   EXPECT_EQ(errorsIn(rulesWith(shippedRules(), "goalie: [-1.85, 0.0]", "goalie: [1]")).at(0).id,
             "game.place");
   EXPECT_EQ(errorsIn(rulesWith(shippedRules(), "version: 1", "version: 2")).at(0).id, "game.version");
+  EXPECT_FALSE(errorsIn(rulesWith(shippedRules(), "count: 2", "count: 1.5")).empty());
   EXPECT_FALSE(errorsIn(rulesWith(shippedRules(), "loss: 0.02", "loss: 2")).empty());
   EXPECT_FALSE(errorsIn("version: 1\n").empty());
 }
