@@ -227,7 +227,7 @@ TEST_F(SoccerPlayerTest, stepsBackFromABallThatVanishesWhileItPositionsItself) {
   ASSERT_EQ(state("strike"), "position");
   now.ball = {0.15, 0.06};
   play(now);
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 25; ++i) {
     now.ballAge += 0.04;
     play(now);
   }
