@@ -89,8 +89,7 @@ struct MotionFile {
   /// The units of numbers in the text.
   AngleUnit angleUnit = AngleUnit::kDegrees;
   TimeUnit timeUnit = TimeUnit::kMilliseconds;
-  /// Whether a robot that walks first comes to a stand, or begins the motion at once, in the middle of a
-  /// step.
+  /// Whether a robot that walks first comes to a stand, or begins the motion at the end of its step.
   Begin begin = Begin::kStand;
   /// Where the robot stands after the motion, in its frame before it: m, rad.
   Pose2 odometry;
