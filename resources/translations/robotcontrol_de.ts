@@ -13092,6 +13092,30 @@ Verzeichnung %8</translation>
         <source>%1 (cannot be changed here: no single number of the scene&apos;s files says it)</source>
         <translation>%1 (hier nicht zu ändern: Keine einzelne Zahl in den Dateien der Szene sagt es)</translation>
     </message>
+    <message>
+        <source>angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>axis in the link</source>
+        <translation>Achse im Glied</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>Elevation</translation>
+    </message>
+    <message>
+        <source>maximum force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>opening angle</source>
+        <translation>Öffnungswinkel</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PropertiesView</name>

@@ -55,6 +55,12 @@ std::vector<double> valuesOf(const robotlink::Vector3& vector) {
   return {vector.x(), vector.y(), vector.z()};
 }
 
+/// What the motor of a joint reaches at most; of a slider it is a force.
+void addMotor(WorldObject& to, bool slides, double speed, double torque) {
+  addNumbers(to, "maximum_speed", {speed}, slides ? "m/s" : "rad/s");
+  addNumbers(to, slides ? "maximum_force" : "maximum_torque", {torque}, slides ? "N" : "N m");
+}
+
 void addText(WorldObject& to, const char* name, const std::string& text) {
   if (text.empty()) return;
   auto& property = *to.add_properties();
@@ -283,9 +289,7 @@ class ModelWriter {
       locate(addNumbers(object, "upper_limit", {joint.upper}, unit), limit("upper"));
     }
     if (!joint.servo) return;
-    addNumbers(object, "maximum_speed", {joint.maximumSpeed}, slides ? "m/s" : "rad/s");
-    addNumbers(object, slides ? "maximum_force" : "maximum_torque", {joint.maximumTorque},
-               slides ? "N" : "N m");
+    addMotor(object, slides, joint.maximumSpeed, joint.maximumTorque);
     addNumbers(object, "noise", {whiteNoise(joint.positionErrors)}, unit);
   }
 
@@ -316,10 +320,7 @@ class PortWriter {
     for (const auto& servo : simulation.servos()) {
       WorldObject& object = addActuator(servo.info, servo.minimum, servo.maximum);
       const std::string& unit = servo.info.unit;
-      const bool slides = unit == "m" || unit == "m/s" || unit == "N";
-      addNumbers(object, "maximum_speed", {servo.maximumSpeed}, slides ? "m/s" : "rad/s");
-      addNumbers(object, slides ? "maximum_force" : "maximum_torque", {servo.maximumTorque},
-                 slides ? "N" : "N m");
+      addMotor(object, unit == "m" || unit == "m/s" || unit == "N", servo.maximumSpeed, servo.maximumTorque);
     }
     for (const auto& drive : simulation.drives()) {
       WorldObject& object = addActuator(drive.info, -drive.maximumSpeed, drive.maximumSpeed);

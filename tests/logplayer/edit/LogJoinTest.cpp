@@ -40,7 +40,7 @@ class LogJoinTest : public testing::Test {
     LogSource first = source("first.mcap", earlier), second = source("second.mcap", later);
     return whyNotJoined({first}, {second, offset});
   }
-  /// Of the later log, the paths and times (in s) of the messages that are repeated.
+  /// The paths and times (in s) of the messages of the later log that are repeated.
   std::vector<std::string> repeated(const std::vector<StreamMessage>& earlier,
                                     const std::vector<StreamMessage>& later,
                                     robotlink::Duration offset = {}) {

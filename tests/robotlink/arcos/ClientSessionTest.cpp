@@ -350,7 +350,7 @@ TEST_F(ClientSessionTest, theRoundTripIsMeasuredNowAndThen) {
   EXPECT_NE(text.find("CONFIG=1"), std::string::npos) << text;
   EXPECT_EQ(text.find("CONFIG=1"), text.rfind("CONFIG=1"));
 
-  // Of two requests, no telling which is answered.
+  // Which of two requests is answered is not known.
   session = {};
   handshake();
   pass(310ms);

@@ -194,6 +194,17 @@ TEST_F(PropertiesModelTest, namesAreWordsAndUnknownOnesStayAsTheyAre) {
   EXPECT_EQ(text(1, PropertiesModel::kName), "something_new");
 }
 
+TEST_F(PropertiesModelTest, whatMotorsAndSensorsHaveIsSaidInWords) {
+  box.clear_properties();
+  for (const char* name : {"angles", "axis_in_link", "azimuth", "elevation", "maximum_force",
+                           "maximum_torque", "opening_angle", "opening_angles", "wheel_radius"})
+    box.add_properties()->set_name(name);
+  show();
+  for (int row = 0; row < box.properties_size(); ++row)
+    EXPECT_FALSE(text(row, PropertiesModel::kName).find('_') != std::string::npos)
+        << box.properties(row).name();
+}
+
 TEST_F(PropertiesModelTest, otherNumbersKeepTheRowsAndAnotherObjectDoesNot) {
   model.show(&box, kPose, true);
   QSignalSpy resets(&model, &QAbstractItemModel::modelReset);
