@@ -52,7 +52,7 @@ struct Controllers::Running {
 Controllers::Controllers(const WorldDescription& world) {
   const auto add = [this](const std::vector<ControllerDescription>& described, const std::string& model) {
     for (const ControllerDescription& each : described) {
-      all_.push_back(std::make_unique<Running>(each, model));
+      all_.push_back(std::make_unique<Running>(Running{each, model}));
       status_.push_back({(model.empty() ? "" : model + "/") + each.name, model, each.kind});
     }
   };
