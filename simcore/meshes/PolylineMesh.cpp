@@ -58,16 +58,18 @@ bool isEar(const std::vector<Vector2>& corners, const std::vector<std::uint32_t>
   });
 }
 
-/// Empty if the polygon crosses itself.
+/// Empty if the polygon crosses itself. Each search for an ear goes on where the last one ended: from the
+/// beginning, a spiral takes time with the cube of its corners.
 Triangles triangulated(const std::vector<Vector2>& corners) {
   std::vector<std::uint32_t> left(corners.size());
   std::iota(left.begin(), left.end(), 0U);
   Triangles triangles;
+  std::size_t at = 0;
   while (left.size() > 3) {
-    std::size_t at = 0;
-    while (at < left.size() && !isEar(corners, left, at)) ++at;
-    if (at == left.size()) return {};
     const std::size_t n = left.size();
+    std::size_t tried = 0;
+    for (at %= n; tried < n && !isEar(corners, left, at); ++tried) at = (at + 1) % n;
+    if (tried == n) return {};
     triangles.push_back({left[(at + n - 1) % n], left[at], left[(at + 1) % n]});
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
   }

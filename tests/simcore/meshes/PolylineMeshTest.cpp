@@ -95,6 +95,25 @@ TEST(PolylineMesh, whatIsNoPolygonIsRefusedWithAReason) {
   }
 }
 
+TEST(PolylineMesh, aSpiralOfAThousandCornersIsCutIntoItsTriangles) {
+  // Its ears are few, and far from each other: a search from the beginning for each would take long.
+  std::vector<Vector2> corners;
+  const auto add = [&](double radius, int i) {
+    corners.emplace_back(std::cos(i * 0.1) * (radius + i * 0.02), std::sin(i * 0.1) * (radius + i * 0.02));
+  };
+  for (int i = 0; i < 490; ++i) add(1, i);
+  for (int i = 489; i >= 0; --i) add(0.98, i);
+  const auto mesh = extrudedMesh(corners, 1);
+  ASSERT_TRUE(mesh) << mesh.error();
+  double area = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    area += (a.x() * b.y() - a.y() * b.x()) / 2;
+  }
+  EXPECT_NEAR(volume(*mesh), std::abs(area), 1e-3);
+  expectNormalsOutside(*mesh);
+}
+
 TEST(PolylineMesh, aCircleOfAThousandCornersIsTheLargest) {
   const auto circle = [](int count) {
     std::vector<Vector2> corners;
