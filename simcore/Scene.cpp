@@ -17,6 +17,7 @@
 #include "simcore/sdf/SdfReader.h"
 #include "simcore/sdf/SdfSpec.h"
 #include "simcore/world/RenderSceneBuilder.h"
+#include "simcore/world/WorldSize.h"
 
 namespace simcore {
 namespace fs = std::filesystem;
@@ -97,6 +98,16 @@ void checkNames(const WorldDescription& world, Errors& errors) {
   }
 }
 
+void checkSize(const WorldDescription& world, Errors& errors) {
+  const ModelInstance* const large = firstTooMany(world);
+  if (large == nullptr) return;
+  errors.push_back({"scene.size",
+                    "with '" + large->name + "' the scene has more than " + std::to_string(kMaxWorldParts) +
+                        " links, joints, shapes and sensors",
+                    {large->name},
+                    large->where});
+}
+
 /// Reports what controllers name and the world does not have.
 void checkControl(const WorldDescription& world, Errors& errors) {
   const bool hasAny =
@@ -139,6 +150,7 @@ Draft readSdfScene(const fs::path& file, const std::vector<fs::path>& folders, c
     }
   }
   checkNames(draft.world, errors);
+  checkSize(draft.world, errors);
   return draft;
 }
 

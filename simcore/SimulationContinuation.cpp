@@ -6,6 +6,7 @@
 
 #include "simcore/Simulation.h"
 #include "simcore/SimulationState.h"
+#include "simcore/world/WorldSize.h"
 
 namespace simcore {
 namespace {
@@ -95,8 +96,9 @@ robotlink::Result<void> SimulationState::checkStart() {
   const auto isOurs = [](const ModelInstance& model) {
     return !model.type->robot.empty() || model.type->isBall;
   };
+  std::size_t pairs = 0;
   for (std::size_t i = 0; i < world.models.size(); ++i) {
-    const int other = physics->overlappedModel(static_cast<int>(i), kMaxOverlap);
+    const int other = physics->overlappedModel(static_cast<int>(i), kMaxOverlap, &pairs);
     if (other < 0) continue;
     const ModelInstance& model = world.models[i];
     const ModelInstance& otherModel = world.models[static_cast<std::size_t>(other)];
@@ -104,6 +106,12 @@ robotlink::Result<void> SimulationState::checkStart() {
     if (isOurs(model) || isOurs(otherModel)) {
       return robotlink::failure("scene.overlap", text + ": move one of them", model.where,
                                 {model.name, otherModel.name});
+    }
+    if (pairs >= kMaxOverlaps) {
+      return robotlink::failure("scene.overlap",
+                                text + ", and so do too many others (" + std::to_string(pairs) +
+                                    " pairs of solids): move them apart",
+                                model.where, {model.name, otherModel.name});
     }
     leaveOut(overlaps, {model.where, model.name, text, "they push each other apart"});
   }

@@ -10,6 +10,7 @@
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeWheels.h"
 #include "simcore/physics/Sleeping.h"
+#include "simcore/world/WorldSize.h"
 
 namespace simcore {
 namespace {
@@ -227,6 +228,8 @@ struct OverlapQuery {
   bool sideways = false;
   /// Models that can be moved may be overlapped a little.
   bool pushes = false;
+  /// Solids that overlap less are not counted, m.
+  double tolerance = 0;
 };
 
 /// How deep a contact counts as one that is in the way, m.
@@ -239,12 +242,13 @@ double obstructingDepth(const OverlapQuery& query, int other, const dContactGeom
 
 void compareDepth(void* data, dGeomID a, dGeomID b) {
   auto& query = *static_cast<OverlapQuery*>(data);
-  if (descend(&query, a, b, &compareDepth)) return;
+  if (query.found.pairs >= kMaxOverlaps || descend(&query, a, b, &compareDepth)) return;
   OdeGeom &first = infoOf(a), &second = infoOf(b);
   if (isHiddenWheel(query.ode, first) || isHiddenWheel(query.ode, second)) return;
   dContactGeom contacts[kMaxContacts];
   const int count = dCollide(a, b, kMaxContacts, contacts, sizeof(dContactGeom));
   bool noted = query.note == NoteTouches::kNo;
+  double deepest = 0;
   for (int i = 0; i < count; ++i) {
     const dContactGeom& contact = contacts[i];
     if (isOnlyRolling(query.ode, first, contact) || isOnlyRolling(query.ode, second, contact)) continue;
@@ -252,8 +256,10 @@ void compareDepth(void* data, dGeomID a, dGeomID b) {
     noted = true;
     const int other = first.model == query.model ? second.model : first.model;
     const double depth = obstructingDepth(query, other, contact);
-    if (depth > query.found.depth) query.found = {depth, other};
+    deepest = std::max(deepest, depth);
+    if (depth > query.found.depth) query.found = {depth, other, query.found.pairs};
   }
+  if (deepest > query.tolerance) ++query.found.pairs;
 }
 
 struct TouchQuery {
@@ -336,8 +342,9 @@ void findContacts(OdeWorld& ode) {
   addJointsInOrder(ode);
 }
 
-Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note) {
+Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note, double tolerance) {
   OverlapQuery query{ode, model, note};
+  query.tolerance = tolerance;
   if (ode.models[static_cast<std::size_t>(model)].space == nullptr) return query.found;
   compareWithOthers(ode, model, query, &compareDepth);
   return query.found;

@@ -15,13 +15,17 @@ struct Overlap {
   double depth = 0;
   /// The model that it overlaps; -1 if there is none.
   int model = -1;
+  /// How many pairs of solids overlap; no more are looked at than kMaxOverlaps.
+  std::size_t pairs = 0;
 };
+
 /// Whether a query records the contacts it finds.
 enum class NoteTouches : std::uint8_t { kNo, kYes };
 
 /// Compares a moving model with the static geoms near it and with all other moving models whose bounds meet
 /// its own. With kYes, contacts are recorded as by findContacts(), but get no joints.
-Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note = NoteTouches::kNo);
+/// Pairs of solids are counted that overlap by more than `tolerance`, m.
+Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note = NoteTouches::kNo, double tolerance = 0);
 
 /// The same for a model that is moved in the plane: floors and ramps do not count. If it pushes, models that
 /// can be moved count only where they are squeezed.

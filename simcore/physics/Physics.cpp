@@ -342,9 +342,10 @@ void Physics::setMotion(int model, const std::vector<BodyMotion>& motion) {
   }
 }
 
-int Physics::overlappedModel(int model, double tolerance) const {
+int Physics::overlappedModel(int model, double tolerance, std::size_t* pairs) const {
   prepareOdeForThread();
-  const Overlap overlap = deepestOverlap(*ode_, model);
+  const Overlap overlap = deepestOverlap(*ode_, model, NoteTouches::kNo, tolerance);
+  if (pairs != nullptr) *pairs += overlap.pairs;
   return overlap.depth > tolerance ? overlap.model : -1;
 }
 

@@ -178,8 +178,9 @@ class Physics {
   /// Writes or reads everything on which later steps and readings depend.
   void transfer(StateStream& stream);
 
-  /// A model that this one overlaps by more than `tolerance`, m; -1 if there is none.
-  int overlappedModel(int model, double tolerance) const;
+  /// A model that this one overlaps by more than `tolerance`, m; -1 if there is none. With how many pairs of
+  /// solids it overlaps any is added to `pairs`.
+  int overlappedModel(int model, double tolerance, std::size_t* pairs = nullptr) const;
 
   /// The models, in ascending order, that a moving model touches at its present pose; costs a search.
   std::vector<int> modelsTouching(int model) const;

@@ -26,7 +26,7 @@ class MeasureAhead {
   /// `sizes` are the numbers of values of the sensors. The pool may be null.
   MeasureAhead(std::shared_ptr<robotlink::ThreadPool> pool, const std::vector<std::size_t>& sizes)
       : pool_(std::move(pool)) {
-    for (const std::size_t size : sizes) sensors_.push_back({.values = std::vector<Value>(size)});
+    for (const std::size_t size : sizes) sensors_.push_back({.size = size});
   }
 
   std::size_t lanes() const { return pool_ ? static_cast<std::size_t>(pool_->threads()) : 1; }
@@ -55,7 +55,9 @@ class MeasureAhead {
  private:
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
   struct Sensor {
-    std::vector<Value> values;
+    std::size_t size = 0;
+    /// Empty until they are asked: images are large, and most are never looked at.
+    std::vector<Value> values = {};
     /// The steps for which it was made, and in which it was asked last, and those between the last two times.
     std::uint64_t madeAt = kNever, askedAt = kNever, every = kNever;
   };
@@ -68,6 +70,7 @@ class MeasureAhead {
       const bool isExpected = one.every != kNever && one.askedAt + one.every == step && one.madeAt != step;
       if (i != sensor && isExpected && mayBe(i)) wanted.push_back(i);
     }
+    for (const std::size_t i : wanted) sensors_[i].values.resize(sensors_[i].size);
     std::atomic<std::size_t> next{0};
     const auto work = [&](std::size_t lane) {
       for (std::size_t i = next++; i < wanted.size(); i = next++)

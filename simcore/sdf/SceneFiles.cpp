@@ -60,6 +60,13 @@ robotlink::Result<std::string> contentsOf(const fs::path& file, const SceneFiles
   return robotlink::readFile(file, kMaxFileBytes);
 }
 
+/// Whether there is a model with a link.
+bool hasLink(const tinyxml2::XMLDocument& document) {
+  const XMLElement* root = document.RootElement();
+  const XMLElement* model = root != nullptr ? root->FirstChildElement("model") : nullptr;
+  return model != nullptr && model->FirstChildElement("link") != nullptr;
+}
+
 /// Reads and parses a whole file, a URDF after its conversion; returns false if it cannot be read or is not
 /// XML.
 bool readXml(const fs::path& file, const SceneFiles::Texts& texts, tinyxml2::XMLDocument& document,
@@ -76,13 +83,24 @@ bool readXml(const fs::path& file, const SceneFiles::Texts& texts, tinyxml2::XML
   }
   const XMLElement* root = document.RootElement();
   if (root == nullptr || std::string_view(root->Name()) != "robot") return true;
+  const Errors problems = problemsOfUrdf(*root, file.string());
+  errors.insert(errors.end(), problems.begin(), problems.end());
+  if (!problems.empty()) return false;
   const auto converted = sdfOfUrdf(*contents, file.string());
   if (!converted) {
     errors.push_back(converted.error());
     return false;
   }
-  document.Clear();
-  return document.Parse(converted->data(), converted->size()) == tinyxml2::XML_SUCCESS;
+  if (document.Parse(converted->data(), converted->size()) != tinyxml2::XML_SUCCESS) {
+    fail(errors, file, 1, "scene.urdf", "this URDF becomes SDFormat that is nested too deeply");
+    return false;
+  }
+  if (!hasLink(document)) {
+    fail(errors, file, 1, "scene.urdf",
+         "no link is left of this URDF, because links without <inertial> are left out");
+    return false;
+  }
+  return true;
 }
 
 /// Reads the <robotcontrol:palette> of a world or a model: <robotcontrol:color name="green">0 130
@@ -107,13 +125,6 @@ void readPalette(const XMLElement& parent, const fs::path& file, Palette& palett
   }
 }
 
-bool readPose(const std::string& text, std::array<double, 6>& pose) {
-  std::istringstream stream(text);
-  for (double& number : pose) stream >> number;
-  std::string rest;
-  return !stream.fail() && !(stream >> rest);
-}
-
 /// The contents of a world's <include>, except for its file.
 SceneInclude readDetails(const XMLElement& element, const fs::path& world, Errors& errors) {
   SceneInclude include;
@@ -128,9 +139,12 @@ SceneInclude readDetails(const XMLElement& element, const fs::path& world, Error
     include.motionAtObjects = motion->Attribute("objects");
   if (element.FirstChildElement("static") != nullptr) include.isStatic = isTrue(childText(element, "static"));
   const XMLElement* pose = element.FirstChildElement("pose");
-  const std::string text = childText(element, "pose");
-  if (pose != nullptr && !text.empty() && !readPose(text, include.pose.emplace())) {
-    fail(errors, world, pose->GetLineNum(), "scene.pose", "a pose is six numbers: x y z roll pitch yaw");
+  if (pose == nullptr || trimmedText(pose).empty()) return include;
+  include.pose = poseIn(*pose);
+  if (!include.pose) {
+    fail(errors, world, pose->GetLineNum(), "scene.pose",
+         hasQuaternion(*pose) ? "a pose as a quaternion is seven numbers: x y z qx qy qz qw"
+                              : "a pose is six numbers: x y z roll pitch yaw");
   }
   return include;
 }

@@ -13,6 +13,15 @@ using ImageKind = ImageGeometry::Kind;
 // Facettes of a sensor in each direction.
 constexpr int kMaxFacettes = 4096;
 constexpr double kUsualRate = 25;  // Hz, of cameras
+/// Numbers in an image: as many as the largest depth image has pixels.
+constexpr double kMaxImageValues = 8192.0 * 8192.0;
+
+/// An image of radiation classes has one channel for each.
+void checkImageSize(const ImageGeometry& image, const sdf::ElementPtr& element, const SdfContext& context) {
+  const double pixels = static_cast<double>(image.camera.width) * image.camera.height;
+  context.within(pixels * static_cast<double>(image.classes.size()), 0, kMaxImageValues,
+                 "an image's width times its height times its classes", element);
+}
 
 void readLens(const sdf::Camera& camera, const sdf::ElementPtr& element, SensorDescription& result,
               const SdfContext& context) {
@@ -69,6 +78,7 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
   const bool takesClasses =
       result.kind == SensorDescription::Kind::kImage && result.image.kind == ImageKind::kRadiation;
   if (!takesClasses) result.image.classes.clear();
+  checkImageSize(result.image, element, context);
   if (result.kind == SensorDescription::Kind::kImage && (result.distortion.any() || result.shutter.any())) {
     context.fail(element, "scene.camera",
                  "only cameras of color have a distortion, an exposure and a readout");
@@ -109,6 +119,7 @@ void readFacettes(const sdf::ElementPtr& sensor, SensorDescription& result, cons
   image.farthest = ownNumber(element, "far", 1000, 1e-3, 10'000, context);
   image.classes = ownTexts(element, "class");
   if (image.classes.empty()) image.classes = {"Y", "Cb", "Cr"};
+  checkImageSize(image, element, context);
 }
 
 }  // namespace simcore

@@ -25,6 +25,8 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr std::string_view kOwnPrefix = "robotcontrol:";
+/// As much of a wrong value is shown.
+constexpr std::size_t kMaxShown = 60;
 
 /// One of our own elements: where it is allowed, and how many numbers it contains (0: text or elements).
 struct OwnElement {
@@ -147,6 +149,10 @@ bool isFiniteNumber(const std::string& word) {
   return std::isfinite(std::strtod(word.c_str(), &end)) && end == word.c_str() + word.size();
 }
 
+bool isBool(const std::string& word) {
+  return isTrue(word) || word == "0" || word == "false" || word == "False" || word == "FALSE";
+}
+
 /// Limits may be infinite: in SDFormat this means that there is none.
 bool isLimitNumber(const std::string& word) {
   return word == "inf" || word == "-inf" || isFiniteNumber(word);
@@ -230,7 +236,7 @@ class Checker {
 
   static std::string shortText(const XMLElement& element) {
     const std::string text = trimmedText(&element);
-    return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+    return text.size() <= kMaxShown ? text : text.substr(0, kMaxShown - 3) + "...";
   }
 
   static std::string guess(const XMLElement& child, const sdf::ElementPtr& description) {
@@ -258,6 +264,26 @@ class Checker {
       fail(element, "scene.missing-attribute",
            tag(element) + " needs the attribute '" + attribute->GetKey() + "'");
     }
+    checkAttributeValues(element, description);
+  }
+
+  /// Values that libsdformat does not expect end in its assertions.
+  void checkAttributeValues(const XMLElement& element, const sdf::ElementPtr& description) {
+    const auto check = [&](const std::string& name, bool valid, const char* rule) {
+      if (valid) return;
+      fail(element, "scene.value",
+           "the attribute '" + name + "' of " + tag(element) + " must be " + rule + ", not '" +
+               std::string(element.Attribute(name.c_str())).substr(0, kMaxShown) + "'");
+    };
+    for (const sdf::ParamPtr& known : description->GetAttributes()) {
+      const std::string name = known->GetKey();
+      const char* const value = element.Attribute(name.c_str());
+      if (value == nullptr) continue;
+      if (known->GetTypeName() == "bool") check(name, isBool(value), "true or false");
+      if (name == "rotation_format")
+        check(name, std::string_view(value) == "euler_rpy" || hasQuaternion(element),
+              "euler_rpy or quat_xyzw");
+    }
   }
 
   void checkValue(const XMLElement& element, const sdf::ElementPtr& description) {
@@ -266,14 +292,13 @@ class Checker {
     const std::vector<std::string> values = words(element);
     const auto known = std::ranges::find(kNumberTypes, std::string_view(type), &ValueType::name);
     if (type == "bool") {
-      const bool valid =
-          values.size() == 1 && (isTrue(values[0]) || values[0] == "0" || values[0] == "false" ||
-                                 values[0] == "False" || values[0] == "FALSE");
-      if (!valid)
+      if (values.size() != 1 || !isBool(values[0]))
         fail(element, "scene.value",
              tag(element) + " must be true or false, not '" + shortText(element) + "'");
     } else if (known != std::end(kNumberTypes)) {
-      checkNumbers(element, values, known->fewest, known->most);
+      const bool isPose = type == "pose";
+      const std::size_t ofPose = hasQuaternion(element) ? 7 : 6;
+      checkNumbers(element, values, isPose ? ofPose : known->fewest, isPose ? ofPose : known->most);
     }
   }
 

@@ -8,6 +8,9 @@
 namespace simcore {
 namespace {
 
+/// As many errors of libsdformat are reported: for each the whole tree is searched for its line.
+constexpr std::size_t kMaxReported = 100;
+
 /// The line of an element, or of the nearest enclosing one with a line; 0 if there is none.
 int lineOf(sdf::ElementPtr element) {
   while (element && !element->LineNumber()) element = element->GetParent();
@@ -73,7 +76,12 @@ void SdfContext::omit(const sdf::ElementPtr& element, std::string what, std::str
 }
 
 bool SdfContext::take(const sdf::Errors& found, const sdf::ElementPtr& element) const {
+  std::size_t reported = 0;
   for (const sdf::Error& error : found) {
+    if (++reported > kMaxReported) {
+      fail(root, "scene.sdf", "there are " + std::to_string(found.size() - kMaxReported) + " more errors");
+      break;
+    }
     // Some messages repeat the whole file.
     const std::string message = error.Message().substr(0, error.Message().find('\n'));
     sdf::ElementPtr at = element;

@@ -4,6 +4,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <sdf/Exception.hh>
 #include <sdf/Param.hh>
 #include <string_view>
 
@@ -70,8 +71,17 @@ sdf::ElementPtr SdfElements::build(const XMLElement& source, const sdf::ElementP
   element->SetFilePath(file);
   element->SetLineNumber(source.GetLineNum());
   element->SetExplicitlySetInFile(true);
-  addAttributes(source, description, *element);
-  addValue(source, description, *element);
+  try {
+    addAttributes(source, description, *element);
+    addValue(source, description, *element);
+  } catch (const sdf::Exception&) {
+    // Its assertions, which nothing that was checked should reach.
+    errors_.push_back({"scene.sdf",
+                       objectPath(source) + ": libsdformat cannot read this <" + source.Name() + ">",
+                       {},
+                       {file, source.GetLineNum(), 0}});
+    return nullptr;
+  }
   if (description) {
     for (unsigned i = 0; i < description->GetElementDescriptionCount(); ++i)
       element->AddElementDescription(description->GetElementDescription(i));

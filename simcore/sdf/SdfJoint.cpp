@@ -2,7 +2,9 @@
 // readJoints() and orderJoints() of SdfConversion.h.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <queue>
 
 #include "simcore/sdf/SdfDevices.h"
 
@@ -197,47 +199,97 @@ void readJoints(const sdf::Model& source, const Pose3& sourceInModel, const std:
   for (std::uint64_t i = 0; i < source.JointCount(); ++i) reader.read(*source.JointByIndex(i));
 }
 
-void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const SdfContext& context) {
-  std::vector<JointDescription> ordered, waiting = std::move(model.joints);
-  model.joints.clear();
-  std::vector<int> parents(model.links.size(), 0);
-  // The first joint of a link says where it is; further ones close cycles.
-  for (JointDescription& joint : waiting)
-    joint.closesCycle = parents[static_cast<std::size_t>(joint.child)]++ > 0;
-  std::vector<bool> placed(model.links.size());
-  for (std::size_t i = 0; i < placed.size(); ++i) placed[i] = parents[i] == 0;
-  const auto place = [&](JointDescription joint) {
-    placed[static_cast<std::size_t>(joint.child)] = true;
-    ordered.push_back(std::move(joint));
-  };
-  for (bool progress = true; progress;) {
-    progress = false;
-    for (auto joint = waiting.begin(); joint != waiting.end() && !progress;) {
-      const bool ready = joint->parent < 0 || placed[static_cast<std::size_t>(joint->parent)];
-      if (!ready || joint->closesCycle) {
-        ++joint;
-        continue;
-      }
-      place(std::move(*joint));
-      joint = waiting.erase(joint);
-      progress = true;
+namespace {
+
+/// Puts joints behind those that place their parents, otherwise in the order of the file.
+class JointOrder {
+ public:
+  JointOrder(std::vector<JointDescription> joints, std::size_t links)
+      : joints_(std::move(joints)), isTaken_(joints_.size()), isPlaced_(links, true), ofParent_(links) {
+    for (JointDescription& joint : joints_) {
+      // The first joint of a link says where it is; further ones close cycles.
+      const auto child = static_cast<std::size_t>(joint.child);
+      joint.closesCycle = !isPlaced_[child];
+      isPlaced_[child] = false;
     }
-    if (progress) continue;
-    // All that is left hangs on a cycle: cut it at its first joint.
-    const auto cut = std::ranges::find(waiting, false, &JointDescription::closesCycle);
-    if (cut == waiting.end()) break;
-    cut->closesCycle = true;
-    placed[static_cast<std::size_t>(cut->child)] = progress = true;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (joints_[i].closesCycle) continue;
+      const int parent = joints_[i].parent;
+      if (parent < 0 || isPlaced_[static_cast<std::size_t>(parent)])
+        ready_.push(i);
+      else
+        ofParent_[static_cast<std::size_t>(parent)].push_back(i);
+    }
   }
-  for (JointDescription& joint : waiting) {
+
+  /// All but those that close cycles.
+  std::vector<JointDescription> take() {
+    std::vector<JointDescription> ordered;
+    for (auto first = joints_.begin(); first != joints_.end();) {
+      takeReady(ordered);
+      // All that is left hangs on a cycle: cut it at its first joint.
+      first = std::find_if(first, joints_.end(), [&](const JointDescription& joint) {
+        return !joint.closesCycle && !isTaken_[indexOf(joint)];
+      });
+      if (first == joints_.end()) break;
+      first->closesCycle = true;
+      place(first->child);
+    }
+    return ordered;
+  }
+
+  /// Those that take() has left, in their order.
+  std::vector<JointDescription> rest() {
+    std::vector<JointDescription> result;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (!isTaken_[i]) result.push_back(std::move(joints_[i]));
+    }
+    return result;
+  }
+
+ private:
+  std::size_t indexOf(const JointDescription& joint) const {
+    return static_cast<std::size_t>(&joint - joints_.data());
+  }
+
+  void place(int link) {
+    isPlaced_[static_cast<std::size_t>(link)] = true;
+    for (const std::size_t i : ofParent_[static_cast<std::size_t>(link)]) ready_.push(i);
+  }
+
+  void takeReady(std::vector<JointDescription>& ordered) {
+    while (!ready_.empty()) {
+      const std::size_t i = ready_.top();
+      ready_.pop();
+      // It may have been cut meanwhile.
+      if (joints_[i].closesCycle) continue;
+      isTaken_[i] = true;
+      const int child = joints_[i].child;
+      ordered.push_back(std::move(joints_[i]));
+      place(child);
+    }
+  }
+
+  std::vector<JointDescription> joints_;
+  std::vector<bool> isTaken_, isPlaced_;
+  /// The joints that wait for a link.
+  std::vector<std::vector<std::size_t>> ofParent_;
+  std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready_;
+};
+
+}  // namespace
+
+void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const SdfContext& context) {
+  JointOrder order(std::move(model.joints), model.links.size());
+  model.joints = order.take();
+  for (JointDescription& joint : order.rest()) {
     if (joint.servo) {
       context.fail(element, "scene.joint-cycle",
                    "the joint '" + joint.name +
                        "' closes a cycle or gives a link a second parent, so it can have no servo");
     }
-    ordered.push_back(std::move(joint));
+    model.joints.push_back(std::move(joint));
   }
-  model.joints = std::move(ordered);
 }
 
 }  // namespace simcore

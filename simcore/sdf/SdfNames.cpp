@@ -16,6 +16,9 @@ namespace {
 
 using tinyxml2::XMLElement;
 
+/// Links, joints and frames of one model.
+constexpr std::size_t kMaxFrames = 5000;
+
 std::string textOf(const XMLElement* element) {
   return trimmedText(element);
 }
@@ -26,11 +29,13 @@ class NameChecker {
       : file_(file), errors_(errors), leftOut_(leftOut) {}
 
   void checkWorld(const XMLElement& world) {
+    checkCount(world);
     checkUnique(world, {"model", "light", "frame"});
     forEach(world, "model", [&](const XMLElement& model) { checkModel(model); });
   }
 
   void checkModel(const XMLElement& model) {
+    checkCount(model);
     const bool hasParts = model.FirstChildElement("link") != nullptr ||
                           model.FirstChildElement("model") != nullptr ||
                           model.FirstChildElement("include") != nullptr;
@@ -38,11 +43,14 @@ class NameChecker {
     // In SDFormat, all of these share one scope.
     checkUnique(model, {"link", "joint", "frame", "model"});
     std::set<std::string> joints;
-    forEach(model, "link", [&](const XMLElement& link) { checkLink(link); });
-    forEach(model, "joint", [&](const XMLElement& joint) {
-      checkJoint(joint, model);
-      joints.insert(nameOf(joint));
+    forEach(model, "joint", [&](const XMLElement& joint) { joints.insert(nameOf(joint)); });
+    std::set<std::string> parts = joints;
+    parts.insert("__model__");
+    forEach(model, "link", [&](const XMLElement& link) {
+      checkLink(link);
+      parts.insert(nameOf(link));
     });
+    forEach(model, "joint", [&](const XMLElement& joint) { checkJoint(joint, model, parts); });
     forEach(model, "model", [&](const XMLElement& nested) { checkModel(nested); });
     checkDrive(model.FirstChildElement("robotcontrol:drive"), joints);
   }
@@ -62,6 +70,19 @@ class NameChecker {
          child = child->NextSiblingElement(name)) {
       use(*child);
     }
+  }
+
+  /// libsdformat takes time with the square of the number of frames in a chain.
+  void checkCount(const XMLElement& parent) {
+    std::size_t count = 0;
+    for (auto* child = parent.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+      const std::string_view name = child->Name();
+      if (name == "link" || name == "joint" || name == "frame") ++count;
+    }
+    if (count <= kMaxFrames) return;
+    fail(parent, "scene.size",
+         "there are " + std::to_string(count) + " links, joints and frames here; at most " +
+             std::to_string(kMaxFrames) + " can be in one <" + parent.Name() + ">");
   }
 
   void checkUnique(const XMLElement& parent, std::initializer_list<std::string_view> elements) {
@@ -87,7 +108,7 @@ class NameChecker {
 
   /// Names of links are looked up here only where a model has no other frames and parts; otherwise
   /// libsdformat resolves them.
-  void checkJoint(const XMLElement& joint, const XMLElement& model) {
+  void checkJoint(const XMLElement& joint, const XMLElement& model, const std::set<std::string>& parts) {
     const bool simple = model.FirstChildElement("model") == nullptr &&
                         model.FirstChildElement("include") == nullptr &&
                         model.FirstChildElement("frame") == nullptr;
@@ -99,18 +120,10 @@ class NameChecker {
         continue;
       }
       const std::string link = textOf(element);
-      if (!simple || link == "world" || hasPart(model, link)) continue;
+      if (!simple || link == "world" || parts.contains(link)) continue;
       fail(*element, "scene.joint",
            what + "as its " + end + " '" + link + "', which is not a link of the model");
     }
-  }
-
-  /// Whether a model has a link or a joint of this name.
-  static bool hasPart(const XMLElement& model, const std::string& name) {
-    bool found = name == "__model__";
-    for (const char* kind : {"link", "joint"})
-      forEach(model, kind, [&](const XMLElement& part) { found = found || nameOf(part) == name; });
-    return found;
   }
 
   void checkLink(const XMLElement& link) {

@@ -3,8 +3,33 @@
 
 #include <tinyxml2.h>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "robotlink/base/Geometry.h"
+
 namespace simcore {
 using tinyxml2::XMLElement;
+
+namespace {
+
+/// The angles of a rotation, x y z w of any length: first roll, then pitch, then yaw.
+std::array<double, 3> anglesOf(double x, double y, double z, double w) {
+  const double length = std::sqrt(x * x + y * y + z * z + w * w);
+  if (!(length > 0)) return {};
+  x /= length, y /= length, z /= length, w /= length;
+  const double sine = std::clamp(2 * (w * y - z * x), -1.0, 1.0);
+  // Where it points straight up or down, only the sum of roll and yaw is known.
+  if (std::abs(sine) > 1 - 1e-12)
+    return {0, std::copysign(robotlink::kPi / 2, sine), std::copysign(2 * std::atan2(x, w), -sine)};
+  return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), std::asin(sine),
+          std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))};
+}
+
+}  // namespace
 
 std::string objectPath(const XMLElement& element) {
   std::string path;
@@ -33,6 +58,27 @@ std::string nameOf(const XMLElement& element) {
 
 bool isTrue(const std::string& text) {
   return text == "true" || text == "1" || text == "True" || text == "TRUE";
+}
+
+bool hasQuaternion(const XMLElement& pose) {
+  const char* const format = pose.Attribute("rotation_format");
+  return format != nullptr && std::string_view(format) == "quat_xyzw";
+}
+
+std::optional<std::array<double, 6>> poseIn(const XMLElement& pose) {
+  std::istringstream stream(trimmedText(&pose));
+  std::vector<double> numbers(hasQuaternion(pose) ? 7 : 6);
+  for (double& number : numbers) stream >> number;
+  std::string rest;
+  if (stream.fail() || stream >> rest) return std::nullopt;
+  std::array<double, 6> result{};
+  std::copy_n(numbers.begin(), result.size(), result.begin());
+  if (hasQuaternion(pose)) {
+    std::ranges::copy(anglesOf(numbers[3], numbers[4], numbers[5], numbers[6]), result.begin() + 3);
+  } else if (isTrue(pose.Attribute("degrees") != nullptr ? pose.Attribute("degrees") : "")) {
+    for (std::size_t i = 3; i < result.size(); ++i) result[i] = robotlink::radians(result[i]);
+  }
+  return result;
 }
 
 std::string layoutIn(const std::string& text, const std::filesystem::path& file) {

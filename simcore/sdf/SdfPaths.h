@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace tinyxml2 {
@@ -22,6 +24,11 @@ std::string childText(const tinyxml2::XMLElement& element, const char* name);
 std::string nameOf(const tinyxml2::XMLElement& element);
 /// Whether the text means true.
 bool isTrue(const std::string& text);
+/// Whether a <pose> has a quaternion, x y z w, instead of three angles.
+bool hasQuaternion(const tinyxml2::XMLElement& pose);
+/// What a <pose> says, also in degrees or as a quaternion: x y z roll pitch yaw, m and rad. Nothing if it has
+/// other than as many numbers as it should.
+std::optional<std::array<double, 6>> poseIn(const tinyxml2::XMLElement& pose);
 /// A <robotcontrol:layout> of a file: names stay, paths (with a slash or .yaml) are those from the file's
 /// folder.
 std::string layoutIn(const std::string& text, const std::filesystem::path& file);

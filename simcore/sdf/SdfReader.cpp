@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <sstream>
 
 #include "simcore/sdf/SceneFiles.h"
@@ -13,11 +14,25 @@
 #include "simcore/sdf/SdfElements.h"
 #include "simcore/sdf/SdfPaths.h"
 #include "simcore/sdf/SdfSpec.h"
+#include "simcore/world/WorldSize.h"
 
 namespace simcore {
 using tinyxml2::XMLElement;
 
 namespace {
+
+/// Calls what uses libsdformat, and reports what it throws.
+template <typename Read>
+void guarded(const SdfContext& context, Read read) {
+  try {
+    read();
+  } catch (const sdf::Exception&) {
+    // An assertion, which nothing that was checked should reach; it is no std::exception.
+    context.fail(context.root, "scene.sdf", "libsdformat cannot read this, and does not say why");
+  } catch (const std::exception& exception) {
+    context.fail(context.root, "scene.sdf", std::string("libsdformat cannot read this: ") + exception.what());
+  }
+}
 
 /// Reports what libsdformat finds when it reads a tree; returns whether there is nothing.
 bool loadSdf(const sdf::ElementPtr& tree, const SdfContext& context, sdf::Root& root) {
@@ -185,11 +200,14 @@ Pose3 checkedPose(const Pose3& pose, const XMLElement& element, const std::strin
 /// The models of a world whose poses do not depend on each other, one by one.
 void readSeparately(const XMLElement& world, const SdfSources& sources, WorldDescription& result) {
   const std::string file = sources.files.file().string();
-  for (auto* model = world.FirstChildElement("model"); model != nullptr;
+  std::size_t parts = 0;
+  // With too many, Scene::load() fails anyway.
+  for (auto* model = world.FirstChildElement("model"); model != nullptr && parts <= kMaxWorldParts;
        model = model->NextSiblingElement("model")) {
     ModelInstance instance = instanceOf(nameOf(*model), *model, file);
     instance.type = readSdfModel(*model, file, sources);
     if (!instance.type) continue;
+    parts += partCount(*instance.type);
     instance.poseInWorld = checkedPose(ownPoseOf(*model), *model, file, sources.errors);
     result.models.push_back(std::move(instance));
   }
@@ -213,14 +231,9 @@ void readTogether(const sdf::World& world, const SdfContext& context, WorldDescr
 }  // namespace
 
 Pose3 ownPoseOf(const XMLElement& model) {
-  std::istringstream stream(childText(model, "pose"));
-  std::array<double, 6> numbers{};
-  for (double& number : numbers) stream >> number;
   const XMLElement* pose = model.FirstChildElement("pose");
-  if (pose != nullptr && pose->BoolAttribute("degrees")) {
-    for (std::size_t i = 3; i < 6; ++i) numbers[i] *= robotlink::kPi / 180;
-  }
-  return poseFromNumbers(numbers);
+  const auto numbers = pose != nullptr ? poseIn(*pose) : std::nullopt;
+  return numbers ? poseFromNumbers(*numbers) : Pose3::Identity();
 }
 
 std::shared_ptr<const ModelDescription> readSdfModel(const XMLElement& model, const std::string& file,
@@ -237,13 +250,14 @@ std::shared_ptr<const ModelDescription> readSdfModel(const XMLElement& model, co
                            sources.meshes,
                            sources.files.search(),
                            isStatic.value_or(isStaticModel(model))};
-  sdf::Root root;
-  if (sources.errors.size() > before || !loadSdf(tree, context, root)) return nullptr;
-  if (root.Model() == nullptr) {
-    context.fail(tree, "scene.no-model", "the file describes no model");
-    return nullptr;
-  }
-  auto result = std::make_shared<ModelDescription>(readModel(*root.Model(), context));
+  if (sources.errors.size() > before) return nullptr;
+  std::shared_ptr<const ModelDescription> result;
+  guarded(context, [&] {
+    sdf::Root root;
+    if (!loadSdf(tree, context, root)) return;
+    if (root.Model() == nullptr) return context.fail(tree, "scene.no-model", "the file describes no model");
+    result = std::make_shared<ModelDescription>(readModel(*root.Model(), context));
+  });
   return sources.errors.size() > before ? nullptr : result;
 }
 
@@ -261,14 +275,15 @@ WorldDescription readSdfWorld(const SdfSources& sources, bool& includesRead) {
                            sources.leftOut,
                            sources.meshes,
                            sources.files.search()};
-  sdf::Root root;
-  if (loadSdf(tree, context, root) && root.WorldCount() == 1) {
+  guarded(context, [&] {
+    sdf::Root root;
+    if (!loadSdf(tree, context, root) || root.WorldCount() != 1) return;
     const sdf::World& world = *root.WorldByIndex(0);
     result.name = world.Name();
     readSurroundings(world, result, context);
     readLamps(world, result, context);
     if (includesRead) readTogether(world, context, result);
-  }
+  });
   if (!includesRead) readSeparately(source, sources, result);
   if (source.FirstChildElement("joint") != nullptr) {
     leaveOut(sources.leftOut, {{file, source.FirstChildElement("joint")->GetLineNum(), 0},

@@ -11,6 +11,7 @@ namespace simcore {
 namespace {
 
 using testing::HasSubstr;
+using testing::Lt;
 using testing::StartsWith;
 
 class SdfCheck : public testing::Test {
@@ -77,6 +78,28 @@ TEST_F(SdfCheck, valuesHaveTheirTypes) {
             "m.sdf:5: small: <static> must be true or false, not 'maybe'");
 }
 
+TEST_F(SdfCheck, attributesHaveTheirTypesToo) {
+  const std::string pose = "<pose relative_to=\"foot\">0 0 0.1 0 0 0</pose>";
+  const auto with = [&](const std::string& attribute, const std::string& numbers) {
+    return broken(pose, "<pose " + attribute + ">" + numbers + "</pose>");
+  };
+  EXPECT_EQ(with("rotation_format='euler_rpy' degrees='true'", "0 0 0.1 0 0 90"), "");
+  EXPECT_EQ(with("rotation_format='quat_xyzw'", "0 0 0.1 0 0 0 1"), "");
+  EXPECT_EQ(with("rotation_format='yard'", "0 0 0.1 0 0 0"),
+            "m.sdf:14: small/arm: the attribute 'rotation_format' of <pose> must be euler_rpy or quat_xyzw, "
+            "not 'yard'");
+  EXPECT_EQ(with("degrees='90'", "0 0 0.1 0 0 0"),
+            "m.sdf:14: small/arm: the attribute 'degrees' of <pose> must be true or false, not '90'");
+  EXPECT_THAT(with("degrees='" + std::string(5000, 'x') + "'", "0 0 0.1 0 0 0"), testing::SizeIs(Lt(200)));
+}
+
+TEST_F(SdfCheck, onlyAPoseWithAQuaternionHasSevenNumbers) {
+  const std::string pose = "<pose relative_to=\"foot\">0 0 0.1 0 0 0</pose>";
+  EXPECT_THAT(broken(pose, "<pose>0 0 0.1 0 0 0 1</pose>"), HasSubstr("must be 6 finite numbers"));
+  EXPECT_THAT(broken(pose, "<pose rotation_format='quat_xyzw'>0 0 0.1 0 0 0</pose>"),
+              HasSubstr("must be 7 finite numbers"));
+}
+
 TEST_F(SdfCheck, onlyLimitsMayBeInfinite) {
   EXPECT_EQ(broken("<lower>-1", "<lower>-inf"), "");
   EXPECT_THAT(broken("<mass>1.5", "<mass>inf"), StartsWith("m.sdf:7: "));
@@ -95,6 +118,15 @@ TEST_F(SdfCheck, namesStandOnce) {
               StartsWith("m.sdf:13: small/foot: the name 'foot' appears here twice"));
   EXPECT_EQ(broken("<joint name=\"hip\"", "<joint name=\"foot\""),
             "m.sdf:19: small/foot: the name 'foot' appears here twice");
+}
+
+TEST_F(SdfCheck, aModelHasAtMostFiveThousandFrames) {
+  std::string frames;
+  for (int i = 0; i < 5000; ++i) frames += "<frame name='f" + std::to_string(i) + "'/>";
+  EXPECT_EQ(
+      broken("<joint", frames + "<joint"),
+      "m.sdf:3: small: there are 5003 links, joints and frames here; at most 5000 can be in one <model>");
+  EXPECT_EQ(errorsOf("<sdf version='1.9'><world name='w'>" + frames + "</world></sdf>"), "");
 }
 
 TEST_F(SdfCheck, bodiesThatCannotBeAreRefused) {

@@ -2,6 +2,7 @@
 #include "simcore/sdf/SdfReader.h"
 
 #include <gmock/gmock.h>
+#include <tinyxml2.h>
 
 #include "simcore/sdf/SceneFiles.h"
 #include "simcore/sdf/SdfSpec.h"
@@ -133,6 +134,17 @@ TEST_F(SdfReader, jointsThatCloseACycleComeLast) {
   EXPECT_FALSE(cycle->joints[0].closesCycle);
 }
 
+TEST_F(SdfReader, jointsKeepTheirOrderButForTheirParents) {
+  std::string links, joints;
+  for (int i = 0; i < 5; ++i) links += "<link name=\"l" + std::to_string(i) + "\"/>";
+  // l0 and l1 hang on each other; l4 hangs on l3, and this on l2.
+  joints = joint("c", "l3", "l4") + joint("x", "l1", "l0") + joint("y", "l0", "l1") + joint("b", "l2", "l3") +
+           joint("a", "foot", "l2");
+  const auto ordered = model(replaced(kSmallModel, "<joint", links + joints + "<joint"));
+  ASSERT_TRUE(ordered) << errors();
+  EXPECT_THAT(namesOfJoints(*ordered), ElementsAre("a", "b", "c", "hip", "y", "x"));
+}
+
 TEST_F(SdfReader, aServoClosesNoCycle) {
   model(withJoints(joint("other", "hand", "arm")));
   EXPECT_THAT(errors(), HasSubstr("closes a cycle or gives a link a second parent, so it can have no servo"));
@@ -213,6 +225,38 @@ TEST_F(SdfReader, aModelInTheWorldHasItsPlaceAndItsLine) {
   EXPECT_NEAR(placed.models[0].poseInWorld.translation().y(), 2, 1e-12);
   EXPECT_THAT(placed.models[0].where.file, testing::EndsWith("w.sdf"));
   EXPECT_GT(placed.models[0].where.line, 1);
+}
+
+TEST_F(SdfReader, aModelInTheWorldMayBeTurnedByAQuaternionOrDegrees) {
+  const auto turned = [&](const std::string& attribute, const std::string& numbers) {
+    const WorldDescription placed =
+        world("<model name='m'><pose " + attribute + ">" + numbers + "</pose><link name='l'/></model>");
+    EXPECT_EQ(errors(), "");
+    return Vector3(placed.models.at(0).poseInWorld.linear() * Vector3::UnitX());
+  };
+  EXPECT_TRUE(turned("rotation_format='quat_xyzw'", "0 0 1 0 0 1 1").isApprox(Vector3::UnitY(), 1e-12));
+  EXPECT_TRUE(turned("degrees='true'", "0 0 1 0 0 90").isApprox(Vector3::UnitY(), 1e-12));
+}
+
+TEST_F(SdfReader, whatLibsdformatAssertsIsAnErrorWithItsLine) {
+  const SceneFolder folder;
+  // Not checked before, as SceneFiles does.
+  tinyxml2::XMLDocument document;
+  document.Parse("<model name='m'>\n<pose rotation_format='x'>0 0 0 0 0 0</pose><link name='l'/></model>");
+  const SceneFiles files(folder.write("w.sdf", worldAround("")), {}, {}, spec(), errors_);
+  MeshFiles meshes;
+  EXPECT_EQ(readSdfModel(*document.RootElement(), "m.sdf", {files, spec(), meshes, errors_, leftOut_}),
+            nullptr);
+  EXPECT_EQ(errors(), "m.sdf:2: m: libsdformat cannot read this <pose>");
+}
+
+TEST_F(SdfReader, afterAHundredErrorsOnlyTheirNumberFollows) {
+  std::string frames;
+  for (int i = 0; i < 130; ++i)
+    frames += "\n<link name='l" + std::to_string(i) + "'><pose relative_to='nowhere'/></link>";
+  model(replaced(kSmallModel, "<link name=\"foot\">", frames + "<link name=\"foot\">"));
+  EXPECT_EQ(errors_.size(), 101U) << errors();
+  EXPECT_THAT(errors_.back().text, testing::ContainsRegex("there are [1-9][0-9]+ more errors"));
 }
 
 TEST_F(SdfReader, aPoseIsARollThenAPitchThenAYaw) {

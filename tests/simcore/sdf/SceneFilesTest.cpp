@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <tinyxml2.h>
 
+#include "robotlink/base/Geometry.h"
 #include "simcore/sdf/SdfSpec.h"
 #include "tests/simcore/SceneFixture.h"
 
@@ -11,6 +12,7 @@ namespace simcore {
 namespace {
 
 using testing::AllOf;
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Key;
@@ -55,6 +57,45 @@ TEST_F(SceneFilesTest, whatIsWrongWithXmlIsSaidInWordsWithItsLine) {
   EXPECT_THAT(errorsOfText(deep), HasSubstr("tags are nested too deeply"));
 }
 
+TEST_F(SceneFilesTest, whatIsWrongWithAUrdfIsSaidWithItsLine) {
+  const auto errorsOf = [&](const std::string& contents) {
+    const std::string text = errorsOfText("<robot name='r'>\n" + contents + "</robot>");
+    return text.substr(text.find("world.sdf"));
+  };
+  const std::string inertial =
+      "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
+  const std::string links = "<link name='a'>" + inertial + "</link><link name='b'>" + inertial + "</link>\n";
+  const auto joint = [](const std::string& name, const std::string& parent, const std::string& child) {
+    return "<joint name='" + name + "' type='fixed'><parent link='" + parent + "'/><child link='" + child +
+           "'/></joint>\n";
+  };
+  EXPECT_EQ(errorsOf(""), "world.sdf:1: r: a URDF needs a <link>");
+  EXPECT_EQ(errorsOf("<link name='a'><inertial>\n<mass value='${m}'/></inertial></link>"),
+            "world.sdf:3: r/a: the attribute 'value' of <mass> must be a number, not '${m}'");
+  EXPECT_EQ(errorsOf("<link name='a'><visual><origin xyz='1 2'/></visual></link>"),
+            "world.sdf:2: r/a: the attribute 'xyz' of <origin> must be 3 numbers, not '1 2'");
+  EXPECT_EQ(errorsOf("<link name='a'/>\n<link name='a'/>"),
+            "world.sdf:3: r/a: the name 'a' appears here twice");
+  EXPECT_EQ(errorsOf(links + joint("j", "a", "c")),
+            "world.sdf:3: r/j: the joint 'j' names the link 'c', which does not exist");
+  EXPECT_EQ(errorsOf(links + "<joint name='j' type='fixed'><parent link='a'/></joint>"),
+            "world.sdf:3: r/j: the joint 'j' needs <child link=\"...\"/>");
+  EXPECT_EQ(errorsOf(links), "world.sdf:1: r: no joint connects 'a' and 'b'; a URDF is one tree of links");
+  EXPECT_EQ(errorsOf(links + joint("j", "a", "b") + joint("k", "b", "a")),
+            "world.sdf:1: r: its joints form a cycle; a URDF is one tree of links");
+  EXPECT_THAT(errorsOf(links + joint("j", "a", "b") + joint("k", "a", "b")),
+              HasSubstr("world.sdf:4: r/k: the link 'b' is also the child of another joint"));
+  EXPECT_THAT(errorsOf("<link name='a'/>"),
+              HasSubstr("no link is left of this URDF, because links without <inertial> are left out"));
+}
+
+TEST_F(SceneFilesTest, aUrdfWhoseConversionWouldTakeAllMemoryIsRefused) {
+  std::string links;
+  for (int i = 0; i < 800; ++i) links += "<link name='l" + std::to_string(i) + "'/>";
+  EXPECT_THAT(errorsOfText("<robot name='r'>" + links + "</robot>"),
+              HasSubstr("it has too many links and joints to be converted; write it as SDFormat"));
+}
+
 TEST_F(SceneFilesTest, theDetailsOfAnIncludeAreRead) {
   const SceneFiles files = read(R"(<include><uri>model://leg</uri><name>one</name><pose>1 2 3 0 0 0.5</pose>
       <static>true</static><robotcontrol:team>red</robotcontrol:team>
@@ -84,6 +125,27 @@ TEST_F(SceneFilesTest, aPoseHasSixNumbersAndNothingElse) {
     read("<include><uri>model://leg</uri>\n<pose>" + std::string(pose) + "</pose></include>");
     EXPECT_THAT(describe(errors_), HasSubstr("number")) << pose;
   }
+}
+
+TEST_F(SceneFilesTest, aPoseMayHaveDegreesOrAQuaternion) {
+  const auto poseOf = [&](const std::string& attributes, const std::string& numbers) {
+    const SceneFiles files =
+        read("<include><uri>model://leg</uri><pose " + attributes + ">" + numbers + "</pose></include>");
+    EXPECT_EQ(describe(errors_), "");
+    return files.includes().at(0).pose.value();
+  };
+  const auto isNear = [](double x) { return DoubleNear(x, 1e-6); };
+  const double quarter = robotlink::kPi / 2;
+  EXPECT_THAT(poseOf("degrees='true'", "1 2 3 180 0 90"),
+              ElementsAre(1, 2, 3, isNear(2 * quarter), isNear(0), isNear(quarter)));
+  EXPECT_THAT(poseOf("rotation_format='quat_xyzw'", "1 2 3 0 0 2 2"),
+              ElementsAre(1, 2, 3, isNear(0), isNear(0), isNear(quarter)));
+  // Roll 0.3, pitch -0.4, yaw 2.
+  EXPECT_THAT(poseOf("rotation_format='quat_xyzw'", "0 0 0 0.2444296 0.0171051 0.831478 0.4986039"),
+              ElementsAre(0, 0, 0, isNear(0.3), isNear(-0.4), isNear(2)));
+  EXPECT_THAT(poseOf("rotation_format='quat_xyzw'", "0 0 0 0 1 0 1"),
+              ElementsAre(0, 0, 0, isNear(0), isNear(quarter), isNear(0)));
+  EXPECT_THAT(poseOf("rotation_format='quat_xyzw'", "0 0 0 0 0 0 0"), ElementsAre(0, 0, 0, 0, 0, 0));
 }
 
 TEST_F(SceneFilesTest, thePaletteIsThatOfTheWorldAndOfAllModels) {
