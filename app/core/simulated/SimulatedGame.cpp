@@ -32,6 +32,14 @@ Errors SimulatedRun::makeGame() {
   const std::string& ofScene = world_->simulation().scene().world().game;
   const std::string name = options_.game.empty() ? ofScene : options_.game;
   if (options_.kickOffs && !name.empty() && name != RunOptions::kNoGame) {
+    std::error_code ignored;
+    if (options_.game.empty() && !std::filesystem::exists(gameRulesNamed(name), ignored)) {
+      return {{"scene.game",
+               "the <robotcontrol:game> is '" + name +
+                   "', of which there are no rules: " + gameRulesNamed(name).string(),
+               {name},
+               {world_->simulation().scene().file().string(), 0, 0}}};
+    }
     auto rules = GameRules::load(gameRulesNamed(name));
     if (!rules) return rules.error();
     rules_ = std::make_shared<const GameRules>(std::move(*rules));

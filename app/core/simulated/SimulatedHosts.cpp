@@ -16,6 +16,7 @@
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/program/RobotProgram.h"
 #include "simcore/Scene.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace app {
 
@@ -58,6 +59,35 @@ robotlink::Result<void> chooseSolutions(const std::vector<std::string>& texts, R
   return {};
 }
 
+namespace {
+
+/// An error at the model of a robot in its scene's file.
+Errors atRobot(const simcore::Scene& scene, const simcore::SceneRobot& robot, const std::string& text) {
+  const auto& models = scene.world().models;
+  const auto model = std::ranges::find(models, robot.name, &simcore::ModelInstance::name);
+  const robotlink::FilePosition place =
+      model != models.end() ? model->where : robotlink::FilePosition{scene.file().string(), 0, 0};
+  return {{"scene.robot", "'" + robot.name + "' " + text, {robot.name}, place}};
+}
+
+/// What a scene says of a robot, and is not there. Nothing if all of it is.
+Errors missingOf(const simcore::Scene& scene, const simcore::SceneRobot& robot, bool usesLayout) {
+  std::error_code ignored;
+  const auto description = descriptionFile(robot.description);
+  if (!std::filesystem::exists(description, ignored)) {
+    return atRobot(scene, robot,
+                   "is a robot '" + robot.description + "', of which there is no description " +
+                       description.string() + "; correct its <robotcontrol:robot>");
+  }
+  const auto layout = robot.layout.empty() ? std::filesystem::path() : layoutNamed(robot.layout);
+  if (!usesLayout || layout.empty() || std::filesystem::exists(layout, ignored)) return {};
+  return atRobot(scene, robot,
+                 "has a layout '" + robot.layout +
+                     "' that is neither a shipped one nor a file; correct its <robotcontrol:layout>");
+}
+
+}  // namespace
+
 tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::Scene& scene) const {
   struct Kind {
     std::shared_ptr<const robotlink::RobotDescription> description;
@@ -78,10 +108,16 @@ tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::
     if (!field) return tl::unexpected(field.error());
     return &(kinds[name] = {std::move(*description), std::move(*use), std::move(*field), file});
   };
+  const auto usesLayoutOf = [&](const simcore::SceneRobot& robot) {
+    return options_.layout.empty() && !options_.layouts.contains(robot.description) &&
+           !options_.robotLayouts.contains(robot.name) && !options_.robotLayouts.contains(robot.team);
+  };
   const auto& present = world_->simulation().scene().robots();
   Hosts hosts;
   for (const auto& robot : scene.robots()) {
     if (find(robot.name) != nullptr && std::ranges::find(present, robot) != present.end()) continue;
+    if (Errors missing = missingOf(scene, robot, usesLayoutOf(robot)); !missing.empty())
+      return tl::unexpected(std::move(missing));
     const auto kind = kindOf(robot.description);
     if (!kind) return tl::unexpected(kind.error());
     const Kind& its = **kind;

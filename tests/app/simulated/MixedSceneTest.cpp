@@ -6,6 +6,7 @@
 
 #include "app/core/program/ShippedFiles.h"
 #include "robotlink/config/FieldDescription.h"
+#include "tests/TestFolder.h"
 #include "tests/app/SimulatedRuns.h"
 
 using namespace app;
@@ -75,4 +76,52 @@ TEST(MixedScene, aLayoutCanBeChosenForOneRobotAndForThoseThatCanRunIt) {
 TEST(MixedScene, itIsTheSameInEachRun) {
   const std::uint64_t first = digestOfMixed(1);
   EXPECT_EQ(digestOfMixed(1), first);
+}
+
+namespace {
+
+/// Why a scene with one robot, a burger in the line 3, cannot be run.
+std::string whyNotWith(const std::string& inWorld, const std::string& inRobot, RunOptions options) {
+  const TestFolder folder;
+  options.scene = folder.write(
+      "world.sdf",
+      "<sdf version='1.9' xmlns:robotcontrol='urn:robotcontrol:sdf'><world name='w'>" + inWorld +
+          "\n<include><uri>model://ground_plane</uri></include>\n<include><uri>model://burger</uri>" +
+          inRobot + "<pose>0 0 0.01 0 0 0</pose></include></world></sdf>");
+  const auto run = SimulatedRun::create(options, {});
+  const std::string text = run ? "" : robotlink::describe(run.error());
+  return text.starts_with(folder.path().string()) ? text.substr(folder.path().string().size()) : text;
+}
+
+}  // namespace
+
+TEST(SceneNames, aLayoutThatIsMissingIsSaidWithTheLineOfTheRobot) {
+  EXPECT_EQ(whyNotWith("", "", test::simulationOptions()), "");
+  const std::string named = "<robotcontrol:layout>pioneer-wonder</robotcontrol:layout>";
+  EXPECT_EQ(whyNotWith("", named, test::simulationOptions()),
+            "/world.sdf:3: 'burger' has a layout 'pioneer-wonder' that is neither a shipped one nor a file; "
+            "correct its <robotcontrol:layout>");
+  RunOptions options = test::simulationOptions();
+  options.robotLayouts["burger"] = layoutNamed("pioneer");
+  EXPECT_EQ(whyNotWith("", named, options), "") << "another one was chosen";
+}
+
+TEST(SceneNames, aGameWithoutRulesIsSaidWithTheScene) {
+  EXPECT_THAT(
+      whyNotWith("<robotcontrol:game>2002x</robotcontrol:game>", "", test::simulationOptions()),
+      testing::StartsWith("/world.sdf: the <robotcontrol:game> is '2002x', of which there are no rules: "));
+}
+
+TEST(SceneNames, aRobotWithoutADescriptionIsSaidWithItsLine) {
+  const TestFolder folder;
+  RunOptions options = test::simulationOptions();
+  options.scene =
+      folder.write("world.sdf",
+                   "<sdf version='1.9' xmlns:robotcontrol='urn:robotcontrol:sdf'><world name='w'>\n"
+                   "<model name='x1'><robotcontrol:robot>nobody</robotcontrol:robot>"
+                   "<link name='l'/></model></world></sdf>");
+  const auto run = SimulatedRun::create(options, {});
+  ASSERT_FALSE(run);
+  EXPECT_THAT(robotlink::describe(run.error()),
+              testing::HasSubstr("world.sdf:2: 'x1' is a robot 'nobody', of which there is no description "));
 }
