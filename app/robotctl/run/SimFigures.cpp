@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-double milliseconds(robotlink::Duration total, std::uint64_t count) {
+double meanMilliseconds(robotlink::Duration total, std::uint64_t count) {
   return count == 0 ? 0 : robotlink::seconds(total) * 1000 / static_cast<double>(count);
 }
 
@@ -167,9 +167,9 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   figures["real_time_factor"] = factor(simulated, realSeconds);
   figures["steps"] = costs.steps;
   figures["images"] = costs.images;
-  figures["ms_per_step"] = milliseconds(costs.physics, costs.steps);
-  figures["ms_per_image"] = milliseconds(costs.rendering, costs.images);
-  figures["ms_per_step_of_programs"] = milliseconds(run.programTime(), costs.steps);
+  figures["ms_per_step"] = meanMilliseconds(costs.physics, costs.steps);
+  figures["ms_per_image"] = meanMilliseconds(costs.rendering, costs.images);
+  figures["ms_per_step_of_programs"] = meanMilliseconds(run.programTime(), costs.steps);
   for (const auto& pioneer : world.pioneers())
     figures["robots_on_wheels"].push_back(contactFigures(world, pioneer->robot()));
   figures["ball_contacts"] = world.simulation().ballContacts();
@@ -191,8 +191,8 @@ json figuresOf(const ArcosSimulation& simulation, double realSeconds) {
   figures["real_seconds"] = realSeconds;
   figures["real_time_factor"] = factor(simulated, realSeconds);
   figures["steps"] = costs.steps;
-  figures["ms_per_step"] = milliseconds(costs.physics, costs.steps);
-  figures["ms_per_step_of_controllers"] = milliseconds(costs.pioneers, costs.steps);
+  figures["ms_per_step"] = meanMilliseconds(costs.physics, costs.steps);
+  figures["ms_per_step_of_controllers"] = meanMilliseconds(costs.pioneers, costs.steps);
   figures["latest_step_seconds"] = robotlink::seconds(simulation.punctuality().latest);
   figures["real_time_lost_seconds"] = robotlink::seconds(simulation.punctuality().lost);
   std::uint64_t contacts = 0;
