@@ -33,10 +33,10 @@ DrawableMesh::DrawableMesh(const Mesh& mesh) {
   fillTriangles(mesh);
   for (std::size_t i = 0; i < 3; ++i) {
     streams_.position[i] = floats_[i].data();
-    streams_.normal[i] = floats_[i + 3].data();
     streams_.index[i] = indices_[i].data();
   }
-  for (std::size_t i = 0; i < 4; ++i) streams_.plane[i] = floats_[i + 6].data();
+  streams_.normal = normals_.data();
+  for (std::size_t i = 0; i < 4; ++i) streams_.plane[i] = floats_[i + 3].data();
   streams_.flat = flat_.data();
   findBounds(mesh);
   findConvexity(mesh);
@@ -44,11 +44,12 @@ DrawableMesh::DrawableMesh(const Mesh& mesh) {
 
 void DrawableMesh::fillVertices(const Mesh& mesh) {
   const std::size_t count = std::min(mesh.vertices.size(), mesh.normals.size());
-  for (std::size_t i = 0; i < 6; ++i) floats_[i].resize(paddedSize(count));
+  for (std::size_t i = 0; i < 3; ++i) floats_[i].resize(paddedSize(count));
+  normals_.resize(4 * paddedSize(count));
   for (std::size_t v = 0; v < count; ++v) {
     for (int k = 0; k < 3; ++k) {
       floats_[static_cast<std::size_t>(k)][v] = mesh.vertices[v][k];
-      floats_[static_cast<std::size_t>(k + 3)][v] = mesh.normals[v][k];
+      normals_[4 * v + static_cast<std::size_t>(k)] = mesh.normals[v][k];
     }
   }
   streams_.vertexGroups = static_cast<int>(paddedSize(count) / kLanes);
@@ -60,18 +61,18 @@ void DrawableMesh::fillTriangles(const Mesh& mesh) {
     const Eigen::Vector3d normal = faceNormal(mesh, t).normalized();
     for (std::size_t i = 0; i < 3; ++i) {
       indices_[i].push_back(static_cast<std::int32_t>(t[i]));
-      floats_[i + 6].push_back(static_cast<float>(normal[static_cast<Eigen::Index>(i)]));
+      floats_[i + 3].push_back(static_cast<float>(normal[static_cast<Eigen::Index>(i)]));
     }
-    floats_[9].push_back(static_cast<float>(normal.dot(mesh.vertices[t[0]].cast<double>())));
+    floats_[6].push_back(static_cast<float>(normal.dot(mesh.vertices[t[0]].cast<double>())));
     flat_.push_back(mesh.normals[t[0]] == mesh.normals[t[1]] && mesh.normals[t[0]] == mesh.normals[t[2]] ? 1
                                                                                                          : 0);
   }
   const std::size_t size = paddedSize(flat_.size());
   for (std::size_t i = 0; i < 3; ++i) {
     indices_[i].resize(size);
-    floats_[i + 6].resize(size);
+    floats_[i + 3].resize(size);
   }
-  floats_[9].resize(size, std::numeric_limits<float>::infinity());
+  floats_[6].resize(size, std::numeric_limits<float>::infinity());
   flat_.resize(size);
   streams_.triangleGroups = static_cast<int>(size / kLanes);
 }

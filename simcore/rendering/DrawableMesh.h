@@ -42,8 +42,9 @@ class DrawableMesh {
 
   /// Points into the vectors below.
   MeshStreams streams_;
-  /// Three positions, three normals, four plane coefficients.
-  std::vector<float> floats_[10];
+  /// Three positions, four plane coefficients.
+  std::vector<float> floats_[7];
+  std::vector<float> normals_;
   /// Indices of vertices, by corner, then by triangle.
   std::vector<std::int32_t> indices_[3];
   /// 1 for each triangle whose vertices share a normal.

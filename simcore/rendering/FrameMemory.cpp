@@ -14,13 +14,15 @@ constexpr int kStripPixels = 8192;
 FrameMemory::FrameMemory(int vertices, int meshTriangles, int allTriangles, std::size_t lamps)
     : records_(static_cast<std::size_t>(allTriangles) + 1),
       positions_(static_cast<std::size_t>(vertices) * 4),
-      normals_(positions_.size()),
       candidates_(static_cast<std::size_t>(meshTriangles) + 8),
+      ranges_(static_cast<std::size_t>(vertices)),
+      boxes_(candidates_.size()),
       unsure_(lamps) {
   buffer_.records = records_.data();
   buffer_.positions = positions_.data();
-  buffer_.normals = normals_.data();
+  buffer_.ranges = ranges_.data();
   buffer_.candidates = candidates_.data();
+  buffer_.boxes = boxes_.data();
 }
 
 VisibilityBuffer& FrameMemory::begin(const CameraModel& camera, const float (&background)[3]) {
@@ -47,22 +49,23 @@ void FrameMemory::resize(const CameraModel& camera) {
   buffer_.stride = (camera.width + 7) / 8 * 8 + 8;
   const auto stride = static_cast<std::size_t>(buffer_.stride),
              height = static_cast<std::size_t>(camera.height);
-  inverseDepths_.resize(stride * height);
-  triangles_.resize(stride * height);
-  columns_.resize(stride);
-  rows_.resize(height);
+  inverseDepths_.assign(stride * height, 0);
+  triangles_.assign(stride * height, 0);
+  columns_.assign(stride, 0);
+  // Eight at a time are read.
+  rows_.assign(height + 8, 0);
   buffer_.inverseDepth = inverseDepths_.data();
   buffer_.triangle = triangles_.data();
   buffer_.column = columns_.data();
   buffer_.row = rows_.data();
   rowsPerStrip_ = std::clamp(kStripPixels / buffer_.stride, 1, std::max(1, camera.height));
   const std::size_t pixels = static_cast<std::size_t>(rowsPerStrip_) * stride;
-  light_.resize(pixels);
-  for (auto& channel : color_) channel.resize(pixels);
+  light_.assign(pixels, 0);
+  for (auto& channel : color_) channel.assign(pixels, 0);
   groups_.resize(pixels / 8 * unsure_.size());
   const std::size_t margin = stride + 8;
   seen_.assign((pixels + 2 * margin) * unsure_.size(), 0);
-  unsureFloats_.resize(4 * pixels * unsure_.size());
+  unsureFloats_.assign(4 * pixels * unsure_.size(), 0);
   for (std::size_t i = 0; i < unsure_.size(); ++i) {
     UnsurePixels& list = unsure_[i];
     list.groups = groups_.data() + i * (pixels / 8);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "simcore/rendering/CacheLines.h"
 #include "simcore/rendering/KernelTypes.h"
 #include "simcore/world/CameraModel.h"
 
@@ -34,16 +35,18 @@ class FrameMemory {
   VisibilityBuffer buffer_;
   // The memory to which buffer_ points.
   std::vector<TriangleRecord> records_;
-  std::vector<float> positions_, normals_, inverseDepths_, columns_, rows_;
+  CacheLines<float> positions_, inverseDepths_, columns_, rows_;
   /// candidates_ is by triangle of the largest mesh, triangles_ by pixel.
-  std::vector<std::int32_t> candidates_, triangles_;
+  CacheLines<std::int32_t> candidates_, triangles_;
+  // By vertex and by triangle of the largest mesh.
+  CacheLines<std::int64_t> ranges_, boxes_;
   int rowsPerStrip_ = 1;
   // The memory of a strip.
-  std::vector<float> light_, color_[3];
+  CacheLines<float> light_, color_[3];
   // The memory of the lists of unsure pixels.
   std::vector<UnsurePixels> unsure_;
   std::vector<UnsureGroup> groups_;
-  std::vector<float> unsureFloats_;
+  CacheLines<float> unsureFloats_;
   std::vector<std::int32_t> seen_;
 };
 

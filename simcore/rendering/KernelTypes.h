@@ -19,7 +19,8 @@ struct MeshStreams {
   int triangleGroups = 0;
   /// One entry for each vertex; components x, y, z.
   const float* position[3] = {};
-  const float* normal[3] = {};
+  /// Four floats for each vertex, the last of them 0.
+  const float* normal = nullptr;
   /// Outward normal and offset of each triangle: a point is on the outer side where normal * point > offset.
   const float* plane[4] = {};
   /// The three vertices of each triangle.
@@ -71,10 +72,13 @@ struct VisibilityBuffer {
   std::int32_t recordCount = 1;
   /// Buffer with four floats per vertex of the largest mesh.
   float* positions = nullptr;
-  /// Buffer with four floats for the normal of each vertex of the largest mesh.
-  float* normals = nullptr;
+  /// Buffer with four numbers of 16 bits per vertex of the largest mesh: SelectKernel.h describes them.
+  std::int64_t* ranges = nullptr;
   /// Buffer with one number per triangle of the largest mesh, and eight more.
   std::int32_t* candidates = nullptr;
+  /// Buffer with the box of pixels of each candidate: first column, first row, and the negated last ones, 16
+  /// bits each.
+  std::int64_t* boxes = nullptr;
 };
 
 /// A cell of directions around a lamp: the nearest caster of shadows in it, and the nearest one of another

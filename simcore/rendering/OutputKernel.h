@@ -69,28 +69,32 @@ SIMCORE_INLINE Int8 hashed(Int8 counter, NoiseKey key) {
 }
 
 /// The eight bytes at a place with noise: round(scale * s) is added to each, where s is the sum of four
-/// uniform bytes minus its mean: nearly Gaussian (Irwin-Hall).
+/// uniform bytes minus its mean: nearly Gaussian (Irwin-Hall). What is below 0 or above 255 is left so.
 SIMCORE_INLINE Int8 withNoise(const std::uint8_t* bytes, Int8 counter, NoiseKey key, float scale) {
   // Four uniform bytes, minus their mean of 4 * 127.5.
   const Int8 sum = sumOfBytes(hashed(counter, key)) - 510;
-  // After clamping everything is positive, so adding 0.5 and truncating rounds.
-  const Float8 value =
-      __builtin_convertvector(loadBytes(bytes), Float8) + __builtin_convertvector(sum, Float8) * scale + 0.5F;
-  return truncated(minimum(maximum(value, splat(0)), splat(255)));
+  // Where the result is not below 0, adding 0.5 and truncating rounds.
+  return truncated(__builtin_convertvector(loadBytes(bytes), Float8) +
+                   __builtin_convertvector(sum, Float8) * scale + 0.5F);
 }
 
 /// Adds noise to each byte.
 void addNoise(std::uint8_t* bytes, int count, NoiseKey key, float scale) {
-  Int8 counter = {0, 1, 2, 3, 4, 5, 6, 7};
-  const int whole = count & ~7;
-  for (int at = 0; at < whole; at += 8, counter += 8)
-    storeBytes(bytes + at, withNoise(bytes + at, counter, key, scale));
+  constexpr int kBytes = 32;
+  const auto add = [&](const std::uint8_t* from, int at, std::uint8_t* to) {
+    const Int8 counter = splatInt(at) + Int8{0, 1, 2, 3, 4, 5, 6, 7};
+    storeClamped(to, withNoise(from, counter, key, scale), withNoise(from + 8, counter + 8, key, scale),
+                 withNoise(from + 16, counter + 16, key, scale),
+                 withNoise(from + 24, counter + 24, key, scale));
+  };
+  const int whole = count / kBytes * kBytes;
+  for (int at = 0; at < whole; at += kBytes) add(bytes + at, at, bytes + at);
   if (whole == count) return;
-  // The last group is partial.
-  std::uint8_t last[8] = {};
+  // The last bytes.
+  std::uint8_t last[kBytes] = {};
   const auto size = static_cast<std::size_t>(count - whole);
   __builtin_memcpy(last, bytes + whole, size);
-  storeBytes(last, withNoise(last, counter, key, scale));
+  add(last, whole, last);
   __builtin_memcpy(bytes + whole, last, size);
 }
 

@@ -28,11 +28,11 @@ struct Surface {
 
 /// All eight pixels show the same triangle.
 SIMCORE_INLINE Surface loadOne(const TriangleRecord& record, Float8 column, float row) {
-  const auto& a = record.linear[0];
-  const auto& b = record.linear[1];
-  const auto& c = record.linear[2];
   // The same order of operations as in loadEight(), so that both give the same bits.
-  const auto at = [&](int i) { return splat(a[i] + c[i] * row) + splat(b[i]) * column; };
+  const auto a = load<Float4>(record.linear[0]), b = load<Float4>(record.linear[1]),
+             c = load<Float4>(record.linear[2]);
+  const Float4 start = a + c * row;
+  const auto at = [&](int i) { return splat(start[i]) + splat(b[i]) * column; };
   return {{at(0), at(1), at(2)},
           {splat(a[3]), splat(b[3]), splat(c[3])},
           at(3),
@@ -66,25 +66,35 @@ SIMCORE_INLINE Vector8 rotated(const float (&m)[3][3], const Vector8& v) {
           m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
 }
 
+/// The cell of a face in the direction of two components, as multiples of the third, whose inverse is given.
+SIMCORE_INLINE Int8 cellInFace(Float8 u, Float8 v, Float8 inverse, Int8 face, int gridSize) {
+  const Float8 half = splat(static_cast<float>(gridSize) * 0.5F),
+               last = splat(static_cast<float>(gridSize - 1));
+  const Int8 cu = truncated(maximum(minimum((u * inverse + 1.0F) * half, last), splat(0)));
+  const Int8 cv = truncated(maximum(minimum((v * inverse + 1.0F) * half, last), splat(0)));
+  return (face * gridSize + cv) * gridSize + cu;
+}
+
 /// The cell of a lamp's grid in the direction from the lamp; LampGrid.h describes the faces.
 SIMCORE_INLINE Int8 cellOf(const Vector8& direction, int gridSize) {
   const Float8 ax = absolute(direction.x), ay = absolute(direction.y), az = absolute(direction.z);
+  // Directions of length 0 go to some cell rather than to NaN.
+  const Float8 smallest = splat(1e-30F);
+  const Int8 isZ = (ax < az) & (ay < az);
+  // Most lamps hang above what they light.
+  if (bits(isZ) == 0xFF) {
+    const Int8 face = splatInt(4) - (direction.z < splat(0));
+    return cellInFace(direction.x, direction.y, splat(1) / maximum(az, smallest), face, gridSize);
+  }
   const Int8 isX = (ax >= ay) & (ax >= az);
   const Int8 isY = ~isX & (ay >= az);
   const Float8 major = isX ? direction.x : isY ? direction.y : direction.z;
-  // Directions of length 0 go to some cell rather than to NaN.
-  const Float8 inverse = splat(1) / maximum(absolute(major), splat(1e-30F));
-  const Float8 u = (isX ? direction.y : direction.x) * inverse;
-  const Float8 v = ((isX | isY) ? direction.z : direction.y) * inverse;
-  const Float8 half = splat(static_cast<float>(gridSize) * 0.5F),
-               last = splat(static_cast<float>(gridSize - 1));
   const Int8 face = (isX   ? splatInt(0)
                      : isY ? splatInt(2)
                            : splatInt(4)) +
                     ((major < splat(0)) & splatInt(1));
-  const Int8 cu = truncated(maximum(minimum((u + 1.0F) * half, last), splat(0)));
-  const Int8 cv = truncated(maximum(minimum((v + 1.0F) * half, last), splat(0)));
-  return (face * gridSize + cv) * gridSize + cu;
+  return cellInFace(isX ? direction.y : direction.x, (isX | isY) ? direction.z : direction.y,
+                    splat(1) / maximum(absolute(major), smallest), face, gridSize);
 }
 
 /// Selects, from lanes with points at squared distances from a lamp, those that a caster in their cell might

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "robotlink/base/Random.h"
 #include "simcore/rendering/CameraRenderer.h"
 
 using namespace simcore;
@@ -115,6 +117,36 @@ TEST(ImageNoise, isTheSameForTheSameNumbers) {
   EXPECT_EQ(image, one.image({5.0, 1, 2, 3}));
   EXPECT_EQ(image, portable.image({5.0, 1, 2, 3}));
   EXPECT_NE(image, one.image({5.0, 1, 2, 4}));
+}
+
+TEST(ImageNoise, isTheDocumentedFunctionOfKeyAndPosition) {
+  const ImageNoise noise{40.0, 1, 2, 3};
+  const std::uint64_t bits = robotlink::hashBits(noise.seed, noise.stream, noise.frame);
+  const auto scale = static_cast<float>(std::sqrt((40.0 * 40.0 - 1.0 / 12) * 3 / 65535));
+  auto scene = std::make_shared<RenderScene>();
+  scene->bodies = {"world"};
+  for (const auto arithmetic :
+       {CameraRenderer::Arithmetic::kFastest, CameraRenderer::Arithmetic::kPortable}) {
+    const CameraRenderer renderer(scene, {false, arithmetic});
+    // More and fewer bytes than are computed together, and all gray values.
+    for (const int size : {1, 7, 31, 32, 33, 95, 1000}) {
+      Image image;
+      image.format = PixelFormat::kMono8;
+      image.width = size;
+      image.height = 1;
+      for (int i = 0; i < size; ++i) image.data.push_back(static_cast<std::uint8_t>(i));
+      renderer.addNoise(noise, image);
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(size); ++i) {
+        std::uint32_t h = i ^ static_cast<std::uint32_t>(bits);
+        h = (h ^ h >> 16) * 0x7FEB352DU;
+        h = ((h ^ h >> 15) + static_cast<std::uint32_t>(bits >> 32)) * 0x846CA68BU;
+        h ^= h >> 16;
+        const auto sum = static_cast<int>((h & 255) + (h >> 8 & 255) + (h >> 16 & 255) + (h >> 24)) - 510;
+        const float value = static_cast<float>(i & 255) + static_cast<float>(sum) * scale + 0.5F;
+        ASSERT_EQ(image.data[i], static_cast<int>(std::clamp(value, 0.0F, 255.0F))) << i << " of " << size;
+      }
+    }
+  }
 }
 
 TEST(ImageNoise, noneIsAddedWhenSigmaIsZero) {
