@@ -53,6 +53,9 @@ class NoiseProcess {
   double normal();
   double erroneous(std::size_t channel, double value, double white) const;
   const NoiseModel& of(std::size_t channel) const {
+    // What has drifted stays where the noise was taken away.
+    static constexpr NoiseModel kNone{};
+    if (noise_.empty()) return kNone;
     return noise_[channel < noise_.size() ? channel : noise_.size() - 1];
   }
   void examine();

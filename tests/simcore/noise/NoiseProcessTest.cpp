@@ -149,6 +149,16 @@ TEST(NoiseProcessTest, aChangeKeepsWhatHasDrifted) {
   EXPECT_NEAR(value[0], drifted + 1, 1e-12);
 }
 
+TEST(NoiseProcessTest, whatHasDriftedStaysWhereTheNoiseIsTakenAway) {
+  NoiseProcess process = processOf({.driftStddev = 1, .driftTime = 10});
+  const double drifted = errorsOf(process, 100).back();
+  ASSERT_NE(drifted, 0);
+  process.change({}, 1, 100);
+  std::vector<double> value{5};
+  process.apply(1, 101, value);
+  EXPECT_DOUBLE_EQ(value[0], 5 + drifted);
+}
+
 TEST(SampleClockTest, samplesComeAtTheRateWhateverTheStep) {
   const SampleClock clock(timing(0, 60, 0), 0, kStep);
   int samples = 0;
