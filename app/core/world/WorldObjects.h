@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "robotlink/base/Clock.h"
 
@@ -12,8 +11,7 @@ class WorldObjects;
 }
 namespace simcore {
 class Simulation;
-struct CameraSensor;
-}  // namespace simcore
+}
 
 namespace app {
 
@@ -27,11 +25,5 @@ std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Si
                                                                const ExternalControllers* external = nullptr,
                                                                std::optional<robotlink::Instant> at = {});
 inline constexpr std::size_t kMaxShapes = 500;
-
-/// Whether a camera's robot sends its images.
-bool isSentByRobot(const simcore::Simulation& simulation, const simcore::CameraSensor& camera);
-/// The stream that has a camera's images: that of its robot, or, where the robot sends none, that of the
-/// port.
-std::string imageStreamOf(const simcore::Simulation& simulation, const simcore::CameraSensor& camera);
 
 }  // namespace app

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
+#include "app/core/world/PortObjects.h"
 #include "app/core/world/SimulatedWorld.h"
-#include "app/core/world/WorldObjects.h"
 #include "app/core/world/control/ExternalControllers.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How properties are added to the objects of a simulated world.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robotcontrol/World.pb.h"
+#include "robotlink/base/Geometry.h"
+
+namespace simcore {
+struct SensorErrors;
+}
+
+namespace app {
+
+robotcontrol::WorldProperty& addNumbers(robotcontrol::WorldObject& to, const char* name,
+                                        const std::vector<double>& values, const char* unit = "");
+/// Adds nothing if the text is empty.
+void addText(robotcontrol::WorldObject& to, const char* name, const std::string& text);
+/// Adds what the motor of a joint reaches at most; that of one that slides has a force instead of a torque.
+void addMotor(robotcontrol::WorldObject& to, bool slides, double speed, double torque);
+
+/// The standard deviation of white noise; of several channels that of the first.
+double whiteNoise(const simcore::SensorErrors& errors);
+
+std::vector<double> componentsOf(const robotlink::Vector3& vector);
+
+}  // namespace app

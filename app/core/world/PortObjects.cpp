@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/world/PortObjects.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "app/core/world/ObjectProperties.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+#include "simcore/Scene.h"
+#include "simcore/Simulation.h"
+#include "simcore/world/WorldDescription.h"
+
+namespace app {
+namespace {
+
+using robotcontrol::WorldObject;
+using robotlink::Pose3;
+using ElementPath = std::vector<std::string>;
+
+const simcore::ModelInstance* modelNamed(const simcore::Simulation& simulation, const std::string& name) {
+  const auto& models = simulation.scene().world().models;
+  const auto found = std::ranges::find(models, name, &simcore::ModelInstance::name);
+  return found == models.end() ? nullptr : &*found;
+}
+
+class PortWriter {
+ public:
+  PortWriter(const simcore::Simulation& simulation, robotcontrol::WorldObjects& to)
+      : simulation_(simulation), to_(to) {
+    for (const auto& object : to.objects()) known_.insert(object.path());
+    for (const auto& sensor : simulation.sensors()) add(sensor.info);
+    for (const auto& sensor : simulation.rangeSensors())
+      setRange(*add(sensor.info).mutable_port(), sensor.minimum, sensor.maximum);
+    for (const auto& camera : simulation.cameras())
+      add(camera.info).mutable_port()->set_image_stream(imageStreamOf(simulation, camera));
+    for (const auto& sensor : simulation.imageSensors()) {
+      auto& port = *add(sensor.info).mutable_port();
+      port.set_image_stream(sensor.info.path);
+      if (sensor.geometry.kind == simcore::ImageGeometry::Kind::kDepth)
+        setRange(port, sensor.geometry.nearest, sensor.geometry.farthest);
+    }
+    for (const auto& servo : simulation.servos()) {
+      WorldObject& object = addActuator(servo.info, servo.minimum, servo.maximum);
+      const std::string& unit = servo.info.unit;
+      addMotor(object, unit == "m" || unit == "m/s" || unit == "N", servo.maximumSpeed, servo.maximumTorque);
+    }
+    for (const auto& drive : simulation.drives()) {
+      WorldObject& object = addActuator(drive.info, -drive.maximumSpeed, drive.maximumSpeed);
+      addNumbers(object, "track", {drive.track}, "m");
+      addNumbers(object, "wheel_radius", {drive.wheelRadius}, "m");
+    }
+    for (const auto& guide : simulation.guides()) {
+      WorldObject& object = addActuator(guide.info, guide.info.minimum, guide.info.maximum);
+      addNumbers(object, "maximum_speed", {guide.motion.maximumSpeed}, "m/s");
+    }
+    for (const auto& door : simulation.doors()) addActuator(door.info, 0, 1);
+  }
+
+ private:
+  static void setRange(robotcontrol::WorldPort& port, double minimum, double maximum) {
+    port.set_minimum(minimum);
+    port.set_maximum(maximum);
+  }
+
+  WorldObject& addActuator(const simcore::PortInfo& info, double minimum, double maximum) {
+    WorldObject& object = add(info);
+    object.set_kind(WorldObject::ACTUATOR);
+    object.mutable_port()->set_is_actuator(true);
+    setRange(*object.mutable_port(), minimum, maximum);
+    return object;
+  }
+
+  WorldObject& add(const simcore::PortInfo& info) {
+    WorldObject& object = *to_.add_objects();
+    object.set_kind(WorldObject::SENSOR);
+    object.set_path(info.path);
+    object.set_name(info.path.substr(std::min(info.path.size(), info.robot.size() + 1)));
+    object.set_model(info.robot);
+    object.set_parent(info.robot);
+    auto& port = *object.mutable_port();
+    port.set_path(info.path);
+    port.set_robot(info.robot);
+    port.set_type(info.type);
+    port.set_unit(info.unit);
+    for (const int size : info.shape) port.add_shape(size);
+    const std::string first = object.name().substr(0, object.name().find('/'));
+    if (const std::string joint = info.robot + "/joint:" + first; known_.contains(joint)) {
+      object.set_parent(joint);
+    } else {
+      describeSensor(object, first);
+    }
+    return object;
+  }
+
+  /// What the model's file says of the sensor: where it is, and its noise.
+  void describeSensor(WorldObject& object, const std::string& name) const {
+    const auto* model = modelNamed(simulation_, object.model());
+    if (model == nullptr) return;
+    const auto& sensors = model->type->sensors;
+    const auto sensor = std::ranges::find(sensors, name, &simcore::SensorDescription::name);
+    if (sensor == sensors.end()) return;
+    const std::string& link = model->type->links[static_cast<std::size_t>(sensor->link)].name;
+    object.set_parent(object.model() + "/link:" + link);
+    if (model->type->isStatic) {
+      const auto& inModel = model->type->links[static_cast<std::size_t>(sensor->link)].poseInModel;
+      object.set_frame("field");
+      robotlink::assign(*object.mutable_pose_in_frame(),
+                        Pose3(model->poseInWorld * inModel * sensor->poseInLink));
+    } else {
+      object.set_frame("body:" + object.model() + "/" + link);
+      robotlink::assign(*object.mutable_pose_in_frame(), sensor->poseInLink);
+    }
+    using Kind = simcore::SensorDescription::Kind;
+    const bool isFacettes =
+        sensor->kind == Kind::kImage && sensor->image.kind == simcore::ImageGeometry::Kind::kFacette;
+    const bool isCamera = sensor->kind == Kind::kCamera;
+    if (isCamera || (sensor->kind == Kind::kImage && !isFacettes)) {
+      addNumbers(object, "size", {double(sensor->width), double(sensor->height)}, "px");
+      addNumbers(object, "opening_angles", {sensor->horizontalAngle, sensor->verticalAngle}, "rad");
+    }
+    if (isFacettes) {
+      const auto& image = sensor->image;
+      addNumbers(object, "size", {double(image.camera.width), double(image.camera.height)});
+      addNumbers(object, "azimuth", {image.azimuthStart, image.azimuthEnd}, "rad");
+      addNumbers(object, "elevation", {image.elevationStart, image.elevationEnd}, "rad");
+    }
+    if (sensor->kind == Kind::kSonar)
+      addNumbers(object, "opening_angle", {sensor->range.openingAngle}, "rad");
+    if (sensor->kind == Kind::kLaser)
+      addNumbers(object, "angles", {sensor->range.startAngle, sensor->range.endAngle}, "rad");
+    if (sensor->rate > 0) addNumbers(object, "rate", {sensor->rate}, "Hz");
+    if (sensor->kind == Kind::kContact) return;
+    const bool isInScene = model->type->file == simulation_.scene().file().string();
+    const auto locate = [&](robotcontrol::WorldProperty& property, const ElementPath& steps) {
+      if (model->type->file.empty()) return;
+      property.set_file(model->type->file);
+      property.add_element(isInScene ? "instance[" + object.model() + "]" : "model");
+      property.add_element("link[" + link + "]");
+      property.add_element("sensor[" + name + "]");
+      for (const std::string& step : steps) property.add_element(step);
+    };
+    locate(addNumbers(object, "delay", {sensor->errors.delay}, "s"), {"robotcontrol:delay"});
+    locate(addNumbers(object, "dropout", {sensor->errors.dropout}), {"robotcontrol:dropout"});
+    auto& noise = addNumbers(object, "noise", {whiteNoise(sensor->errors)},
+                             isCamera ? "" : object.port().unit().c_str());
+    const ElementPath steps = noiseSteps(isFacettes ? Kind::kSonar : sensor->kind);
+    locate(noise, steps.empty() ? ElementPath{"robotcontrol:noise"} : steps);
+  }
+
+  /// Empty for those that describe the noise of several axes; one element of ours is for all of them.
+  static ElementPath noiseSteps(simcore::SensorDescription::Kind kind) {
+    using Kind = simcore::SensorDescription::Kind;
+    if (kind == Kind::kCamera || kind == Kind::kImage) return {"camera", "noise", "stddev"};
+    if (kind == Kind::kDistance || kind == Kind::kLaser) return {"lidar|ray", "noise", "stddev"};
+    if (kind == Kind::kSonar) return {"robotcontrol:noise"};
+    return {};
+  }
+
+  const simcore::Simulation& simulation_;
+  robotcontrol::WorldObjects& to_;
+  std::set<std::string> known_;
+};
+
+}  // namespace
+
+void addPorts(const simcore::Simulation& simulation, robotcontrol::WorldObjects& to) {
+  const PortWriter writer(simulation, to);
+}
+
+bool isSentByRobot(const simcore::Simulation& simulation, const simcore::CameraSensor& camera) {
+  const auto* model = modelNamed(simulation, camera.info.robot);
+  return model != nullptr && !model->type->robot.empty() && !model->type->drive;
+}
+
+std::string imageStreamOf(const simcore::Simulation& simulation, const simcore::CameraSensor& camera) {
+  return isSentByRobot(simulation, camera) ? camera.info.robot + "/" + robotlink::kCameraImage.name
+                                           : camera.info.path;
+}
+
+}  // namespace app
