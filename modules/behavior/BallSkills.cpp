@@ -28,8 +28,9 @@ Vector2 inDirection(double angle) {
 
 }  // namespace
 
-double angleOf(KickSide side) {
-  return side == KickSide::kAhead ? 0 : (side == KickSide::kLeft ? 0.5 : -0.5) * robotlink::kPi;
+double angleOf(KickKind kind) {
+  if (kind == KickKind::kLeft) return robotlink::kPi / 2;
+  return kind == KickKind::kRight ? -robotlink::kPi / 2 : 0;
 }
 
 Intention BallSkills::walk(const Vector2& velocity, double turn) const {
@@ -163,13 +164,15 @@ Intention BallSkills::dribble(const Vector2& ball, double aim) const {
   return walk({options_.forwardSpeed * slow, left}, std::clamp(1.2 * aim, -0.6, 0.6) + 1.0 * beside);
 }
 
-Vector2 BallSkills::kickSpot(KickSide side) const {
-  if (side == KickSide::kAhead) return {options_.kickX, 0};
-  return {options_.sideX, side == KickSide::kLeft ? options_.sideY : -options_.sideY};
+BallSkills::KickSpot BallSkills::kickSpot(KickKind kind) const {
+  const Options& o = options_;
+  if (kind == KickKind::kAhead) return {{o.kickX, 0}, {o.kickToleranceX, o.kickToleranceY}};
+  if (kind == KickKind::kFarAhead) return {{o.farX, 0}, {o.farToleranceX, o.farToleranceY}};
+  return {{o.sideX, kind == KickKind::kLeft ? o.sideY : -o.sideY}, {o.sideToleranceX, o.sideToleranceY}};
 }
 
-Intention BallSkills::position(const Vector2& ball, double aim, KickSide side) const {
-  const Vector2 way = ball - kickSpot(side);
+Intention BallSkills::position(const Vector2& ball, double aim, KickKind kind) const {
+  const Vector2 way = ball - kickSpot(kind).place;
   // Sideways first, so that no paw pushes the ball away.
   const double free = std::abs(way.y()) > 0.06 ? 0.3 : 1.0;
   const double ahead =
@@ -177,11 +180,9 @@ Intention BallSkills::position(const Vector2& ball, double aim, KickSide side) c
   return walk({ahead, options_.positionGain * way.y()}, options_.positionTurn * aim);
 }
 
-bool BallSkills::canKick(const Vector2& ball, KickSide side) const {
-  const Vector2 off = ball - kickSpot(side);
-  const bool isAhead = side == KickSide::kAhead;
-  return std::abs(off.x()) < (isAhead ? options_.kickToleranceX : options_.sideToleranceX) &&
-         std::abs(off.y()) < (isAhead ? options_.kickToleranceY : options_.sideToleranceY);
+bool BallSkills::canKick(const Vector2& ball, KickKind kind) const {
+  const KickSpot spot = kickSpot(kind);
+  return ((ball - spot.place).array().abs() < spot.tolerance.array()).all();
 }
 
 /// Straight, or along a circle around the ball, and the rest of the turn there.

@@ -9,10 +9,11 @@
 
 namespace modules {
 
-/// Where a kick sends the ball, as seen from the robot.
-enum class KickSide { kAhead, kLeft, kRight };
-/// The angle of that direction in the robot's frame, rad.
-double angleOf(KickSide side);
+/// The kicks of a player: one straight ahead that is soon over, one that takes longer and reaches farther,
+/// and those to the sides.
+enum class KickKind { kAhead, kFarAhead, kLeft, kRight };
+/// The direction in which it sends the ball, in the robot's frame, rad.
+double angleOf(KickKind kind);
 
 /// How a robot on legs walks to places and to the ball: controllers without memory, on plain values in the
 /// robot's frame (x to the front, meters, radians).
@@ -47,6 +48,8 @@ class BallSkills {
     double passing = 0.26;
     /// Where the ball must be for a kick, and how exactly, m.
     double kickX = 0.16, kickToleranceX = 0.035, kickToleranceY = 0.04;
+    /// The same of the far one.
+    double farX = 0.12, farToleranceX = 0.015, farToleranceY = 0.04;
     /// The same of the kick to the left; that to the right is its mirror image.
     double sideX = 0.21, sideY = 0.03, sideToleranceX = 0.02, sideToleranceY = 0.025;
     /// How fast it walks to there, 1/s, and at most, m/s.
@@ -77,9 +80,9 @@ class BallSkills {
   /// Pushes the ball into the direction `aim`, with the ball between the fore paws.
   Intention dribble(const robotlink::Vector2& ball, double aim) const;
   /// Walks the last centimeters to where a kick reaches the ball, and turns to `aim`.
-  Intention position(const robotlink::Vector2& ball, double aim, KickSide side) const;
+  Intention position(const robotlink::Vector2& ball, double aim, KickKind kind) const;
   /// Whether a kick reaches the ball.
-  bool canKick(const robotlink::Vector2& ball, KickSide side) const;
+  bool canKick(const robotlink::Vector2& ball, KickKind kind) const;
   /// How well the robot is placed: the angle between the way to the ball and the aim; 0 is straight behind.
   static double offset(const robotlink::Vector2& ball, double aim);
   /// How long it takes to be behind the ball, s.
@@ -88,8 +91,11 @@ class BallSkills {
  private:
   /// A walk within the limits of speed, whose direction is kept.
   Intention walk(const robotlink::Vector2& velocity, double turn) const;
-  /// Where the ball must be for a kick.
-  robotlink::Vector2 kickSpot(KickSide side) const;
+  /// Where the ball must be for a kick, and how exactly.
+  struct KickSpot {
+    robotlink::Vector2 place, tolerance;
+  };
+  KickSpot kickSpot(KickKind kind) const;
   /// What the own middle keeps out of.
   struct Circle {
     robotlink::Vector2 middle;

@@ -12,6 +12,8 @@ using robotlink::Vector2;
 
 namespace {
 
+constexpr KickKind kKicks[] = {KickKind::kAhead, KickKind::kFarAhead, KickKind::kLeft, KickKind::kRight};
+
 /// The directions that are compared, all around; the number after them is the direct one to the goal.
 constexpr int kCircle = 24;
 /// How far a rolling ball is followed at a time, m, and how far its middle is from a wall that it touches.
@@ -54,11 +56,28 @@ bool KickPlanner::isStopped(const Situation& now, const Vector2& from, const Vec
   return std::ranges::any_of(now.opponents, stops) || std::ranges::any_of(now.mates, stops);
 }
 
+bool KickPlanner::hasTime(const Situation& now, KickKind kind) const {
+  if (kind != KickKind::kFarAhead) return true;
+  return options_.farClearance > 0 && std::ranges::none_of(now.opponents, [&](const Vector2& robot) {
+           return (robot - now.ball).norm() < options_.farClearance;
+         });
+}
+
+double KickPlanner::lengthOf(KickKind kind) const {
+  if (kind == KickKind::kAhead) return options_.kickLength;
+  return kind == KickKind::kFarAhead ? options_.farLength : options_.sideLength;
+}
+
+double KickPlanner::spreadOf(KickKind kind) const {
+  if (kind == KickKind::kAhead) return options_.kickSpread;
+  return kind == KickKind::kFarAhead ? options_.farSpread : options_.sideSpread;
+}
+
 /// The time from a kick on, for which the ball is followed as it rolls, along walls too.
 double KickPlanner::secondsAfter(const Situation& now, const Choice& choice) const {
   const Vector2 goal = places_.opponentGoal();
   const double half = 0.5 * places_.goalWidth() - kBallRadius - 0.04;
-  const double length = choice.side == KickSide::kAhead ? options_.kickLength : options_.sideLength;
+  const double length = lengthOf(choice.kind);
   const Vector2 step = kRollStep * towards(choice.direction);
   Vector2 ball = now.ball;
   bool stopped = false;
@@ -78,30 +97,31 @@ double KickPlanner::secondsAfter(const Situation& now, const Choice& choice) con
 }
 
 std::optional<double> KickPlanner::secondsToGoal(const Situation& now, const Choice& choice) const {
+  if (!hasTime(now, choice.kind)) return std::nullopt;
   const Vector2 behind = now.ball - towards(choice.heading()) * now.skills.options().standOff;
   if ((places_.reachable(behind) - behind).norm() > kTight) return std::nullopt;
   // The mean over the spread, by the three points of a Gauss-Hermite quadrature.
-  const double spread = choice.side == KickSide::kAhead ? options_.kickSpread : options_.sideSpread;
-  const double aside = std::sqrt(3.0) * spread;
+  const double aside = std::sqrt(3.0) * spreadOf(choice.kind);
   const double after =
-      (4 * secondsAfter(now, choice) + secondsAfter(now, {choice.side, choice.direction - aside}) +
-       secondsAfter(now, {choice.side, choice.direction + aside})) /
+      (4 * secondsAfter(now, choice) + secondsAfter(now, {choice.kind, choice.direction - aside}) +
+       secondsAfter(now, {choice.kind, choice.direction + aside})) /
       6;
-  return secondsBehind(now, choice.heading()) + after;
+  return secondsBehind(now, choice.heading()) + after +
+         (choice.kind == KickKind::kFarAhead ? options_.farSeconds : 0);
 }
 
 KickPlanner::Choice KickPlanner::choose(const Situation& now, bool keeps) {
   const Vector2 way = places_.aim(now.ball, now.opponents) - now.ball;
   const double toGoal = way.norm() < 0.05 ? 0 : wayAngle(way);
-  const auto choiceOf = [&](const std::pair<KickSide, int>& one) {
+  const auto choiceOf = [&](const std::pair<KickKind, int>& one) {
     return Choice{one.first, one.second == kCircle ? toGoal : 2 * kPi * one.second / kCircle};
   };
-  if (keeps && last_) return choiceOf(*last_);
-  std::pair best(KickSide::kAhead, kCircle);
+  if (keeps && last_ && hasTime(now, last_->first)) return choiceOf(*last_);
+  std::pair best(KickKind::kAhead, kCircle);
   std::optional<double> least;
-  for (const KickSide side : {KickSide::kAhead, KickSide::kLeft, KickSide::kRight}) {
+  for (const KickKind kind : kKicks) {
     for (int number = kCircle; number >= 0; --number) {
-      const std::pair one(side, number);
+      const std::pair one(kind, number);
       auto seconds = secondsToGoal(now, choiceOf(one));
       if (!seconds) continue;
       if (one == last_) *seconds -= options_.keepSeconds;

@@ -11,10 +11,10 @@
 
 namespace modules {
 
-/// Chooses the direction in which a player plays the ball, and the kick ahead or to a side: those after which
-/// the ball is soonest in the opponent's goal, by an estimate of the time for walking to the ball, and for
-/// what is left of the way after a kick that rolls along walls and stops at robots. All in the team's frame,
-/// meters, seconds and rad.
+/// Chooses the direction in which a player plays the ball, and the kick ahead, far ahead, or to a side: those
+/// after which the ball is soonest in the opponent's goal, by an estimate of the time for walking to the
+/// ball, and for what is left of the way after a kick that rolls along walls and stops at robots. All in the
+/// team's frame, meters, seconds and rad.
 ///
 /// It keeps its last choice as long as no other one is clearly better. Not thread-safe.
 class KickPlanner {
@@ -24,6 +24,11 @@ class KickPlanner {
     double kickLength = 0.7, sideLength = 0.9;
     /// How far their directions are off, as a standard deviation, rad.
     double kickSpread = 0.2, sideSpread = 0.25;
+    /// The same of the far kick ahead, which takes its time: it is played only if no opponent is this near to
+    /// the ball, m. 0: never.
+    double farLength = 1.5, farSpread = 0.15, farClearance = 0;
+    /// What it costs that the far kick takes longer and misses more often, s.
+    double farSeconds = 2;
     /// Estimated time for each kick, s, and for each meter that the ball is still away from the goal.
     double secondsPerKick = 4, secondsPerMeter = 9;
     /// What a ball beside a wall costs: it is hard to play away from there, s.
@@ -37,11 +42,11 @@ class KickPlanner {
     bool operator==(const Options&) const = default;
   };
   struct Choice {
-    KickSide side = KickSide::kAhead;
+    KickKind kind = KickKind::kAhead;
     /// Where the ball goes, in the field, rad.
     double direction = 0;
     /// Where the robot looks when it kicks, rad.
-    double heading() const { return direction - angleOf(side); }
+    double heading() const { return direction - angleOf(kind); }
   };
   /// Where a kick begins, and what is in its way.
   struct Situation {
@@ -65,6 +70,10 @@ class KickPlanner {
   std::optional<double> secondsToGoal(const Situation& now, const Choice& choice) const;
 
  private:
+  /// Whether there is time for such a kick.
+  bool hasTime(const Situation& now, KickKind kind) const;
+  double lengthOf(KickKind kind) const;
+  double spreadOf(KickKind kind) const;
   double secondsBehind(const Situation& now, double heading) const;
   double secondsAfter(const Situation& now, const Choice& choice) const;
   static bool isStopped(const Situation& now, const robotlink::Vector2& from, const robotlink::Vector2& to);
@@ -72,7 +81,7 @@ class KickPlanner {
   const TeamPlaces& places_;
   Options options_;
   /// The last choice: a kick, and the number of a direction of the circle, or that of the goal.
-  std::optional<std::pair<KickSide, int>> last_;
+  std::optional<std::pair<KickKind, int>> last_;
 };
 
 }  // namespace modules

@@ -56,6 +56,10 @@ Vector2 SoccerMind::ballAfter(double seconds) const {
   return now_.ball + now_.ballVelocity * (options_.roll.wayAfter(speed, seconds) / speed);
 }
 
+Vector2 SoccerMind::ballAtKick() const {
+  return ballAfter(kick_ == KickKind::kFarAhead ? options_.farDelay : options_.kickDelay);
+}
+
 Vector2 SoccerMind::meetingPoint() const {
   // The time of the way to a place that depends on that time, by repeated substitution.
   double seconds = 0;
@@ -66,19 +70,19 @@ Vector2 SoccerMind::meetingPoint() const {
 
 double SoccerMind::playDirection() {
   if (!now_.ballInTeam()) {
-    side_ = KickSide::kAhead;
+    kick_ = KickKind::kAhead;
     return std::atan2(meets_.y(), meets_.x());
   }
   const KickPlanner::Choice choice = kicks_.choose(
       {*now_.pose, places_.within(*now_.pose * meets_, 0), now_.opponents, matesInTeam(), skills_},
       isAtBall_);
-  side_ = choice.side;
+  kick_ = choice.kind;
   return normalizedAngle(choice.heading() - now_.pose->heading);
 }
 
 std::optional<double> SoccerMind::aim() const {
   if (!now_.knowsBall) return std::nullopt;
-  return aim_ + angleOf(side_);
+  return aim_ + angleOf(kick_);
 }
 
 double SoccerMind::distanceToGoal() const {
@@ -242,15 +246,27 @@ void SoccerMind::approachBall() {
   if (now_.time - glancedAt_ < options_.glanceTime) intention_.head = Intention::Head::kLookAround;
 }
 
+const std::string& SoccerMind::motionOf(KickKind kick) const {
+  switch (kick) {
+    case KickKind::kAhead:
+      return options_.kick;
+    case KickKind::kFarAhead:
+      return options_.farKick;
+    case KickKind::kLeft:
+      return options_.kickLeft;
+    case KickKind::kRight:
+      return options_.kickRight;
+  }
+  return options_.kick;
+}
+
 void SoccerMind::kickBall() {
   isAtBall_ = true;
   if (now_.playsMotion) kickBegan_ = true;
   // Requested only until it begins: a motion that is still requested when it ends is repeated.
   intention_ = {};
   intention_.motion = kickBegan_ ? Intention::Motion::kStand : Intention::Motion::kKick;
-  intention_.kick = side_ == KickSide::kAhead  ? options_.kick
-                    : side_ == KickSide::kLeft ? options_.kickLeft
-                                               : options_.kickRight;
+  intention_.kick = motionOf(kick_);
   intention_.head = Intention::Head::kTrack;
 }
 

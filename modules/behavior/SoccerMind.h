@@ -28,8 +28,8 @@ class SoccerMind {
     RollingBall roll;
     /// For how long it predicts at most where it meets a rolling ball, s.
     double interceptTime = 2;
-    /// From the decision to kick until the ball is hit, s.
-    double kickDelay = 0.25;
+    /// From the decision to kick until the ball is hit, and the same of the far kick, s.
+    double kickDelay = 0.25, farDelay = 0.5;
     /// Search: time for which it looks about before it turns, of a turn, and of the walk after it, s.
     double lookAboutTime = 2.0, turnTime = 7, wanderTime = 5;
     /// Time without colors of the field after which it stands still, s.
@@ -68,6 +68,8 @@ class SoccerMind {
     double kickOffWait = 6;
     /// The key-frame motion of a kick straight ahead.
     std::string kick = "kick-forward";
+    /// That of the far one, for which `kicks` has a clearance.
+    std::string farKick;
     /// Those to the sides.
     std::string kickLeft = "kick-to-left", kickRight = "kick-to-right";
   };
@@ -103,6 +105,8 @@ class SoccerMind {
   double playDirection();
   /// Where the ball will be, in the present frame of the robot.
   robotlink::Vector2 ballAfter(double seconds) const;
+  /// Where the ball will be when the present kick hits it.
+  robotlink::Vector2 ballAtKick() const;
   /// Where the robot meets the ball if it walks there.
   robotlink::Vector2 meetingPoint() const;
   /// The angle up to which a ball that is played now goes into the goal; unset if the pose is unknown.
@@ -128,6 +132,7 @@ class SoccerMind {
   void walkToPlace(const robotlink::Pose2& placeInTeam);
   void approachBall();
   void kickBall();
+  const std::string& motionOf(KickKind kick) const;
   void stepBack();
 
   Options options_;
@@ -144,7 +149,7 @@ class SoccerMind {
   /// In the robot's frame, rad.
   double aim_ = 0;
   /// The kick for which it turns there.
-  KickSide side_ = KickSide::kAhead;
+  KickKind kick_ = KickKind::kAhead;
   /// The last action was one at the ball, where the choice of a kick is kept.
   bool isAtBall_ = false;
   bool isLeftToGoalie_ = false;

@@ -189,12 +189,12 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .to("approach", "the ball is away", isAway)
       .to("approach", "the goal is elsewhere", isBeside)
       .to("kick", "the ball is before the paws, and the goal near or an opponent", [&p] {
-        return p.shouldKick() && p.skills_.canKick(p.now_.ball, p.side_) && p.now_.seesBall() &&
+        return p.shouldKick() && p.skills_.canKick(p.now_.ball, p.kick_) && p.now_.seesBall() &&
                std::abs(p.aim_) < p.options_.kickTolerance;
       });
   strike.state("position", "Walks the last centimeters to where the kick reaches the ball.")
       .does([&p] {
-        p.intention_ = p.skills_.position(p.ballAfter(p.options_.kickDelay), p.aim_, p.side_);
+        p.intention_ = p.skills_.position(p.ballAtKick(), p.aim_, p.kick_);
         p.isAtBall_ = true;
         p.lookUp();
       })
@@ -203,7 +203,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .to("approach", "the goal is elsewhere", isBeside)
       .to("kick", "the ball is before the paws",
           [&p] {
-            return p.skills_.canKick(p.ballAfter(p.options_.kickDelay), p.side_) && p.now_.seesBall() &&
+            return p.skills_.canKick(p.ballAtKick(), p.kick_) && p.now_.seesBall() &&
                    std::abs(p.aim_) < p.options_.kickTolerance;
           })
       .to("approach", "positioning takes too long", after(&SoccerMind::Options::positionTime));

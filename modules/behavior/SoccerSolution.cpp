@@ -104,6 +104,9 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {{kSkills, Skills::kKickXFieldNumber}, skill<&B::kickX>, kAtLeastZero},
     {{kSkills, Skills::kKickToleranceXFieldNumber}, skill<&B::kickToleranceX>, kAtLeastZero},
     {{kSkills, Skills::kKickToleranceYFieldNumber}, skill<&B::kickToleranceY>, kAtLeastZero},
+    {{kSkills, Skills::kFarXFieldNumber}, skill<&B::farX>, kAtLeastZero},
+    {{kSkills, Skills::kFarToleranceXFieldNumber}, skill<&B::farToleranceX>, kAtLeastZero},
+    {{kSkills, Skills::kFarToleranceYFieldNumber}, skill<&B::farToleranceY>, kAtLeastZero},
     {{kSkills, Skills::kSideXFieldNumber}, skill<&B::sideX>, kAtLeastZero},
     {{kSkills, Skills::kSideYFieldNumber}, skill<&B::sideY>},
     {{kSkills, Skills::kSideToleranceXFieldNumber}, skill<&B::sideToleranceX>, kAtLeastZero},
@@ -157,6 +160,11 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {Fields::kDefenderAdvantageFieldNumber, role<&R::defenderAdvantage>, kAtLeastZero},
     {Fields::kLonelyAfterFieldNumber, role<&R::lonelyAfter>, kAtLeastZero},
     {Fields::kKickLengthFieldNumber, kicking<&K::kickLength>, kAboveZero},
+    {Fields::kFarLengthFieldNumber, kicking<&K::farLength>, kAboveZero},
+    {Fields::kFarSpreadFieldNumber, kicking<&K::farSpread>, kAtLeastZero},
+    {Fields::kFarClearanceFieldNumber, kicking<&K::farClearance>, kAtLeastZero},
+    {Fields::kFarSecondsFieldNumber, kicking<&K::farSeconds>, kAtLeastZero},
+    {Fields::kFarDelayFieldNumber, playing<&P::farDelay>, kAtLeastZero},
     {Fields::kKickSpreadFieldNumber, kicking<&K::kickSpread>, kAtLeastZero},
     {Fields::kSideLengthFieldNumber, kicking<&K::sideLength>, kAboveZero},
     {Fields::kSideSpreadFieldNumber, kicking<&K::sideSpread>, kAtLeastZero},
@@ -174,6 +182,8 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
 SoccerChoices choices(const robotcontrol::SoccerParameters& parameters) {
   SoccerChoices chosen = kSoccerTable.read(parameters);
   if (!parameters.kick().empty()) chosen.player.kick = parameters.kick();
+  chosen.player.farKick = parameters.far_kick();
+  if (chosen.player.farKick.empty()) chosen.player.kicks.farClearance = 0;
   if (!parameters.kick_left().empty()) chosen.player.kickLeft = parameters.kick_left();
   if (!parameters.kick_right().empty()) chosen.player.kickRight = parameters.kick_right();
   return chosen;

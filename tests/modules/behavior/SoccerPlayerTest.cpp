@@ -332,6 +332,24 @@ TEST_F(SoccerPlayerTest, kicksOnceWhenTheBallIsBeforeItsPawsAndTheGoalAhead) {
   EXPECT_EQ(play(now, 2).motion, Intention::Motion::kWalk);
 }
 
+TEST_F(SoccerPlayerTest, kicksFarOnlyWhenNoOpponentIsNear) {
+  SoccerPlayer::Options options;
+  options.kick = "quick";
+  options.farKick = "far";
+  options.kicks.farClearance = 0.5;
+  player_.setOptions(options);
+  GameSituation now = situation({0.2, 0, 0}, {0.33, 0});
+  EXPECT_EQ(play(now, 3).kick, "far");
+  SoccerPlayer pressed(field_, options);
+  now.opponents = {{0.6, 0.3}};
+  now.time += 1;
+  (void)pressed.decide(now);
+  now.time += 0.04;
+  (void)pressed.decide(now);
+  now.time += 0.04;
+  EXPECT_EQ(pressed.decide(now).kick, "quick");
+}
+
 TEST_F(SoccerPlayerTest, searchesAndStandsStillWhenItIsBlind) {
   GameSituation now = situation({0, 0, 0}, {1, 0});
   now.knowsBall = false;
