@@ -18,14 +18,14 @@ constexpr const char* kBoxModel =
     "<link name='l'><collision name='c'><geometry><box><size>1 1 1</size></box></geometry></collision>"
     "</link></model>";
 
-std::string boxAt(int number, double height) {
+std::string numberedBox(int number, double height) {
   return "\n<model name='box" + std::to_string(number) + "'><pose>0 0 " + std::to_string(height) +
          " 0 0 0</pose>" + kBoxModel;
 }
 
 std::string boxes(int count, double distance) {
   std::string text;
-  for (int i = 0; i < count; ++i) text += boxAt(i, 1 + i * distance);
+  for (int i = 0; i < count; ++i) text += numberedBox(i, 1 + i * distance);
   return worldAround(text);
 }
 
