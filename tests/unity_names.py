@@ -45,6 +45,14 @@ def without_template(head):
     return ""
 
 
+def without_value(head):
+    """A declaration up to the value that it gives; defaults of parameters are none."""
+    for match in re.finditer(r"(?<![=!<>])=(?!=)", head):
+        if head.count("(", 0, match.start()) == head.count(")", 0, match.start()):
+            return head[:match.start()]
+    return head
+
+
 def declared(head):
     """(name, what makes it another thing) of each thing that a declaration's beginning declares."""
     if found := first_declared(head):
@@ -67,7 +75,9 @@ def first_declared(head):
         return None
     if match := TYPE.match(head):
         return match[1], "type"
-    before = re.split(r"(?<![=!<>])=(?!=)", head)[0]
+    before = without_value(head)
+    if before.count("(") > before.count(")"):  # a parameter's default in braces ends what is known of the function
+        before += ")"
     if (match := FUNCTION.search(before)) and "operator" not in before and "::" + match[1] not in before:
         return (match[1], parameter_types(match[2])) if not match[1].isupper() and match[1] not in ("TEST_F", "TEST_P") else None
     if (match := VARIABLE.search(before.strip())) and " " in before.strip():

@@ -27,7 +27,7 @@ constexpr double kSpreadMaximum = radians(89);
 constexpr double kKneeMinimum = radians(-27), kKneeMaximum = radians(147);
 
 /// A vector in directions that are the same for all legs: away from the body's center, outwards, down.
-Vector3 mirrored(Leg leg, const Vector3& v) {
+Vector3 mirroredLeg(Leg leg, const Vector3& v) {
   return {isFore(leg) ? v.x() : -v.x(), isLeft(leg) ? v.y() : -v.y(), -v.z()};
 }
 
@@ -51,11 +51,11 @@ Vector3 LegKinematics::pawInHip(Leg leg, const LegAngles& angles) const {
   const double outside = dimensions_.pawOffset * c2 + down * s2;
   const double lower = down * c2 - dimensions_.pawOffset * s2;
   const double s1 = std::sin(angles.swing), c1 = std::cos(angles.swing);
-  return mirrored(leg, {away * c1 + lower * s1, outside, lower * c1 - away * s1});
+  return mirroredLeg(leg, {away * c1 + lower * s1, outside, lower * c1 - away * s1});
 }
 
 LegKinematics::Solution LegKinematics::anglesFor(Leg leg, const Vector3& pawInHip) const {
-  const Vector3 target = mirrored(leg, pawInHip);
+  const Vector3 target = mirroredLeg(leg, pawInHip);
   const double offset = dimensions_.pawOffset;
   const double thigh = std::hypot(dimensions_.kneeAway, dimensions_.kneeDown);
   const double thighAngle = std::atan2(dimensions_.kneeAway, dimensions_.kneeDown);

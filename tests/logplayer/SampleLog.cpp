@@ -21,7 +21,7 @@ namespace {
 using robotlink::Instant;
 using robotlink::StreamMessage;
 
-std::shared_ptr<foxglove::RawImage> image(int number, Instant time) {
+std::shared_ptr<foxglove::RawImage> sampleImage(int number, Instant time) {
   robotlink::Image pixels(4, 2, robotlink::PixelFormat::kMono8);
   pixels.data[0] = static_cast<std::uint8_t>(number);
   auto message = std::make_shared<foxglove::RawImage>();
@@ -65,8 +65,9 @@ std::vector<StreamMessage> cognitionFrame(const SampleLog& log, int i) {
   robotlink::assign(*ball->mutable_timestamp(), time);
   ball->mutable_position_in_robot()->set_x(i);
   const auto frame = static_cast<std::uint64_t>(i + 1);
-  std::vector<StreamMessage> messages{{log.robot + "/camera/image", time, image(i, time), "cognition", frame},
-                                      {log.robot + "/models/ball", time, ball, "cognition", frame}};
+  std::vector<StreamMessage> messages{
+      {log.robot + "/camera/image", time, sampleImage(i, time), "cognition", frame},
+      {log.robot + "/models/ball", time, ball, "cognition", frame}};
   if (i % 10 == 0) messages.push_back({log.robot + "/log", time, logText(i, time), "cognition", frame});
   if (!log.cutLastFrame || i + 1 < log.frames) {
     messages.push_back({log.robot + "/frames/cognition", time, sampleFrameInfo("cognition", i + 1, time),

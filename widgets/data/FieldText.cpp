@@ -48,7 +48,7 @@ QString numberText(Number value, Precision precision) {
   }
 }
 
-QString timeText(const Message& time, Precision precision) {
+QString timeFieldText(const Message& time, Precision precision) {
   const std::int64_t whole = robotlink::wholeSeconds(time);
   const std::int32_t nanos = robotlink::nanoseconds(time);
   const bool isDate = time.GetDescriptor()->name() == "Timestamp" && whole >= kCalendar;
@@ -112,7 +112,7 @@ QString valueText(const FieldPlace& place, Precision precision) {
       return QString::fromUtf8(value.data(), static_cast<int>(std::min<std::size_t>(value.size(), kMaxText)))
           .simplified();
     } else {
-      return robotlink::isTime(*value.GetDescriptor()) ? timeText(value, precision) : QString();
+      return robotlink::isTime(*value.GetDescriptor()) ? timeFieldText(value, precision) : QString();
     }
   });
 }

@@ -38,7 +38,7 @@ QModelIndex indexOf(const ParameterModel& model, const QString& path, const QMod
 }
 
 /// The value of a row as set() takes it.
-std::string valueText(const QModelIndex& index) {
+std::string valueOfRow(const QModelIndex& index) {
   const QModelIndex value = index.siblingAtColumn(ParameterModel::kValue);
   const QVariant checked = value.data(Qt::CheckStateRole);
   if (!checked.isValid()) return value.data(Qt::EditRole).toString().toStdString();
@@ -54,7 +54,7 @@ void addChanges(const ParameterValues& values, ParameterEdits::Changes& changes)
   for (const QString& path : paths) {
     const QModelIndex index = indexOf(model, path);
     if (index.data(ParameterModel::kChangedRole).toBool())
-      changes[values.task() + "/" + values.solution() + " " + path.toStdString()] = valueText(index);
+      changes[values.task() + "/" + values.solution() + " " + path.toStdString()] = valueOfRow(index);
   }
 }
 
@@ -184,7 +184,7 @@ void ParameterEdits::requestValue(const std::string& solution, const std::string
     const QModelIndex index = indexOf(model, QString::fromStdString(path));
     if (!index.isValid() || model.rowCount(index) > 0)
       return done(failure("robot.parameter-unknown", "there is no parameter " + path, {}, {path}));
-    done(valueText(index));
+    done(valueOfRow(index));
   });
 }
 

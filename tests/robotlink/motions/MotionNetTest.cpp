@@ -111,13 +111,16 @@ TEST(MotionNetTest, theShippedMotionsCompileAndKeepTheirText) {
       loadMotions(folder, {"neckTilt", "headPan", "legFL1", "legFL2", "legFL3", "legFR1", "legFR2", "legFR3",
                            "legHL1", "legHL2", "legHL3", "legHR1", "legHR2", "legHR3"});
   ASSERT_TRUE(net) << describe(net.error());
-  EXPECT_EQ((*net)->motions.size(), 14U);
-  EXPECT_EQ(requestable(**net).size(), 13U);
+  std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const auto motion = readMotionFile(entry.path());
     ASSERT_TRUE(motion) << describe(motion.error());
     EXPECT_EQ(*readMotion(writeMotion(*motion), motion->path), *motion) << entry.path();
+    ++files;
   }
+  EXPECT_GT(files, 10U);
+  EXPECT_EQ((*net)->motions.size(), files);
+  EXPECT_EQ(requestable(**net).size(), files - 1) << "all but the entry table";
 }
 
 /// Motions of a real team, for a robot of 22 joints.

@@ -50,16 +50,17 @@ Drift driftOf(Simulation& simulation) {
   return drift;
 }
 
-std::string boxAt(const std::string& name, const std::string& pose, const Vector3& size, double mass) {
+std::string restingBox(const std::string& name, const std::string& pose, const Vector3& size, double mass) {
   return model(name, pose, inertial(mass, momentsOfBox(mass, size)) + solid(box(size)));
 }
 
 TEST(RestTruth, boxesCylindersAndBallsStayForAMinute) {
   const double radius = 0.1;
   const auto simulation = simulationOf(
-      ground() + boxAt("flat", "0 0 0.05 0 0 0.3", {0.4, 0.3, 0.1}, 2) +
-      boxAt("tall", "2 0 0.25 0 0 1", {0.1, 0.1, 0.5}, 2) + boxAt("heavy", "4 0 0.5 0 0 0", {1, 1, 1}, 500) +
-      boxAt("light", "6 0 0.01 0 0 0", {0.02, 0.02, 0.02}, 0.005) +
+      ground() + restingBox("flat", "0 0 0.05 0 0 0.3", {0.4, 0.3, 0.1}, 2) +
+      restingBox("tall", "2 0 0.25 0 0 1", {0.1, 0.1, 0.5}, 2) +
+      restingBox("heavy", "4 0 0.5 0 0 0", {1, 1, 1}, 500) +
+      restingBox("light", "6 0 0.01 0 0 0", {0.02, 0.02, 0.02}, 0.005) +
       model("can", "8 0 0.15 0 0 0",
             inertial(1, momentsOfCylinder(1, radius, 0.3)) + solid(cylinder(radius, 0.3))) +
       model("ball", "10 0 0.1 0 0 0", inertial(1, momentsOfSphere(1, radius)) + solid(sphere(radius))));
@@ -73,8 +74,8 @@ TEST(RestTruth, boxesCylindersAndBallsStayForAMinute) {
 TEST(RestTruth, aStackStandsForAMinute) {
   std::string stack = ground();
   for (int i = 0; i < 5; ++i)
-    stack += boxAt("box" + std::to_string(i), "0 0 " + std::to_string(0.05 + 0.1 * i) + " 0 0 0",
-                   {0.2, 0.2, 0.1}, 1);
+    stack += restingBox("box" + std::to_string(i), "0 0 " + std::to_string(0.05 + 0.1 * i) + " 0 0 0",
+                        {0.2, 0.2, 0.1}, 1);
   const auto simulation = simulationOf(stack);
   const Drift drift = driftOf(*simulation);
   SCOPED_TRACE(drift.body);
