@@ -96,7 +96,7 @@ robotlink::Result<void> SimulationState::checkStart() {
   const auto isOurs = [](const ModelInstance& model) {
     return !model.type->robot.empty() || model.type->isBall;
   };
-  std::size_t pairs = 0;
+  std::size_t pairs = 0;  // each is counted by both of its models
   for (std::size_t i = 0; i < world.models.size(); ++i) {
     const int other = physics->overlappedModel(static_cast<int>(i), kMaxOverlap, &pairs);
     if (other < 0) continue;
@@ -109,8 +109,8 @@ robotlink::Result<void> SimulationState::checkStart() {
     }
     if (pairs >= kMaxOverlaps) {
       return robotlink::failure("scene.overlap",
-                                text + ", and so do too many others (" + std::to_string(pairs) +
-                                    " pairs of solids): move them apart",
+                                text + ", and so do too many others (more than " +
+                                    std::to_string(kMaxOverlaps / 2) + " pairs of solids): move them apart",
                                 model.where, {model.name, otherModel.name});
     }
     leaveOut(overlaps, {model.where, model.name, text, "they push each other apart"});

@@ -173,6 +173,13 @@ struct LaneLists {
   }
 };
 constexpr LaneLists kLaneLists;
+#else
+template <typename Number, typename Lanes>
+SIMCORE_INLINE int storeEach(Number* to, Lanes v, unsigned lanes) {
+  int count = 0;
+  for (; lanes != 0; lanes &= lanes - 1) to[count++] = v[__builtin_ctz(lanes)];
+  return count;
+}
 #endif
 /// Stores the selected lanes one after the other and returns their number; what
 /// is behind them, up to eight lanes, may be overwritten.
@@ -181,9 +188,7 @@ SIMCORE_INLINE int storeSelected(std::int32_t* to, Int8 v, unsigned lanes) {
   store(to, kLaneLists.moved(v, lanes));
   return __builtin_popcount(lanes);
 #else
-  int count = 0;
-  for (; lanes != 0; lanes &= lanes - 1) to[count++] = v[__builtin_ctz(lanes)];
-  return count;
+  return storeEach(to, v, lanes);
 #endif
 }
 /// The same of four lanes of 64 bits.
@@ -194,9 +199,7 @@ SIMCORE_INLINE int storeSelected(std::int64_t* to, Mask4 v, unsigned lanes) {
   store(to, kLaneLists.moved(reinterpret_cast<Int8>(v), kTwice[lanes]));
   return __builtin_popcount(lanes);
 #else
-  int count = 0;
-  for (; lanes != 0; lanes &= lanes - 1) to[count++] = v[__builtin_ctz(lanes)];
-  return count;
+  return storeEach(to, v, lanes);
 #endif
 }
 

@@ -38,7 +38,7 @@ class FrameMemory {
   CacheLines<float> positions_, inverseDepths_, columns_, rows_;
   /// candidates_ is by triangle of the largest mesh, triangles_ by pixel.
   CacheLines<std::int32_t> candidates_, triangles_;
-  // By vertex and by triangle of the largest mesh.
+  // ranges_ is by vertex, boxes_ by triangle of the largest mesh.
   CacheLines<std::int64_t> ranges_, boxes_;
   int rowsPerStrip_ = 1;
   // The memory of a strip.

@@ -4,13 +4,12 @@
 #include "simcore/rendering/Float8.h"
 #include "simcore/rendering/KernelTypes.h"
 
-// Transforms a mesh and selects the triangles that may cover pixels, before
-// anything else is computed of them. Included only by the two Kernels*.cpp.
+// Transforms a mesh and selects the triangles that may cover pixels, before anything else is computed of
+// them. Included only by the two Kernels*.cpp.
 //
-// Most triangles end here: they show their inner side, or lie between the
-// centers of pixels. Of the others the box of pixels is known then. It is found
-// from the range of each vertex, four numbers of 16 bits, whose minima over the
-// corners are the box.
+// Most triangles end here: they show their inner side, or lie between the centers of pixels. Of the others
+// the box of pixels is known then. It is found from the range of each vertex, four numbers of 16 bits, whose
+// minima over the corners are the box.
 namespace simcore::rendering {
 namespace {
 
@@ -28,17 +27,16 @@ SIMCORE_INLINE void padCandidates(std::int32_t* candidates, int count) {
   for (int i = 0; i < 7 && count > 0; ++i) candidates[count + i] = candidates[count - 1];
 }
 
-/// Collects the indices of triangles whose outer side faces the camera, and
-/// repeats the last one to fill a group of eight; returns their number.
+/// Collects the indices of triangles whose outer side faces the camera, and repeats the last one to fill a
+/// group of eight; returns their number.
 SIMCORE_INLINE int collectFrontFaces(const DrawJob& job, std::int32_t* candidates) {
   const MeshStreams& mesh = *job.mesh;
   // In the mesh's frame, so that planes need not be transformed.
   const Vector8 camera = splatVector(job.cameraInMesh);
   Int8 index = {0, 1, 2, 3, 4, 5, 6, 7};
   int count = 0;
-  // The camera sees a triangle's outer side if it is above the triangle's
-  // plane. The position of the camera relative to the planes of eight triangles
-  // at a time.
+  // The camera sees a triangle's outer side if it is above the triangle's plane. The position of the camera
+  // relative to the planes of eight triangles at a time.
   for (int at = 0; at < mesh.triangleGroups * 8; at += 8, index += 8) {
     const auto height = load<Float8>(mesh.plane[0] + at) * camera.x +
                         load<Float8>(mesh.plane[1] + at) * camera.y +
@@ -58,9 +56,8 @@ SIMCORE_INLINE void storeTransposed(float* to, Float8 x, Float8 y, Float8 z) {
   }
 }
 
-/// Stores the first column and row whose pixels' centers are not before each of
-/// eight points, and the negated last ones whose centers are not beyond it;
-/// those of points beside the image are beside it, too.
+/// Stores the first column and row whose pixels' centers are not before each of eight points, and the negated
+/// last ones whose centers are not beyond it; those of points beside the image are beside it, too.
 SIMCORE_INLINE void storeRanges(const VisibilityBuffer& buffer, Float8 x, Float8 y, Float8 z,
                                 std::int64_t* to) {
   const auto width = static_cast<float>(buffer.width), height = static_cast<float>(buffer.height);
@@ -77,8 +74,8 @@ SIMCORE_INLINE void storeRanges(const VisibilityBuffer& buffer, Float8 x, Float8
   store(to + 4, __builtin_shufflevector(first, last, 4, 12, 5, 13, 6, 14, 7, 15));
 }
 
-/// Transforms the mesh's vertices to the camera's frame, four floats each, and
-/// projects them if `ranges` is not null.
+/// Transforms the mesh's vertices to the camera's frame, four floats each, and projects them if `ranges` is
+/// not null.
 SIMCORE_INLINE void transformVertices(const DrawJob& job, const VisibilityBuffer& buffer,
                                       std::int64_t* ranges) {
   const MeshStreams& mesh = *job.mesh;
@@ -115,20 +112,18 @@ SIMCORE_INLINE Long4 boxesOf(const MeshStreams& mesh, const std::int64_t* ranges
 
 /// A bit for each of four boxes that is not empty.
 SIMCORE_INLINE unsigned nonempty(Long4 boxes) {
-  // In the upper half of each lane the first column and row minus the last
-  // ones.
+  // In the upper half of each lane the first column and row minus the last ones.
   const Short16 difference = reinterpret_cast<Short16>(boxes << 32) + reinterpret_cast<Short16>(boxes);
   const Short16 empty = difference > 0;
   return bits(reinterpret_cast<ULong4>(empty) >> 32 == 0);
 }
 
-/// Removes the candidates that cover no pixel's center, and stores the boxes of
-/// the others; returns their number.
+/// Removes the candidates that cover no pixel's center, and stores the boxes of the others; returns their
+/// number.
 SIMCORE_INLINE int selectCovering(const DrawJob& job, const VisibilityBuffer& buffer, int count) {
   std::int32_t* const candidates = buffer.candidates;
   int selected = 0;
-  // Without branches on which candidates remain, which the processor could
-  // hardly predict.
+  // Without branches on which candidates remain, which the processor could hardly predict.
   for (int i = 0; i < count; i += 8) {
     const auto triangles = load<Int8>(candidates + i);
     const Long4 low = boxesOf(*job.mesh, buffer.ranges, candidates + i),

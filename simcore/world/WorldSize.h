@@ -9,8 +9,8 @@ namespace simcore {
 /// instead of taking all memory.
 inline constexpr std::size_t kMaxWorldParts = 200'000;
 
-/// No more pairs of solids start inside each other: the contacts of a thousand bodies in one place would take
-/// gigabytes.
+/// No more pairs of solids start inside each other, where each is counted from both of its models: the
+/// contacts of a thousand bodies in one place would take gigabytes.
 inline constexpr std::size_t kMaxOverlaps = 20'000;
 
 /// The links, joints, sensors and shapes of a model.

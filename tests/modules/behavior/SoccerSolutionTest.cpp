@@ -38,6 +38,22 @@ class SoccerSolutionTest : public testing::Test {
     const auto* state = soccer_.sent(robotlink::kBehaviorState);
     return state != nullptr && depth < state->active_size() ? state->active(depth).state() : "";
   }
+  /// The kick that it requests with the ball before its paws.
+  std::string kick() {
+    auto& parameters = soccer_.parametersAs<robotcontrol::SoccerParameters>();
+    parameters.set_kick("quick");
+    parameters.set_far_clearance(0.5);
+    robotcontrol::BallModel ball;
+    ball.set_known(true);
+    ball.mutable_position_in_robot()->set_x(0.13);
+    for (int i = 0; i < 4; ++i) {
+      see(1, 0, robotlink::kPi);
+      soccer_.set(robotlink::kBallModel, ball);
+      soccer_.execute();
+      soccer_.pass(0.04);
+    }
+    return soccer_.sent(robotlink::kMotionRequest)->motion();
+  }
   OneSolution soccer_{"behavior", "soccer", player("blue2")};
 };
 
@@ -120,6 +136,15 @@ TEST_F(SoccerSolutionTest, aStateIsForcedByAParameter) {
   control.Clear();
   soccer_.execute();
   EXPECT_EQ(option(1), "striker");
+}
+
+TEST_F(SoccerSolutionTest, theFarKickIsPlayedIfTheParametersNameOne) {
+  soccer_.parametersAs<robotcontrol::SoccerParameters>().set_far_kick("far");
+  EXPECT_EQ(kick(), "far");
+}
+
+TEST_F(SoccerSolutionTest, withoutANameThereIsNoFarKick) {
+  EXPECT_EQ(kick(), "quick");
 }
 
 TEST(PotentialFieldSolutionTest, walksToTheBallAndDrawsItsForces) {
