@@ -115,7 +115,8 @@ SIMCORE_INLINE unsigned nonempty(Long4 boxes) {
   // In the upper half of each lane the first column and row minus the last ones.
   const Short16 difference = reinterpret_cast<Short16>(boxes << 32) + reinterpret_cast<Short16>(boxes);
   const Short16 empty = difference > 0;
-  return bits(reinterpret_cast<ULong4>(empty) >> 32 == 0);
+  const auto isEmpty = reinterpret_cast<ULong4>(empty) >> 32 == 0;
+  return bits(reinterpret_cast<Mask4>(isEmpty));
 }
 
 /// Removes the candidates that cover no pixel's center, and stores the boxes of the others; returns their
