@@ -2,12 +2,12 @@
 #include "robotlink/base/AtomicFile.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 #include "robotlink/base/LinkTarget.h"
 #include "robotlink/base/UnfinishedFile.h"
@@ -30,6 +30,28 @@ bool writeAll(int file, std::string_view contents) {
   return true;
 }
 
+Result<std::string> readAll(int file, const std::filesystem::path& path, std::size_t maxBytes,
+                            std::chrono::milliseconds pipePatience) {
+  std::string contents;
+  char buffer[1U << 16U];
+  while (true) {
+    // A file is always ready; a pipe whose writer sleeps, or that has none, is not.
+    pollfd waiting{file, POLLIN, 0};
+    const int ready = ::poll(&waiting, 1, static_cast<int>(pipePatience.count()));
+    if (ready == 0)
+      return failure("file.io", "this is a pipe, and nobody writes to it", {path.string(), 0, 0});
+    const ssize_t bytes = ready < 0 ? -1 : ::read(file, buffer, sizeof buffer);
+    if (bytes < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (bytes < 0) return systemFailure("read", path);
+    if (bytes == 0) return contents;
+    contents.append(buffer, static_cast<std::size_t>(bytes));
+    if (contents.size() > maxBytes) {
+      return failure("file.too-large", "the file is larger than " + std::to_string(maxBytes) + " bytes",
+                     {path.string(), 0, 0});
+    }
+  }
+}
+
 }  // namespace
 
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view contents) {
@@ -50,24 +72,17 @@ Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_
   return result;
 }
 
-Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
+Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes,
+                             std::chrono::milliseconds pipePatience) {
   errno = 0;
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
     return failure("file.directory", "this is a directory; name a file in it", {path.string(), 0, 0});
   }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return systemFailure("open", path);
-  std::string contents;
-  char buffer[1U << 16U];
-  while (stream.read(buffer, sizeof buffer) || stream.gcount() > 0) {
-    contents.append(buffer, static_cast<std::size_t>(stream.gcount()));
-    if (contents.size() > maxBytes) {
-      return failure("file.too-large", "the file is larger than " + std::to_string(maxBytes) + " bytes",
-                     {path.string(), 0, 0});
-    }
-  }
-  if (stream.bad()) return systemFailure("read", path);
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return systemFailure("open", path);
+  auto contents = readAll(file, path, maxBytes, pipePatience);
+  ::close(file);
   return contents;
 }
 

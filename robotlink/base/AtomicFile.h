@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,8 +16,10 @@ namespace robotlink {
 /// that it points to is written. Errors: file.io.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view contents);
 
-/// Reads a whole file. Fails if it cannot be opened or read (file.io), is a directory (file.directory), or is
-/// larger than `maxBytes` (file.too-large).
-Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = 64U << 20U);
+/// Reads a whole file, or what is written into a pipe until its writer closes it. Fails if it cannot be
+/// opened or read, or is a pipe into which nothing is written for so long (file.io); if it is a directory
+/// (file.directory); if it is larger than `maxBytes` (file.too-large).
+Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = 64U << 20U,
+                             std::chrono::milliseconds pipePatience = std::chrono::seconds(10));
 
 }  // namespace robotlink

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/base/AtomicFile.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <thread>
 
 #include "tests/TestFolder.h"
 
@@ -41,4 +46,18 @@ TEST(AtomicFile, aDirectoryAMissingAndATooLargeFileAreRefused) {
   EXPECT_EQ(readFile("/").error().id, "file.directory");
   EXPECT_EQ(readFile("/no/such/file").error().id, "file.io");
   EXPECT_EQ(readFile("/proc/self/maps", 10).error().id, "file.too-large");
+}
+
+TEST(AtomicFile, aPipeIsReadToItsEndAndIsNotWaitedForForEver) {
+  const TestFolder folder;
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(readFile(pipe, 100, std::chrono::milliseconds(1)).error().id, "file.io") << "nobody writes";
+  std::jthread writer([&pipe] {
+    const int file = ::open(pipe.c_str(), O_WRONLY);
+    EXPECT_EQ(::write(file, "first ", 6), 6);
+    EXPECT_EQ(::write(file, "second", 6), 6);
+    ::close(file);
+  });
+  EXPECT_EQ(readFile(pipe, 100).value(), "first second");
 }
