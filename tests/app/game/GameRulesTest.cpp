@@ -38,7 +38,7 @@ TEST(GameRules, thoseOf2002AreRead) {
   EXPECT_EQ(rules->penaltyFor(Watch::kPushing)->reason, "pushing");
   EXPECT_EQ(rules->penalty("leaving")->watch, Watch::kLeaving);
   EXPECT_EQ(rules->penalty("illegal-defender")->watch, Watch::kDefending);
-  EXPECT_EQ(rules->penalty("holding")->watch, Watch::kNothing);
+  EXPECT_EQ(rules->penalty("holding")->watch, Watch::kHolding);
   EXPECT_GT(rules->holdingDistance, 0.05);
   EXPECT_EQ(rules->penalty("request")->watch, Watch::kNothing);
   EXPECT_EQ(rules->penalty("laughing"), nullptr);
@@ -48,13 +48,13 @@ TEST(GameRules, thoseOf2002AreRead) {
 }
 
 TEST(GameRules, holdingIsWatchedIfTheFileSaysSo) {
-  const auto text =
-      rulesWith(shippedRules(), "reason: holding,", "reason: holding, watch: holding, after: 3,");
-  const auto rules = GameRules::parse(text, "rules.yaml");
+  const std::string watched = "holding, watch: holding, after: 3,", near = "holding: {distance: 0.09}";
+  const auto rules = GameRules::parse(shippedRules(), "rules.yaml");
   ASSERT_TRUE(rules) << robotlink::describe(rules.error());
   EXPECT_EQ(rules->penaltyFor(Watch::kHolding)->after, std::chrono::seconds(3));
-  EXPECT_FALSE(errorsIn(rulesWith(text, "holding: {distance: 0.09}", "")).empty()) << "how near is not said";
-  EXPECT_TRUE(errorsIn(rulesWith(shippedRules(), "holding: {distance: 0.09}", "")).empty());
+  EXPECT_FALSE(errorsIn(rulesWith(shippedRules(), near, "")).empty()) << "how near is not said";
+  const auto unwatched = rulesWith(shippedRules(), watched, "holding,");
+  EXPECT_TRUE(errorsIn(rulesWith(unwatched, near, "")).empty());
 }
 
 TEST(GameRules, whatIsWrongIsSaidWithItsLine) {
