@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace modules {
 
@@ -11,9 +12,12 @@ using robotlink::Vector2;
 
 namespace {
 
-/// How far a way is turned at most to pass robots, and how much farther on their right than on their left,
-/// rad.
-constexpr double kMaxDetour = 2.2, kPassRight = 0.1;
+/// How far a way is turned at most to pass robots, how much farther on their right than on their left, and
+/// how much farther on the side on which it passes them already, rad.
+constexpr double kMaxDetour = 2.2, kPassRight = 0.1, kKeepSide = 0.4;
+
+/// How far a ball is still ahead of where it is kicked when the paws reach it, m.
+constexpr double kAtPaws = 0.06;
 
 /// The share of a turn that is not made on the way.
 constexpr double kTurnShare = 0.4;
@@ -59,8 +63,9 @@ Intention BallSkills::turnTo(double direction) const {
   return walk(Vector2::Zero(), options_.turnGain * normalizedAngle(direction));
 }
 
-Vector2 BallSkills::around(const Vector2& way, const std::vector<Circle>& circles, double maxDetour) const {
+Vector2 BallSkills::around(const Vector2& way, const std::vector<Circle>& circles, double maxDetour) {
   const double distance = way.norm();
+  const double last = std::exchange(detour_, 0);
   if (distance < 0.05) return way;
   // The turns of the way that hit a circle: their middle, and half their range.
   std::vector<std::pair<double, double>> blocked;
@@ -80,21 +85,21 @@ Vector2 BallSkills::around(const Vector2& way, const std::vector<Circle>& circle
   if (isFree(0)) return way;
   // Robots that stand side by side are passed together. One that is met head-on is passed on the right, by
   // both.
-  double best = 0, least = maxDetour;
+  double best = 0, least = 2 * maxDetour;
   for (const auto& [middle, half] : blocked) {
     for (const double edge : {middle - half, middle + half}) {
       const double turn = normalizedAngle(edge);
-      const double cost = std::abs(turn) + (turn > 0 ? kPassRight : 0);
-      if (cost >= least || !isFree(turn)) continue;
+      const double cost = std::abs(turn) + (turn > 0 ? kPassRight : 0) - (turn * last > 0 ? kKeepSide : 0);
+      if (cost >= least || std::abs(turn) >= maxDetour || !isFree(turn)) continue;
       least = cost;
       best = turn;
     }
   }
+  detour_ = best;
   return Eigen::Rotation2Dd(best) * way;
 }
 
-Intention BallSkills::walkTo(const Vector2& place, double direction,
-                             const std::vector<Vector2>& robots) const {
+Intention BallSkills::walkTo(const Vector2& place, double direction, const std::vector<Vector2>& robots) {
   const double distance = place.norm();
   const Vector2 way = around(place, circles(robots, options_.robotRadius), kMaxDetour);
   if (distance < options_.nearby) {
@@ -110,8 +115,7 @@ Intention BallSkills::walkTo(const Vector2& place, double direction,
   return walk(way.normalized() * options_.forwardSpeed * share, options_.turnGain * facing);
 }
 
-Intention BallSkills::makeWay(const Vector2& place, const Vector2& ball,
-                              const std::vector<Vector2>& robots) const {
+Intention BallSkills::makeWay(const Vector2& place, const Vector2& ball, const std::vector<Vector2>& robots) {
   std::vector<Circle> obstacles = circles(robots, options_.duelRadius);
   obstacles.push_back({ball, options_.clearDistance});
   const Vector2 way = around(place, obstacles, robotlink::kPi + kPassRight);
@@ -144,7 +148,7 @@ Vector2 BallSkills::placeBehind(const Vector2& ball, double aim) const {
   return inDirection(headingOf(ball) + side * turn) * std::max(0.1, reach);
 }
 
-Intention BallSkills::approach(const Vector2& ball, double aim, const std::vector<Vector2>& robots) const {
+Intention BallSkills::approach(const Vector2& ball, double aim, const std::vector<Vector2>& robots) {
   const Vector2 place = placeBehind(ball, aim);
   // Near the ball it looks at it: it circles it with its head toward it.
   if (ball.norm() < 2 * options_.standOff + 0.1) {
@@ -171,13 +175,17 @@ BallSkills::KickSpot BallSkills::kickSpot(KickKind kind) const {
   return {{o.sideX, kind == KickKind::kLeft ? o.sideY : -o.sideY}, {o.sideToleranceX, o.sideToleranceY}};
 }
 
-Intention BallSkills::position(const Vector2& ball, double aim, KickKind kind) const {
+Intention BallSkills::position(const Vector2& ball, const Vector2& ballVelocity, double aim,
+                               KickKind kind) const {
   const Vector2 way = ball - kickSpot(kind).place;
-  // Sideways first, so that no paw pushes the ball away.
-  const double free = std::abs(way.y()) > 0.06 ? 0.3 : 1.0;
-  const double ahead =
-      std::clamp(options_.positionGain * way.x() * free, -options_.positionSpeed, options_.positionSpeed);
-  return walk({ahead, options_.positionGain * way.y()}, options_.positionTurn * aim);
+  // A ball that rolls is followed.
+  Vector2 velocity = options_.positionGain * way + ballVelocity;
+  if (way.x() < kAtPaws) {
+    // Slowly, and sideways first, so that no paw pushes the ball away.
+    const double free = std::abs(way.y()) > 0.06 ? 0.3 : 1.0;
+    velocity.x() = std::clamp(velocity.x() * free, -options_.positionSpeed, options_.positionSpeed);
+  }
+  return walk(velocity, options_.positionTurn * aim);
 }
 
 bool BallSkills::canKick(const Vector2& ball, KickKind kind) const {

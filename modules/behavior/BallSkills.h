@@ -15,8 +15,8 @@ enum class KickKind { kAhead, kFarAhead, kLeft, kRight };
 /// The direction in which it sends the ball, in the robot's frame, rad.
 double angleOf(KickKind kind);
 
-/// How a robot on legs walks to places and to the ball: controllers without memory, on plain values in the
-/// robot's frame (x to the front, meters, radians).
+/// How a robot on legs walks to places and to the ball: controllers on plain values in the robot's frame (x
+/// to the front, meters, radians), which remember only on which side they pass other robots.
 ///
 /// Far away it turns to where it goes and walks ahead; near its aim it walks in any direction. Robots in the
 /// way are passed on the nearer side: the direction of the walk is turned until it misses all of them, as in
@@ -52,7 +52,7 @@ class BallSkills {
     double farX = 0.12, farToleranceX = 0.015, farToleranceY = 0.04;
     /// The same of the kick to the left; that to the right is its mirror image.
     double sideX = 0.21, sideY = 0.03, sideToleranceX = 0.02, sideToleranceY = 0.025;
-    /// How fast it walks to there, 1/s, and at most, m/s.
+    /// How fast it walks to there, 1/s, and at most with the ball before its paws, m/s.
     double positionGain = 1.8, positionSpeed = 0.08;
     /// How fast it turns to the goal there, 1/s.
     double positionTurn = 0.8;
@@ -65,7 +65,7 @@ class BallSkills {
 
   /// Walks to a place and looks in the end into a direction of the robot's frame.
   Intention walkTo(const robotlink::Vector2& place, double direction,
-                   const std::vector<robotlink::Vector2>& robots) const;
+                   const std::vector<robotlink::Vector2>& robots);
   /// Only turns.
   Intention turnTo(double direction) const;
   /// The place from which the ball is walked to next: behind it as seen in the direction `aim` (an angle), or
@@ -73,14 +73,15 @@ class BallSkills {
   robotlink::Vector2 placeBehind(const robotlink::Vector2& ball, double aim) const;
   /// Walks to the place behind the ball.
   Intention approach(const robotlink::Vector2& ball, double aim,
-                     const std::vector<robotlink::Vector2>& robots) const;
+                     const std::vector<robotlink::Vector2>& robots);
   /// Steps away from the ball for a mate that plays it, on the way to a place, without turning about.
   Intention makeWay(const robotlink::Vector2& place, const robotlink::Vector2& ball,
-                    const std::vector<robotlink::Vector2>& robots) const;
+                    const std::vector<robotlink::Vector2>& robots);
   /// Pushes the ball into the direction `aim`, with the ball between the fore paws.
   Intention dribble(const robotlink::Vector2& ball, double aim) const;
-  /// Walks the last centimeters to where a kick reaches the ball, and turns to `aim`.
-  Intention position(const robotlink::Vector2& ball, double aim, KickKind kind) const;
+  /// Walks to where a kick reaches a ball that rolls with this velocity (m/s), and turns to `aim`.
+  Intention position(const robotlink::Vector2& ball, const robotlink::Vector2& ballVelocity, double aim,
+                     KickKind kind) const;
   /// Whether a kick reaches the ball.
   bool canKick(const robotlink::Vector2& ball, KickKind kind) const;
   /// How well the robot is placed: the angle between the way to the ball and the aim; 0 is straight behind.
@@ -105,9 +106,11 @@ class BallSkills {
   /// The way to a place, turned by as little as possible, and at most by `maxDetour` (rad), so that it passes
   /// the circles; unchanged if it cannot. In a circle it leads out of it.
   robotlink::Vector2 around(const robotlink::Vector2& way, const std::vector<Circle>& circles,
-                            double maxDetour) const;
+                            double maxDetour);
 
   Options options_;
+  /// The turn of the last way, rad; 0 if it led straight there.
+  double detour_ = 0;
 };
 
 }  // namespace modules

@@ -37,13 +37,17 @@ Vector2 towards(double angle) {
 
 }  // namespace
 
-/// The time for the way behind the ball, and what it costs to push an opponent away from there.
+/// What the time for the way behind the ball costs, and to push an opponent away from there.
 double KickPlanner::secondsBehind(const Situation& now, double heading) const {
   const Vector2 behind = now.ball - towards(heading) * now.skills.options().standOff;
   const bool isOccupied = std::ranges::any_of(
       now.opponents, [&](const Vector2& robot) { return (robot - behind).norm() < kOccupies; });
+  const bool isPressed = std::ranges::any_of(now.opponents, [&](const Vector2& robot) {
+    return (robot - now.ball).norm() < options_.hasteDistance;
+  });
   const Vector2 ball = now.robot.inverse() * now.ball;
-  return now.skills.secondsTo(ball, normalizedAngle(heading - now.robot.heading)) +
+  return now.skills.secondsTo(ball, normalizedAngle(heading - now.robot.heading)) *
+             (isPressed ? options_.haste : 1) +
          (isOccupied ? options_.occupiedSeconds : 0);
 }
 

@@ -39,6 +39,9 @@ class KickPlanner {
     double stoppedSeconds = 0;
     /// What it costs that an opponent stands where the robot has to be behind the ball, s.
     double occupiedSeconds = 3;
+    /// How many times as much the time until a kick counts while an opponent is this near to the ball, m, and
+    /// may play it first.
+    double haste = 1, hasteDistance = 0.45;
     bool operator==(const Options&) const = default;
   };
   struct Choice {

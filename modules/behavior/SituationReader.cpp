@@ -124,15 +124,29 @@ void SituationReader::readBall(GameSituation& now, const Options& options) const
   }
   const bool isOld = !now.knowsBall || now.ballAge > options.teamBallAfter;
   if (!isOld || !now.pose || !teamBall_ || !teamBall_->known()) return;
+  const std::optional<double> age = secondsSinceMatesSawBall(now.time);
   // What only this robot knows is no news.
-  const auto& seenBy = teamBall_->seen_by();
-  if (std::ranges::all_of(seenBy, [&](const std::string& robot) { return robot == name_; })) return;
+  if (!age || (now.knowsBall && now.ballAge < *age)) return;
   const Pose2 fieldInRobot = (teamInField() * *now.pose).inverse();
   now.knowsBall = true;
   now.ballFromTeam = true;
+  now.ballAge = *age;
   now.ball = fieldInRobot * robotlink::vector2(teamBall_->position_in_field());
   now.ballVelocity =
       Eigen::Rotation2Dd(fieldInRobot.heading) * robotlink::vector2(teamBall_->velocity_in_field());
+}
+
+std::optional<double> SituationReader::secondsSinceMatesSawBall(double now) const {
+  std::optional<double> least;
+  if (!messages_) return least;
+  const auto& seenBy = teamBall_->seen_by();
+  for (const robotcontrol::TeamMessage& message : messages_->messages()) {
+    if (message.sender() == name_ || std::ranges::find(seenBy, message.sender()) == seenBy.end()) continue;
+    const double sent = robotlink::seconds(robotlink::instant(message.timestamp()));
+    const double age = message.seconds_since_ball_seen() + std::max(0.0, now - sent);
+    least = std::min(age, least.value_or(age));
+  }
+  return least;
 }
 
 void SituationReader::readMates(GameSituation& now, const Options& options) const {

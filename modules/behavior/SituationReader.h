@@ -40,6 +40,8 @@ class SituationReader {
   void readBody(GameSituation& now) const;
   void readLandmarks(GameSituation& now);
   void readBall(GameSituation& now, const Options& options) const;
+  /// Of those whose observations are in the team's ball; empty if that is this robot alone.
+  std::optional<double> secondsSinceMatesSawBall(double now) const;
   void readRobots(GameSituation& now, const Options& options) const;
   void readMates(GameSituation& now, const Options& options) const;
   bool seesField(double minimumColored) const;

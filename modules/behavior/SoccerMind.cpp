@@ -15,7 +15,7 @@ namespace {
 /// What a player that cannot play bids, s.
 constexpr double kNever = 1e3;
 /// Added to the bid of a player that has not seen the ball itself, s.
-constexpr double kHearsayPenalty = 2;
+constexpr double kHearsayPenalty = 0.7;
 /// Looking up takes at least so long, and ends with a beacon that was seen such a time ago, s.
 constexpr double kEnoughLooking = 0.4, kJustSeen = 0.1;
 /// How far off a ball is that the team says is before the paws, m.

@@ -194,7 +194,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       });
   strike.state("position", "Walks the last centimeters to where the kick reaches the ball.")
       .does([&p] {
-        p.intention_ = p.skills_.position(p.ballAtKick(), p.aim_, p.kick_);
+        p.intention_ = p.skills_.position(p.ballAtKick(), p.now_.ballVelocity, p.aim_, p.kick_);
         p.isAtBall_ = true;
         p.lookUp();
       })

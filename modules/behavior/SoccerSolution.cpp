@@ -164,6 +164,8 @@ const robotlink::ParameterTable<SoccerChoices> kSoccerTable{
     {Fields::kFarSpreadFieldNumber, kicking<&K::farSpread>, kAtLeastZero},
     {Fields::kFarClearanceFieldNumber, kicking<&K::farClearance>, kAtLeastZero},
     {Fields::kFarSecondsFieldNumber, kicking<&K::farSeconds>, kAtLeastZero},
+    {Fields::kHasteFieldNumber, kicking<&K::haste>, kAtLeastZero},
+    {Fields::kHasteDistanceFieldNumber, kicking<&K::hasteDistance>, kAtLeastZero},
     {Fields::kFarDelayFieldNumber, playing<&P::farDelay>, kAtLeastZero},
     {Fields::kKickSpreadFieldNumber, kicking<&K::kickSpread>, kAtLeastZero},
     {Fields::kSideLengthFieldNumber, kicking<&K::sideLength>, kAboveZero},

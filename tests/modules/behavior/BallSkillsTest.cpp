@@ -12,7 +12,7 @@ using Robots = std::vector<Vector2>;
 class BallSkillsTest : public testing::Test {
  protected:
   /// The direction in which it walks toward a near place, rad.
-  double directionTo(const Vector2& place, const Robots& robots) const {
+  double directionTo(const Vector2& place, const Robots& robots) {
     const Intention walk = skills_.walkTo(place, 0, robots);
     return std::atan2(walk.left, walk.forward);
   }
@@ -30,8 +30,38 @@ TEST_F(BallSkillsTest, whatIsNotInTheWayChangesNothing) {
 
 TEST_F(BallSkillsTest, aRobotIsPassedOnTheNearerSide) {
   EXPECT_LT(directionTo(ahead_, {{0.4, 0.1}}), -0.3);
+  directionTo(ahead_, {});
   EXPECT_GT(directionTo(ahead_, {{0.4, -0.1}}), 0.3);
+  directionTo(ahead_, {});
   EXPECT_LT(directionTo(ahead_, {{0.42, 0}}), -0.3) << "on the right if it is met head-on";
+}
+
+TEST_F(BallSkillsTest, theSideOnWhichARobotIsPassedIsKept) {
+  EXPECT_LT(directionTo(ahead_, {{0.4, 0.03}}), -0.3);
+  EXPECT_LT(directionTo(ahead_, {{0.4, -0.03}}), -0.3) << "although it seems to stand on the other side now";
+  EXPECT_GT(directionTo(ahead_, {{0.4, -0.15}}), 0.3) << "unless the other side is much nearer";
+  EXPECT_GT(directionTo(ahead_, {{0.4, -0.03}}), 0.3);
+  directionTo(ahead_, {});
+  EXPECT_LT(directionTo(ahead_, {{0.4, 0.03}}), -0.3) << "a free way makes it forget";
+}
+
+TEST_F(BallSkillsTest, theLastWayToTheBallIsSlowAtThePaws) {
+  const BallSkills::Options& o = skills_.options();
+  const Vector2 still(0, 0);
+  const Intention far = skills_.position({o.kickX + 0.25, 0}, still, 0, KickKind::kAhead);
+  const Intention near = skills_.position({o.kickX + 0.05, 0}, still, 0, KickKind::kAhead);
+  EXPECT_NEAR(far.forward, o.forwardSpeed, 1e-9);
+  EXPECT_LE(near.forward, o.positionSpeed + 1e-9);
+  EXPECT_GT(near.forward, 0);
+  const Intention beside = skills_.position({o.kickX + 0.05, 0.08}, still, 0, KickKind::kAhead);
+  EXPECT_LT(beside.forward, 0.5 * near.forward) << "sideways first, so that no paw pushes the ball away";
+  EXPECT_GT(beside.left, 0.05);
+}
+
+TEST_F(BallSkillsTest, aBallThatRollsIsFollowed) {
+  const Vector2 there(skills_.options().kickX, 0);
+  EXPECT_NEAR(skills_.position(there, {0, 0.06}, 0, KickKind::kAhead).left, 0.06, 1e-9);
+  EXPECT_LT(skills_.position(there, {-0.05, 0}, 0, KickKind::kAhead).forward, -0.04);
 }
 
 TEST_F(BallSkillsTest, robotsSideBySideArePassedTogether) {

@@ -101,6 +101,18 @@ TEST_F(KickPlannerTest, theFarKickNeedsTimeAndBringsTheBallFarther) {
   EXPECT_TRUE(planner_.secondsToGoal(withMate, far)) << "mates leave the ball to it";
 }
 
+TEST_F(KickPlannerTest, anOpponentAtTheBallMakesThePlayerHasten) {
+  // Ahead of it is the touch line; the goal is beside it, half a circle around the ball away.
+  const KickPlanner::Situation alone{{0, -0.3, robotlink::kPi / 2}, {0, 0}, {}};
+  KickPlanner::Situation pressed = alone;
+  pressed.opponents = {{0.2, 0.3}};
+  planner_.setOptions({.haste = 3, .hasteDistance = 0.45});
+  const KickPlanner::Choice around{KickKind::kAhead, 0};
+  const double way = alone.skills.secondsTo({0.3, 0}, -robotlink::kPi / 2);
+  EXPECT_NEAR(*planner_.secondsToGoal(pressed, around) - *planner_.secondsToGoal(alone, around), 2 * way,
+              0.01);
+}
+
 TEST_F(KickPlannerTest, keepsItsChoiceWhileTheBallIsAtThePaws) {
   const auto first = planner_.choose({{1.2, 0, 0}, {1.6, 0}, {}});
   const KickPlanner::Situation elsewhere{{1.6, -0.3, robotlink::kPi / 2}, {1.6, 0}, {}};

@@ -111,6 +111,38 @@ TEST_F(SoccerSolutionTest, aMateThatIsFasterMakesItSupport) {
   EXPECT_EQ(option(1), "striker") << "who is heard no more counts no more";
 }
 
+TEST_F(SoccerSolutionTest, aBallThatAMateSeesIsBelievedInsteadOfAnOldOneOfItsOwn) {
+  const auto secondsToBall = [&](double sinceMateSawIt) {
+    soccer_.parametersAs<robotcontrol::SoccerParameters>().mutable_situation()->set_team_ball_after(0.7);
+    see(1, 0, robotlink::kPi);
+    robotcontrol::BallModel own;
+    own.set_known(true);
+    own.mutable_position_in_robot()->set_x(0.5);
+    own.set_seconds_since_seen(1);
+    soccer_.set(robotlink::kBallModel, own);
+    robotcontrol::TeamBall ball;
+    ball.set_known(true);
+    ball.mutable_position_in_field()->set_x(-1.5);
+    ball.add_seen_by("blue2");
+    ball.add_seen_by("blue3");
+    soccer_.set(robotlink::kTeamBall, ball);
+    robotcontrol::TeamMessages messages;
+    auto& mate = *messages.add_messages();
+    mate.set_sender("blue3");
+    mate.set_team("blue");
+    mate.set_number(3);
+    mate.set_ball_known(true);
+    mate.set_seconds_since_ball_seen(sinceMateSawIt);
+    mate.set_seconds_to_ball(100);
+    soccer_.set(robotlink::kTeamMessages, messages);
+    soccer_.execute();
+    return soccer_.sent(robotlink::kTeamMessage)->seconds_to_ball();
+  };
+  const double own = secondsToBall(2);
+  soccer_.pass(1);
+  EXPECT_GT(secondsToBall(0.1), own + 5) << "it is 2 m farther away";
+}
+
 TEST_F(SoccerSolutionTest, theRefereeIsObeyedAndGoalsAreThoseThatItNames) {
   see(1, 0, robotlink::kPi);
   robotcontrol::GameState game;
