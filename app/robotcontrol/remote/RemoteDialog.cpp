@@ -283,14 +283,20 @@ void RemoteDialog::createConnections() {
 
 void RemoteDialog::setRecent(const QList<Recent>& servers) {
   recent_ = servers.mid(0, kMaxRemembered);
-  const QString text = url_->currentText();
+  QLineEdit& line = *url_->lineEdit();
+  const QString text = line.text();
+  const int cursor = line.cursorPosition(), from = line.selectionStart(), length = line.selectionLength();
   url_->clear();
   for (const Recent& server : recent_) {
     url_->addItem(server.url);
     url_->setItemData(url_->count() - 1, server.robots, Qt::ToolTipRole);
   }
-  // What the user is entering stays.
-  url_->setEditText(isVisible() || recent_.isEmpty() ? text : recent_.front().url);
+  const bool isEdited = isVisible() || recent_.isEmpty();
+  url_->setEditText(isEdited ? text : recent_.front().url);
+  if (!isEdited) return;
+  // What the user is entering stays, and where. A selection ends at its cursor.
+  line.setCursorPosition(cursor);
+  if (from >= 0) line.setSelection(cursor == from ? from + length : from, cursor == from ? -length : length);
 }
 
 void RemoteDialog::remember(const Recent& server) {

@@ -81,6 +81,27 @@ class RemoteGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(desk.state().contains(QStringLiteral("wait behind data")), kWaitMs);
   }
 
+  void whatIsBeingEnteredStaysWhileARobotConnects() {
+    OfferedHall hall;
+    RemoteDesk desk(home_);
+    desk.choose("remote.connect");
+    auto& urls = desk.find<QComboBox>("remoteUrl");
+    auto* address = urls.lineEdit();
+    address->setFocus();
+    address->setText(QStringLiteral("ws://elsewhere"));
+    address->setCursorPosition(5);
+    QTest::keyClick(address, Qt::Key_Left, Qt::ShiftModifier);
+    QCOMPARE(address->selectedText(), QStringLiteral("/"));
+    const int known = urls.count();
+    desk.run("remote.connect " + hall.url() + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(urls.count(), known + 1, kWaitMs);
+    QCOMPARE(address->text(), QStringLiteral("ws://elsewhere"));
+    QCOMPARE(address->selectedText(), QStringLiteral("/"));
+    QCOMPARE(address->cursorPosition(), 4);
+    QTest::keyClicks(address, QStringLiteral("x"));
+    QCOMPARE(address->text(), QStringLiteral("ws:/xelsewhere"));
+  }
+
   void withoutASimulationTheStatusBarKnowsThatSomethingIsConnected() {
     const auto server = robotlink::websocket::Server::make({.name = "bridge"}, {});
     robotlink::websocket::Listener::Options listening;
