@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace modules {
@@ -85,7 +86,7 @@ Vector2 BallSkills::around(const Vector2& way, const std::vector<Circle>& circle
   if (isFree(0)) return way;
   // Robots that stand side by side are passed together. One that is met head-on is passed on the right, by
   // both.
-  double best = 0, least = 2 * maxDetour;
+  double best = 0, least = std::numeric_limits<double>::infinity();
   for (const auto& [middle, half] : blocked) {
     for (const double edge : {middle - half, middle + half}) {
       const double turn = normalizedAngle(edge);

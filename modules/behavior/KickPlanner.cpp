@@ -35,6 +35,11 @@ Vector2 towards(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
+bool isOpponentAtBall(const KickPlanner::Situation& now, double distance) {
+  return std::ranges::any_of(now.opponents,
+                             [&](const Vector2& robot) { return (robot - now.ball).norm() < distance; });
+}
+
 }  // namespace
 
 /// What the time for the way behind the ball costs, and to push an opponent away from there.
@@ -42,12 +47,9 @@ double KickPlanner::secondsBehind(const Situation& now, double heading) const {
   const Vector2 behind = now.ball - towards(heading) * now.skills.options().standOff;
   const bool isOccupied = std::ranges::any_of(
       now.opponents, [&](const Vector2& robot) { return (robot - behind).norm() < kOccupies; });
-  const bool isPressed = std::ranges::any_of(now.opponents, [&](const Vector2& robot) {
-    return (robot - now.ball).norm() < options_.hasteDistance;
-  });
+  const double haste = isOpponentAtBall(now, options_.hasteDistance) ? options_.haste : 1;
   const Vector2 ball = now.robot.inverse() * now.ball;
-  return now.skills.secondsTo(ball, normalizedAngle(heading - now.robot.heading)) *
-             (isPressed ? options_.haste : 1) +
+  return haste * now.skills.secondsTo(ball, normalizedAngle(heading - now.robot.heading)) +
          (isOccupied ? options_.occupiedSeconds : 0);
 }
 
@@ -62,9 +64,7 @@ bool KickPlanner::isStopped(const Situation& now, const Vector2& from, const Vec
 
 bool KickPlanner::hasTime(const Situation& now, KickKind kind) const {
   if (kind != KickKind::kFarAhead) return true;
-  return options_.farClearance > 0 && std::ranges::none_of(now.opponents, [&](const Vector2& robot) {
-           return (robot - now.ball).norm() < options_.farClearance;
-         });
+  return options_.farClearance > 0 && !isOpponentAtBall(now, options_.farClearance);
 }
 
 double KickPlanner::lengthOf(KickKind kind) const {

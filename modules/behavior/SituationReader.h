@@ -40,7 +40,8 @@ class SituationReader {
   void readBody(GameSituation& now) const;
   void readLandmarks(GameSituation& now);
   void readBall(GameSituation& now, const Options& options) const;
-  /// Of those whose observations are in the team's ball; empty if that is this robot alone.
+  /// The time since one of the mates whose observations are in the team's ball saw it, s; empty if it is this
+  /// robot's alone.
   std::optional<double> secondsSinceMatesSawBall(double now) const;
   void readRobots(GameSituation& now, const Options& options) const;
   void readMates(GameSituation& now, const Options& options) const;
