@@ -104,7 +104,7 @@ TEST(CameraTruth, lightFallsOffTowardsTheCorners) {
     for (int x = 0; x < kColumns; x += 5) {
       const double r2 = (std::pow(x + 0.5 - kColumns / 2.0, 2) + std::pow(y + 0.5 - kRows / 2.0, 2)) /
                         (kColumns * kColumns / 4.0 + kRows * kRows / 4.0);
-      largest = std::max(largest, std::abs(brightness(image, x, y) - 200 * (1 - 0.6 * r2)));
+      largest = largerOf(largest, std::abs(brightness(image, x, y) - 200 * (1 - 0.6 * r2)));
     }
   }
   compare({"vignetting of a white wall", "1 - falloff r^2", 0, 0.51, "gray value"}, largest);

@@ -48,7 +48,7 @@ TEST(CollisionTruth, aGrazingCollisionKeepsAngularMomentum) {
   double most = start.kinetic;
   for (int i = 0; i < 375; ++i) {
     bodies.step();
-    most = std::max(most, bodies.sums().kinetic);
+    most = largerOf(most, bodies.sums().kinetic);
   }
   const Bodies::Sums end = bodies.sums();
   EXPECT_LT(end.kinetic, 0.98 * start.kinetic) << "they met";
@@ -58,7 +58,7 @@ TEST(CollisionTruth, aGrazingCollisionKeepsAngularMomentum) {
   compare({"grazing collision, change of the angular momentum", "0", 0, 0.01 * start.angularMomentum.norm(),
            "N m s"},
           (end.angularMomentum - start.angularMomentum).norm());
-  compare({"grazing collision, gain of energy", "none", 0, 1e-9, "J"}, std::max(0.0, most - start.kinetic));
+  compare({"grazing collision, gain of energy", "none", 0, 1e-9, "J"}, largerOf(0.0, most - start.kinetic));
 }
 
 TEST(CollisionTruth, whatFallsBouncesToTheSquareOfItsRestitution) {
@@ -78,7 +78,7 @@ TEST(CollisionTruth, whatFallsBouncesToTheSquareOfItsRestitution) {
         const double height = bodies.motion("ball").position.z() - 0.1;
         lowest = std::min(lowest, height);
         fell |= height < 0.02;
-        if (fell) highest = std::max(highest, height);
+        if (fell) highest = largerOf(highest, height);
       }
       // A step's fall at 4.4 m/s is 18 mm: that is how deep it may sink before it is noticed.
       compare({name, "e^2 h", restitution * restitution, 0.03, "m"}, highest < 0.021 ? 0 : highest);
@@ -104,7 +104,7 @@ TEST(CollisionTruth, energyDoesNotGrowAmongManyBalls) {
   for (int i = 0; i < 1000; ++i) {
     bodies.step();
     const double now = bodies.sums().kinetic;
-    growth = std::max(growth, now - before);
+    growth = largerOf(growth, now - before);
     before = now;
   }
   const Bodies::Sums end = bodies.sums();
@@ -124,7 +124,7 @@ TEST(CollisionTruth, aBoxThatFallsOnItsCornerGainsNoEnergy) {
   double most = start;
   for (int i = 0; i < 2500; ++i) {
     bodies.step();
-    most = std::max(most, bodies.sums().energy());
+    most = largerOf(most, bodies.sums().energy());
   }
   compare({"box falling on a corner, gain of energy", "none", 0, 0.01 * start, "J"}, most - start);
   compare({"box falling on a corner, height of its center at rest", "half its height", 0.05, 0.002, "m"},

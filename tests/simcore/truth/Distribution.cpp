@@ -8,6 +8,7 @@
 namespace simcore::truth {
 
 double kolmogorovOfNormal(std::vector<double> samples, double mean, double deviation) {
+  if (!std::ranges::all_of(samples, [](double sample) { return std::isfinite(sample); })) return std::nan("");
   std::ranges::sort(samples);
   const auto count = static_cast<double>(samples.size());
   double largest = 0;

@@ -34,10 +34,10 @@ TEST(JointTruth, stopsHoldWhatFallsOnThem) {
     double beyond = 0;
     for (int i = 0; i < 1000; ++i) {
       simulation->step();
-      beyond = std::max(beyond, std::abs(read(*simulation, "rod/joint/position")) - std::abs(stop));
+      beyond = largerOf(beyond, std::abs(read(*simulation, "rod/joint/position")) - std::abs(stop));
     }
     compare({"stop of a revolute joint, overshoot at the impact", "less than a step's turn", 0, 0.03, "rad"},
-            std::max(0.0, beyond));
+            largerOf(0.0, beyond));
     compare({"stop of a revolute joint, angle at rest", "the limit", stop, 0.002, "rad"},
             read(*simulation, "rod/joint/position"));
   }
@@ -48,10 +48,10 @@ TEST(JointTruth, stopsOfASlideHoldWhatFallsOnThem) {
   double beyond = 0;
   for (int i = 0; i < 1000; ++i) {
     simulation->step();
-    beyond = std::max(beyond, -0.5 - read(*simulation, "rod/joint/position"));
+    beyond = largerOf(beyond, -0.5 - read(*simulation, "rod/joint/position"));
   }
   compare({"stop of a slide, overshoot at the impact", "less than a step's way", 0, 0.015, "m"},
-          std::max(0.0, beyond));
+          largerOf(0.0, beyond));
   compare({"stop of a slide, place at rest", "the limit", -0.5, 1e-3, "m"},
           read(*simulation, "rod/joint/position"));
 }
@@ -66,13 +66,13 @@ TEST(JointTruth, aStrongMotorDoesNotPushThroughAStop) {
   for (int i = 0; i < kSteps; ++i) {
     simulation->step();
     const double angle = read(*simulation, "rod/joint/position");
-    most = std::max(most, angle);
+    most = largerOf(most, angle);
     // Where it is pushed against the stop, it trembles.
     if (i >= kSteps - kLast) mean += angle / kLast;
   }
   compare(
       {"stop against a motor of 50 N m, overshoot", "less than a step's turn", 0, 20 * kStepSeconds, "rad"},
-      std::max(0.0, most - 0.7));
+      largerOf(0.0, most - 0.7));
   compare({"stop against a motor of 50 N m, mean angle of 0.4 s", "the limit", 0.7, 0.01, "rad"}, mean);
 }
 
@@ -180,7 +180,7 @@ TEST(JointTruth, whatIsFixedSwingsAsOneBody) {
     before = x;
     const Vector3 between =
         bodies.physics().linkInWorld(1).translation() - bodies.physics().linkInWorld(0).translation();
-    gap = std::max(gap, std::abs(between.norm() - length));
+    gap = largerOf(gap, std::abs(between.norm() - length));
   }
   compare({"two fixed links, period as a pendulum", "2 pi sqrt(I / (m g l)), I by the parallel axis theorem",
            expected, 0.005 * expected, "s"},

@@ -102,11 +102,11 @@ TEST(MotionTruth, aBoxThatTumblesAboutItsMiddleAxisGainsNoEnergy) {
   double most = 0;
   for (int i = 0; i < 2500; ++i) {
     bodies.step();
-    most = std::max(most, bodies.sums().kinetic);
+    most = largerOf(most, bodies.sums().kinetic);
   }
   const Bodies::Sums end = bodies.sums();
   compare({"tumbling box, greatest gain of energy in 10 s", "none", 0, 0.001 * start.kinetic, "J"},
-          std::max(0.0, most - start.kinetic));
+          largerOf(0.0, most - start.kinetic));
   compare({"tumbling box, change of the momentum in 10 s", "0", 0, 1e-9, "N s"},
           (end.momentum - start.momentum).norm());
   compare({"tumbling box, change of the angular momentum in 10 s", "0", 0,
@@ -169,7 +169,7 @@ TEST(MotionTruth, aPendulumKeepsItsEnergyForAMinute) {
   for (int i = 0; i < 15000; ++i) {
     bodies.step();
     const double energy = bodies.sums().energy() - kGravity * 1.5;
-    most = std::max(most, energy);
+    most = largerOf(most, energy);
     if (i >= 14000) mean += energy / 1000;
   }
   // Semi-implicit Euler lets the energy sway with the swing, by about half a step's work.

@@ -191,7 +191,7 @@ TEST(NoiseTruth, roundedReadingsAreMultiplesWithUniformErrors) {
     for (const Port& port : ports) {
       const double precision = amountFor(port) / 3, value = valuesOf(*simulation, port)[0];
       const double multiple = value / precision;
-      if (std::abs(multiple) < 1e5) off = std::max(off, std::abs(multiple - std::round(multiple)));
+      if (std::abs(multiple) < 1e5) off = largerOf(off, std::abs(multiple - std::round(multiple)));
       // Whether it is even is like tossing a coin.
       digits.push_back(std::fmod(std::abs(std::round(multiple)), 2));
     }
@@ -199,7 +199,7 @@ TEST(NoiseTruth, roundedReadingsAreMultiplesWithUniformErrors) {
   // Images hold floats.
   compare({"precision, distance of readings from multiples of it", "0", 0, 0.01, ""}, off);
   compare({"precision, even and odd multiples, chi-square", "equally often", 0, kChiSquareLimit, ""},
-          std::max(0.0, chiSquareOfUniform(digits, 0, 2, 2)));
+          largerOf(0.0, chiSquareOfUniform(digits, 0, 2, 2)));
 }
 
 TEST(NoiseTruth, theStatedShareOfSamplesIsLostAndTheOthersComeLate) {
@@ -229,7 +229,7 @@ TEST(NoiseTruth, theStatedShareOfSamplesIsLostAndTheOthersComeLate) {
   }
   expected.push_back(left);
   compare({"dropout of 30 %, lengths of gaps, chi-square", "geometric distribution", 0, kChiSquareLimit, ""},
-          std::max(0.0, chiSquare(lengths, expected)));
+          largerOf(0.0, chiSquare(lengths, expected)));
 }
 
 TEST(NoiseTruth, everySensorIsLateByItsDelay) {
@@ -253,7 +253,7 @@ TEST(NoiseTruth, everySensorIsLateByItsDelay) {
       const auto shown = valuesOf(*simulation, ports[k]);
       const auto& then = past[past.size() - 1 - late][k];
       for (std::size_t c = 0; c < shown.size(); ++c) {
-        if (std::isfinite(then[c])) largest = std::max(largest, std::abs(shown[c] - then[c]));
+        if (std::isfinite(then[c])) largest = largerOf(largest, std::abs(shown[c] - then[c]));
       }
     }
   }

@@ -73,13 +73,13 @@ TEST(RangeTruth, aLaserMeasuresARoomAsGeometrySays) {
     // The drawn post has 24 sides, whose middles are r (1 - cos(pi / 24)) inside; its edge is left out.
     if (off > 0.19 && off < 0.21) continue;
     if (along > 0 && off < 0.2) expected = std::min(expected, along - std::sqrt(square));
-    largest = std::max(
+    largest = largerOf(
         largest,
         std::abs(ranges[i] - expected) -
             (along > 0 && off < 0.2 ? 0.2 * (1 - std::cos(kPi / 24)) / std::sqrt(1 - off * off / 0.04) : 0));
   }
   compare({"laser, 361 rays in a room with a post", "rays cut planes and a circle", 0, 1e-4, "m"},
-          std::max(0.0, largest));
+          largerOf(0.0, largest));
 }
 
 TEST(RangeTruth, aSonarHearsTheNearestOfItsCone) {
@@ -152,7 +152,7 @@ TEST(RangeTruth, depthOfAPlaneIsThatOfItsRays) {
     const double expected =
         (2 - 0.0005 / std::cos(turn)) * std::cos(turn) / (std::cos(turn) + s * std::sin(turn));
     if (expected < 9.9)
-      largest = std::max(largest, std::abs(static_cast<double>(depth[i]) - expected) / expected);
+      largest = largerOf(largest, std::abs(static_cast<double>(depth[i]) - expected) / expected);
   }
   compare({"depth camera, slanted plane, relative error", "n p0 / (n ray)", 0, 1e-4, ""}, largest);
 }
@@ -182,7 +182,7 @@ TEST(RangeTruth, radiationFollowsItsFormula) {
     const double y = 2 * std::tan(0.4 - 0.1 * static_cast<double>(i));
     const double square = 4 + (y - 1) * (y - 1), cosine = 2 / std::sqrt(square);
     const double expected = 3 + 0.4 * (10 + 100 / (1 + 0.5 * square) * cosine);
-    largest = std::max(largest, std::abs(static_cast<double>(values[i]) - expected) / expected);
+    largest = largerOf(largest, std::abs(static_cast<double>(values[i]) - expected) / expected);
   }
   compare({"facettes that sense radiation, relative error",
            "emits + reflects (ambient + I / (1 + a d^2) cos)", 0, 0.001, ""},

@@ -81,7 +81,7 @@ double largestError(Simulation& simulation, Response response, double seconds) {
   for (int i = 1; i * kStepSeconds <= seconds; ++i) {
     simulation.step();
     largest =
-        std::max(largest, std::abs(read(simulation, "wheel/joint/position") - response.at(i * kStepSeconds)));
+        largerOf(largest, std::abs(read(simulation, "wheel/joint/position") - response.at(i * kStepSeconds)));
   }
   return largest;
 }

@@ -42,6 +42,14 @@ std::string contentsOf(const std::string& file) {
   return text.str();
 }
 
+/// The number of rows of the table in a document.
+std::size_t rowsIn(const std::string& document) {
+  std::istringstream table(document.substr(std::min(document.size(), document.find(kTableBegin))));
+  std::size_t lines = 0;
+  for (std::string line; std::getline(table, line);) lines += line.starts_with("| ") ? 1 : 0;
+  return lines - std::min<std::size_t>(lines, 1);  // without its head
+}
+
 /// Collects the rows of all tests, and writes or checks the table at the end.
 class Table : public testing::Environment {
  public:
@@ -51,7 +59,7 @@ class Table : public testing::Environment {
     if (found == rows.end())
       rows.push_back(row);
     else
-      found->error = std::max(found->error, row.error);
+      found->error = largerOf(found->error, row.error);
   }
 
   void TearDown() override {
@@ -60,13 +68,16 @@ class Table : public testing::Environment {
     const testing::UnitTest& all = *testing::UnitTest::GetInstance();
     if (all.test_to_run_count() < all.total_test_count() - all.disabled_test_count() || all.Failed()) return;
     const std::string document = contentsOf(ROBOTCONTROL_SOURCE_DIR "/simcore/TRUTH.md");
+    std::size_t count = 0;
     for (const auto& [area, rows] : rows_) {
       for (const Row& row : rows) {
+        ++count;
         EXPECT_NE(document.find(stableCells(area, row)), std::string::npos)
             << "simcore/TRUTH.md lacks the row '" << stableCells(area, row) << "'; write it anew with "
             << "ROBOTCONTROL_TRUTH_TABLE=simcore/TRUTH.md";
       }
     }
+    EXPECT_EQ(rowsIn(document), count) << "simcore/TRUTH.md has rows that no test writes any more";
   }
 
  private:
@@ -95,6 +106,10 @@ Table& table() {
 const bool kRegistered = (table(), true);
 
 }  // namespace
+
+double largerOf(double one, double other) {
+  return std::isnan(one) || std::isnan(other) ? std::nan("") : std::max(one, other);
+}
 
 void compare(const Known& known, double measured, std::source_location where) {
   const double error = std::abs(measured - known.expected);

@@ -27,6 +27,9 @@ struct Known {
 void compare(const Known& known, double measured,
              std::source_location where = std::source_location::current());
 
+/// The larger of two numbers; NaN if one of them is NaN, which std::max may hide.
+double largerOf(double one, double other);
+
 inline constexpr const char* kTableBegin = "<!-- The table is written by simcore_truth_tests. -->";
 
 }  // namespace simcore::truth
