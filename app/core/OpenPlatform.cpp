@@ -191,8 +191,10 @@ void OpenPlatform::tick() {
   for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
   if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) report(warnings);
   if (auto problem = history_.takeProblem()) report({*std::move(problem)});
-  if (const auto saved = hosting_.save(); !saved) report({saved.error()});
-  if (const auto saved = limits_.save(); !saved) report({saved.error()});
+  if (keepsChoices_) {
+    if (const auto saved = hosting_.save(); !saved) report({saved.error()});
+    if (const auto saved = limits_.save(); !saved) report({saved.error()});
+  }
   if (!loading()) bodyQuestion_.follow();
   followRemote();
   session_.tick();
@@ -281,6 +283,7 @@ void OpenPlatform::switchKeysOn(const std::string& robot) {
 }
 
 robotlink::Result<void> OpenPlatform::keepKeys() {
+  if (!keepsChoices_) return {};
   for (const std::string& robot : session_.robots()) {
     // Its table may still be the one from before the saved keys were switched on.
     const auto unanswered = keysToSwitchOn_.find(robot);

@@ -118,6 +118,9 @@ class OpenPlatform {
   /// Cancels opening that file, and those that are to be opened after it; what ran before continues.
   void cancelOpening();
 
+  /// From now on nothing that is chosen is kept for the next start, neither keys nor how programs run: a
+  /// script chooses, and no person.
+  void keepNothing() { keepsChoices_ = false; }
   /// Saves the modes of each robot's debug keys for the next start. Those of a robot that has not yet
   /// switched on what was saved before stay as saved. Fails if a file cannot be written.
   robotlink::Result<void> keepKeys();
@@ -181,6 +184,7 @@ class OpenPlatform {
   /// Those whose debug keys were switched on as they were when they were connected last.
   std::set<std::string> remoteSwitchedOn_;
   SessionOffer offer_;
+  bool keepsChoices_ = true;
   HostingMemory hosting_;
   /// The last member, since its thread uses the others.
   PlatformThread platform_;

@@ -258,7 +258,10 @@ int run(const Arguments& arguments) {
   app::MainWindow window(workbench, robotlink::userDirectory());
   // What a script opens, shows and switches is not what its user wants to find next time.
   const bool isOfScript = !arguments.script.empty() && !arguments.keepOpen;
-  if (isOfScript) window.setOfScript();
+  if (isOfScript) {
+    window.setOfScript();
+    workbench.keepNothing();
+  }
   if (const std::string perspective = perspectiveOf(arguments); !perspective.empty()) {
     window.choosePerspective(QString::fromStdString(perspective));
   }
@@ -290,8 +293,7 @@ int run(const Arguments& arguments) {
                        [&] { QApplication::exit(takePicture(window, arguments.screenshot)); });
   }
   const int status = QApplication::exec();
-  if (const auto kept = isOfScript ? robotlink::Result<void>() : workbench.keepKeys(); !kept)
-    std::cerr << kept.error().describe() << "\n";
+  if (const auto kept = workbench.keepKeys(); !kept) std::cerr << kept.error().describe() << "\n";
   return status;
 }
 

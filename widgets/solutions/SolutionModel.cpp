@@ -44,6 +44,29 @@ bool sameShape(const std::vector<TaskEntry>& a, const std::vector<TaskEntry>& b)
   });
 }
 
+/// How often a process runs in an interval, s between frames; 0 if that is not known. Its times may come less
+/// often than its frames.
+double periodOf(const robotlink::StreamStore& store, const std::string& robot, const std::string& process,
+                robotlink::Instant from, robotlink::Instant until) {
+  const auto* stream = store.find(robot + '/' + robotlink::streams::kFrames + process);
+  if (stream == nullptr) return 0;
+  const robotlink::StreamMessage* newest = nullptr;
+  const robotlink::StreamMessage* oldest = nullptr;
+  for (auto message = stream->messages.rbegin(); message != stream->messages.rend(); ++message) {
+    if (message->time > until) continue;
+    if (message->time < from) break;
+    if (newest == nullptr) newest = &*message;
+    oldest = &*message;
+  }
+  const auto numberOf = [](const robotlink::StreamMessage* message) {
+    const auto* frame =
+        message == nullptr ? nullptr : dynamic_cast<const robotcontrol::FrameInfo*>(message->value.get());
+    return frame == nullptr ? 0.0 : static_cast<double>(frame->number());
+  };
+  const double frames = numberOf(newest) - numberOf(oldest);
+  return frames > 0 ? robotlink::seconds(newest->time - oldest->time) / frames : 0;
+}
+
 }  // namespace
 
 std::vector<TaskEntry> tasksOf(const std::vector<const robotlink::StreamMessage*>& tables) {
@@ -82,15 +105,11 @@ std::map<TaskSolution, SolutionCost> costsOf(const robotlink::StreamStore& store
     const auto* stream = store.find(robot + '/' + robotlink::streams::kStopwatches + process);
     if (stream == nullptr) continue;
     std::map<TaskSolution, int> runs;
-    robotlink::Instant first = until, last;
-    int frames = 0;
     for (auto message = stream->messages.rbegin(); message != stream->messages.rend(); ++message) {
       if (message->time > until) continue;
       if (message->time < until - kSpan) break;
       const auto* times = dynamic_cast<const robotcontrol::StopwatchTimes*>(message->value.get());
       if (times == nullptr) continue;
-      if (frames++ == 0) last = message->time;
-      first = message->time;
       for (const auto& entry : times->entries()) {
         // "kalman (shadow)"
         const TaskSolution solution{entry.task(), entry.solution().substr(0, entry.solution().find(' '))};
@@ -98,7 +117,7 @@ std::map<TaskSolution, SolutionCost> costsOf(const robotlink::StreamStore& store
         ++runs[solution];
       }
     }
-    const double period = frames < 2 ? 0 : robotlink::seconds(last - first) / (frames - 1);
+    const double period = periodOf(store, robot, process, until - kSpan, until);
     for (const auto& [solution, count] : runs) {
       SolutionCost& cost = costs[solution];
       cost.mean /= count;

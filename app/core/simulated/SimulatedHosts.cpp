@@ -283,10 +283,18 @@ Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
   if (changed.empty()) return errors;
   Layouts layouts = options_.layouts;
   for (const std::string& kind : changed) layouts[kind] = file;
-  // It is chosen for each of them, also for those that had one of their own.
+  // It is chosen for each of them, also for those that had one of their own or their team's.
   const auto own = options_.robotLayouts;
   for (const auto& robot : robots_) {
-    if (changed.contains(robot->description().name)) options_.robotLayouts.erase(robot->name());
+    if (!changed.contains(robot->description().name)) continue;
+    options_.robotLayouts.erase(robot->name());
+    options_.robotLayouts.erase(robot->robot().team);
+  }
+  // Who keeps that of its team keeps it as its own.
+  for (const auto& robot : robots_) {
+    const auto ofTeam = own.find(robot->robot().team);
+    if (!changed.contains(robot->description().name) && ofTeam != own.end())
+      options_.robotLayouts.emplace(robot->name(), ofTeam->second);
   }
   auto programs = makePrograms(layouts);
   if (!programs) {

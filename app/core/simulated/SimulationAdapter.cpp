@@ -101,7 +101,13 @@ Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
     return tl::unexpected(done.error());
   return SimulationFeed::opening(sceneNamed(choices.sources.front()), [values, chosen](RunOptions& options) {
     applySimulationChoices(values, options);
-    if (!chosen.layout.empty()) options.layout = chosen.layout;
+    // What is chosen for all robots is not what single ones or teams had before.
+    if (!chosen.layout.empty()) {
+      options.layout = chosen.layout;
+      options.robotLayouts.clear();
+    }
+    for (const auto& [task, solution] : chosen.solutions)
+      for (auto& [robot, solutions] : options.robotSolutions) solutions.erase(task);
     for (const auto& [kind, layout] : chosen.layouts) options.layouts[kind] = layout;
     for (const auto& [robot, layout] : chosen.robotLayouts) options.robotLayouts[robot] = layout;
     for (const auto& [task, solution] : chosen.solutions) options.solutions[task] = solution;

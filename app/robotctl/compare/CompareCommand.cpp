@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -12,8 +11,6 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/compare/CompareReport.h"
 #include "app/robotctl/compare/RunExecution.h"
-#include "robotlink/base/Spelling.h"
-#include "robotlink/debugging/Solution.h"
 
 namespace app {
 namespace {
@@ -29,21 +26,6 @@ struct CompareArguments {
 
 std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
-}
-
-/// Whether all of these are solutions of the task; else what is wrong.
-std::string wrongSolutions(const CompareArguments& arguments) {
-  std::vector<std::string> known;
-  for (const auto& solution : robotlink::SolutionRegistry::all())
-    if (solution.task == arguments.task) known.push_back(solution.name);
-  if (known.empty()) return "there is no task '" + arguments.task + "' with solutions";
-  for (const std::string& solution : arguments.solutions) {
-    if (std::ranges::find(known, solution) != known.end()) continue;
-    const std::string near = robotlink::nearest(solution, known);
-    return "the task " + arguments.task + " has no solution '" + solution + "'" +
-           (near.empty() ? "" : "; did you mean '" + near + "'?") + " There are " + joined(known) + ".";
-  }
-  return "";
 }
 
 /// Each run has one thread, as there are as many runs as cores.
@@ -64,6 +46,8 @@ std::vector<PlannedRun> solutionRuns(const CompareArguments& arguments) {
                       {"sim", wholePath(arguments.scene), "--threads", "1", "--seconds",
                        fmt::format("{}", arguments.execution.seconds), "--seed", seed, "--solution", choice,
                        "--errors", "--json"}});
+      auto& words = runs.back().arguments;
+      words.insert(words.end(), arguments.execution.options.begin(), arguments.execution.options.end());
     }
   }
   return runs;
@@ -72,6 +56,7 @@ std::vector<PlannedRun> solutionRuns(const CompareArguments& arguments) {
 /// Executes what has no result yet, and writes the report.
 int compare(const CompareArguments& arguments, const std::vector<PlannedRun>& runs,
             const ReportTitle& titled) {
+  if (const auto tried = arguments.execution.tryOut(runs); !tried) return printErrors({tried.error()});
   const auto results = arguments.execution.execute(runs);
   if (!results) return printErrors({results.error()});
   ReportTitle title = titled;
@@ -97,17 +82,23 @@ int runCompare(const CompareArguments& arguments) {
   if (std::set<std::string>(arguments.solutions.begin(), arguments.solutions.end()).size() !=
       arguments.solutions.size())
     return usage("compare", "each solution can be named once");
-  if (const std::string wrong = wrongSolutions(arguments); !wrong.empty()) return usage("compare", wrong);
+  if (arguments.solutions.size() < 2) return usage("compare", "name two solutions or more");
+  if (!arguments.logs.empty() && !arguments.execution.options.empty())
+    return usage("compare", "options behind -- are for simulations");
+  if (const auto known = checkSolutions(arguments.task, arguments.solutions); !known)
+    return usage("compare", known.error().text);
   std::string command = "robotctl compare --task " + arguments.task + " --solutions " +
                         fmt::format("{}", fmt::join(arguments.solutions, ","));
   command += arguments.scene.empty()
                  ? " --log " + shellLine(arguments.logs)
                  : fmt::format(" --scene {} --seeds {} --seconds {}", shellLine({arguments.scene}),
                                arguments.seeds, arguments.execution.seconds);
-  return compare(arguments, solutionRuns(arguments),
-                 {arguments.task + ": " + joined(arguments.solutions),
-                  command + " --out " + arguments.execution.out,
-                  {}});
+  return compare(
+      arguments, solutionRuns(arguments),
+      {arguments.task + ": " + joined(arguments.solutions),
+       command + " --out " + arguments.execution.out + (arguments.execution.options.empty() ? "" : " -- ") +
+           shellLine(arguments.execution.options),
+       {}});
 }
 
 }  // namespace
@@ -127,6 +118,7 @@ void addCompareCommand(CLI::App& app, int& status) {
   command->add_option("--seeds", arguments->seeds, "How many seeds")
       ->check(numberFrom(1, 100000))
       ->capture_default_str();
+  arguments->execution.addOptionsTo(*command);
   arguments->execution.addTo(*command);
   command->callback([arguments, &status] { status = withResources([&] { return runCompare(*arguments); }); });
 }

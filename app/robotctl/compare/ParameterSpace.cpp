@@ -82,6 +82,10 @@ robotlink::Result<ParameterSpace> ParameterSpace::of(const std::vector<std::stri
       axis.high = *high;
     }
     if (!(axis.low < axis.high)) return wrongParameter(axis.path, "has no range; give it as NAME=LOW:HIGH");
+    if (axis.start < axis.low || axis.start > axis.high)
+      return wrongParameter(axis.path, fmt::format("is {:.6g} now, which is not between {:.6g} and {:.6g}; "
+                                                   "give it a range that holds its present value",
+                                                   axis.start, axis.low, axis.high));
     for (const auto& limits : described.limits()) {
       const robotlink::ParameterRange range{limits.minimum(), limits.maximum(), limits.above()};
       if (limits.path() == axis.path && (!range.has(axis.low) || !range.has(axis.high)))
@@ -94,8 +98,7 @@ robotlink::Result<ParameterSpace> ParameterSpace::of(const std::vector<std::stri
 
 std::vector<double> ParameterSpace::start() const {
   std::vector<double> point;
-  for (const Axis& axis : axes_)
-    point.push_back(std::clamp((axis.start - axis.low) / (axis.high - axis.low), 0.0, 1.0));
+  for (const Axis& axis : axes_) point.push_back((axis.start - axis.low) / (axis.high - axis.low));
   return point;
 }
 

@@ -27,13 +27,14 @@ class ParameterSpace {
   };
 
   /// Reads texts like "gait.fore.lift=0.005:0.02", or "gait.fore.lift" for half of the present value to twice
-  /// as much. Fails if there is no such number, or if it makes no sense in the range.
+  /// as much. Fails if there is no such number, if it makes no sense in the range, or if its present value is
+  /// not in it.
   static robotlink::Result<ParameterSpace> of(const std::vector<std::string>& texts,
                                               const robotlink::SolutionDescription& solution,
                                               const robotlink::SolutionParameters& parameters);
 
   const std::vector<Axis>& axes() const { return axes_; }
-  /// The present values, as far as they are in the ranges.
+  /// The present values.
   std::vector<double> start() const;
   /// What a preset has for a point: the numbers of all axes with six significant digits.
   robotlink::Preset presetAt(const std::vector<double>& point) const;

@@ -16,14 +16,18 @@
 
 #include "app/core/platform/NumberRange.h"
 #include "app/robotctl/Interrupt.h"
+#include "app/robotctl/compare/RunInputs.h"
 #include "app/robotctl/compare/RunPool.h"
 #include "app/robotctl/compare/SlurmBatch.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/Spelling.h"
+#include "robotlink/debugging/Solution.h"
 
 namespace app {
 namespace {
 
 constexpr std::chrono::milliseconds kShowEvery{500};
+constexpr char kSeconds[] = "--seconds";
 
 /// A line on a terminal that shows how far it is.
 class ProgressLine {
@@ -79,6 +83,27 @@ std::string wholePath(const std::string& name) {
   return std::filesystem::exists(name, ignored) ? std::filesystem::absolute(name).string() : name;
 }
 
+robotlink::Result<void> checkSolutions(const std::string& task, const std::vector<std::string>& solutions) {
+  std::vector<std::string> known, tasks;
+  for (const auto& solution : robotlink::SolutionRegistry::all()) {
+    if (solution.task == task) known.push_back(solution.name);
+    if (tasks.empty() || tasks.back() != solution.task) tasks.push_back(solution.task);
+  }
+  const auto unknown = [](const std::string& what, const std::string& name, std::vector<std::string>& there) {
+    std::ranges::sort(there);
+    there.erase(std::unique(there.begin(), there.end()), there.end());
+    return robotlink::failure("compare.unknown",
+                              what + " '" + name + "'" + robotlink::suggestion(name, there) + "; there are " +
+                                  fmt::format("{}", fmt::join(there, ", ")),
+                              {}, {name});
+  };
+  if (known.empty()) return unknown("there is no task", task, tasks);
+  for (const std::string& solution : solutions)
+    if (std::ranges::find(known, solution) == known.end())
+      return unknown("the task " + task + " has no solution", solution, known);
+  return {};
+}
+
 void printDifferences(const Comparison& comparison) {
   for (const Difference& one : comparison.differences()) {
     if (!one.isReal()) continue;
@@ -94,7 +119,11 @@ void RunExecution::addTo(CLI::App& command) {
       ->check(numberFrom(0.1, 1e6))
       ->capture_default_str();
   command.add_option("--seed", firstSeed, "The first seed; the others follow it")->capture_default_str();
-  command.add_option("--out", out, "The folder of results and report; results that are there count")
+  command
+      .add_option(
+          "--out", out,
+          "The folder of results and report. Results that are there count as long as the program, its "
+          "resources and the named files are the same")
       ->required();
   command.add_option("--batch", batch, "Hands the runs to a batch system, as an array of jobs")
       ->check(CLI::IsMember({"slurm"}));
@@ -103,6 +132,10 @@ void RunExecution::addTo(CLI::App& command) {
   command.add_option("--retries", retries, "How often a run that fails is tried again")
       ->check(numberFrom(0, 10))
       ->capture_default_str();
+}
+
+void RunExecution::addOptionsTo(CLI::App& command) {
+  command.add_option("options", options, "Options of `robotctl sim` for each run, behind --");
 }
 
 robotlink::Result<std::vector<PlannedRun>> RunExecution::executeAll(const RunFiles& files,
@@ -125,8 +158,45 @@ robotlink::Result<std::vector<PlannedRun>> RunExecution::executeAll(const RunFil
   return runs;
 }
 
-robotlink::Result<RunExecution::Results> RunExecution::execute(const std::vector<PlannedRun>& runs) const {
+robotlink::Result<RunExecution::Results> RunExecution::tryOut(const std::vector<PlannedRun>& runs) const {
   const Interrupt interrupt;
+  std::vector<PlannedRun> first;
+  for (const PlannedRun& run : runs) {
+    const auto length = std::ranges::find(run.arguments, kSeconds);
+    if (length == run.arguments.end() || length + 1 == run.arguments.end()) continue;
+    if (std::ranges::find(first, run.variant, &PlannedRun::variant) != first.end()) continue;
+    PlannedRun& shortened = first.emplace_back(run);
+    shortened.arguments[static_cast<std::size_t>(length - run.arguments.begin()) + 1] = "0";
+    shortened.inputs = inputsOf(run);
+  }
+  const auto files = RunFiles::in(std::filesystem::path(out) / "check");
+  if (!files) return tl::unexpected(files.error());
+  std::vector<PlannedRun> open;
+  std::ranges::remove_copy_if(first, std::back_inserter(open),
+                              [&](const PlannedRun& run) { return files->isDone(run); });
+  RunPool pool(*files, std::max(1U, std::thread::hardware_concurrency()));
+  std::string texts;
+  for (const PlannedRun& run : pool.execute(open, [](const RunProgress&) { return !Interrupt::noted(); })) {
+    std::string text = robotlink::readFile(files->texts(run)).value_or("");
+    while (text.ends_with('\n')) text.pop_back();
+    // The same is often wrong with several.
+    if (texts.find(text) == std::string::npos || text.empty())
+      texts += fmt::format("{}{}: {}", texts.empty() ? "" : "\n", run.variant, text.empty() ? "fails" : text);
+  }
+  if (!texts.empty() && !Interrupt::noted()) return robotlink::failure("compare.run", texts, {}, {texts});
+  Results results;
+  for (const PlannedRun& run : first) {
+    if (!files->isDone(run)) continue;
+    auto printed = readResult(files->result(run));
+    if (!printed) return tl::unexpected(printed.error());
+    results.results.emplace_back(run, std::move(*printed));
+  }
+  return results;
+}
+
+robotlink::Result<RunExecution::Results> RunExecution::execute(std::vector<PlannedRun> runs) const {
+  const Interrupt interrupt;
+  for (PlannedRun& run : runs) run.inputs = inputsOf(run);
   const auto files = RunFiles::in(std::filesystem::path(out) / "runs");
   if (!files) return tl::unexpected(files.error());
   std::vector<PlannedRun> open;
@@ -137,6 +207,8 @@ robotlink::Result<RunExecution::Results> RunExecution::execute(const std::vector
   Results results;
   for (const PlannedRun& run : *failed) {
     results.missing.push_back(run.variant + ", " + run.subject);
+    // After a signal most of them never began.
+    if (Interrupt::noted()) continue;
     std::cerr << "no result: " << results.missing.back() << "; see " << files->texts(run).string() << "\n";
   }
   for (const PlannedRun& run : runs) {

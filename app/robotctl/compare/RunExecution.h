@@ -33,6 +33,9 @@ struct RunExecution {
   /// What the runs are a part of, for the line of progress; empty: nothing.
   std::string partOf = {};
 
+  /// Options of `robotctl sim` for each run.
+  std::vector<std::string> options = {};
+
   /// What came of the runs, in their order.
   struct Results {
     /// What each run printed.
@@ -43,16 +46,23 @@ struct RunExecution {
 
   /// Adds the options to a command; this object must outlive it.
   void addTo(CLI::App& command);
+  /// Adds what is given behind "--".
+  void addOptionsTo(CLI::App& command);
   /// Executes those that have no result yet, here or in a batch system, and those that fail again; shows on a
   /// terminal how far it is, and which are missing. A signal ends it. Fails if the folder cannot be written,
   /// the batch system refuses, or a result cannot be read.
-  robotlink::Result<Results> execute(const std::vector<PlannedRun>& runs) const;
+  robotlink::Result<Results> execute(std::vector<PlannedRun> runs) const;
+  /// Executes the first of the simulations of each variant for no time, so that what is wrong with all of
+  /// them is said at once. Fails with the texts of those that fail.
+  robotlink::Result<Results> tryOut(const std::vector<PlannedRun>& runs) const;
 
  private:
   robotlink::Result<std::vector<PlannedRun>> executeAll(const RunFiles& files, std::vector<PlannedRun> runs,
                                                         std::size_t before) const;
 };
 
+/// Fails unless all of these are solutions of the task; the error says what there is.
+robotlink::Result<void> checkSolutions(const std::string& task, const std::vector<std::string>& solutions);
 /// Prints the differences that are real, a line each.
 void printDifferences(const Comparison& comparison);
 /// A file by its whole path, since jobs run in other folders; the name of what is shipped as it is.

@@ -34,7 +34,7 @@ std::string fileNameOf(const std::string& text) {
 }
 
 std::string commandOf(const PlannedRun& run) {
-  return shellLine(run.arguments) + "\n";
+  return shellLine(run.arguments) + "\n" + run.inputs + (run.inputs.empty() ? "" : "\n");
 }
 
 robotlink::Error cannot(const std::string& what, const std::filesystem::path& file,

@@ -16,10 +16,12 @@ struct PlannedRun {
   /// What it is tried on, "seed 3" or the name of a log. Variants are compared on the same subject.
   std::string subject;
   std::vector<std::string> arguments;
+  /// On what its result depends besides; see inputsOf().
+  std::string inputs = {};
 };
 
 /// The files of runs in a folder: what was asked for, what came of it, and what was said meanwhile. A result
-/// counts as long as its run is still the same.
+/// counts as long as its run and that run's inputs are still the same.
 class RunFiles {
  public:
   /// Makes the folder. Fails if that is impossible.

@@ -3,6 +3,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -19,6 +20,9 @@ constexpr std::chrono::milliseconds kLookAtJobsEvery{100};
 constexpr int kLooksPerQuestion = 20;
 /// After so many questions in a row without an answer the results that are there count.
 constexpr int kMaxUnanswered = 150;
+/// An array has at most so many jobs unless a cluster is set otherwise (MaxArraySize 1001); if there are more
+/// runs, each job does several.
+constexpr std::size_t kMaxJobs = 1000;
 constexpr char kScript[] = "slurm.sh", kCommands[] = "slurm-commands.txt";
 
 struct ShellOutcome {
@@ -43,10 +47,11 @@ ShellOutcome shell(const std::string& command) {
 }  // namespace
 
 std::string SlurmBatch::script(std::size_t runs) const {
-  const std::string folder = files_.folder().string();
-  return "#!/bin/bash\n#SBATCH --job-name=robotctl\n#SBATCH --cpus-per-task=1\n#SBATCH --array=1-" +
-         std::to_string(runs) + "\n#SBATCH --output=/dev/null\ncd " + shellLine({folder}) +
-         "\neval \"$(sed -n \"${SLURM_ARRAY_TASK_ID}p\" " + kCommands + ")\"\n";
+  const std::string jobs = std::to_string(std::min(runs, kMaxJobs));
+  return "#!/bin/bash\n#SBATCH --job-name=robotctl\n#SBATCH --cpus-per-task=1\n#SBATCH --array=1-" + jobs +
+         "\n#SBATCH --output=/dev/null\ncd " + shellLine({files_.folder().string()}) +
+         "\nfor ((run = SLURM_ARRAY_TASK_ID; run <= " + std::to_string(runs) + "; run += " + jobs +
+         ")); do\n  eval \"$(sed -n \"${run}p\" " + kCommands + ")\"\ndone\n";
 }
 
 std::string SlurmBatch::commands(const std::vector<PlannedRun>& runs, const std::string& program) const {

@@ -74,13 +74,13 @@ robotlink::Result<TeamChoice> TeamChoice::parse(const std::string& text) {
       return robotlink::failure(
           "usage", "a team is NAME:LAYOUT,TASK=SOLUTION,preset=PRESET, each of which may be left out, not '" +
                        text + "'");
-    if (key == kLayoutPart) {
-      team.layout = value;
-    } else if (key == kPresetPart) {
-      team.preset = value;
-    } else {
-      team.solutions[key] = value;
-    }
+    std::string& chosen = key == kLayoutPart   ? team.layout
+                          : key == kPresetPart ? team.preset
+                                               : team.solutions[key];
+    if (!chosen.empty())
+      return robotlink::failure(
+          "usage", "the team '" + text + "' has two of " + key + ": " + chosen + " and " + value);
+    chosen = value;
   }
   if (team.name.empty()) return robotlink::failure("usage", "the team '" + text + "' has no name");
   return team;
@@ -112,6 +112,7 @@ PlannedRun Tournament::run(int game) const {
     std::ranges::move(teams[teamOf(game, color)].optionsFor(colors[color]),
                       std::back_inserter(run.arguments));
   if (errors) run.arguments.emplace_back("--errors");
+  run.arguments.insert(run.arguments.end(), options.begin(), options.end());
   return run;
 }
 

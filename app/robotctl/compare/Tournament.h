@@ -42,6 +42,8 @@ struct Tournament {
   double seconds = 240;
   /// Whether it is also measured how far percepts and models are from the truth.
   bool errors = false;
+  /// Options of `robotctl sim` for each game.
+  std::vector<std::string> options = {};
 
   /// The index of the team that has a color, by the index of that, in a game that counts from 0.
   static std::size_t teamOf(int game, std::size_t color) {

@@ -39,6 +39,8 @@ std::string commandOf(const TournamentArguments& arguments) {
                                  "--seed",        std::to_string(tournament.firstSeed)};
   if (tournament.errors) words.emplace_back("--errors");
   words.insert(words.end(), {"--out", arguments.execution.out});
+  if (!tournament.options.empty()) words.emplace_back("--");
+  words.insert(words.end(), tournament.options.begin(), tournament.options.end());
   return shellLine(words);
 }
 
@@ -62,21 +64,29 @@ robotlink::Result<void> writeTournament(const TournamentArguments& arguments, co
 
 int playTournament(TournamentArguments& arguments) {
   Tournament& tournament = arguments.tournament;
-  const auto first = TeamChoice::parse(arguments.first), second = TeamChoice::parse(arguments.second);
-  if (!first || !second) return wrongTournament((first ? second : first).error().text);
-  if (first->name == second->name)
-    return wrongTournament("both teams are called '" + first->name + "'; name them, as in a:" + first->name);
-  tournament.teams = {*first, *second};
+  const auto one = TeamChoice::parse(arguments.first), other = TeamChoice::parse(arguments.second);
+  if (!one || !other) return wrongTournament((one ? other : one).error().text);
+  if (one->name == other->name)
+    return wrongTournament("both teams are called '" + one->name + "'; name them, as in a:" + one->name);
+  tournament.teams = {*one, *other};
   tournament.firstSeed = arguments.execution.firstSeed;
   tournament.seconds = arguments.execution.seconds;
+  tournament.options = arguments.execution.options;
+  TournamentTable table(tournament), tried(tournament);
+  const auto addTo = [&](TournamentTable& games, const auto& results) -> robotlink::Result<void> {
+    for (const auto& [run, printed] : results) {
+      int game = 0;
+      while (tournament.run(game).subject != run.subject) ++game;
+      if (auto added = games.add(game, printed); !added) return added;
+    }
+    return {};
+  };
+  const auto first = arguments.execution.tryOut(tournament.runs());
+  if (!first) return printErrors({first.error()});
+  if (const auto added = addTo(tried, first->results); !added) return printErrors({added.error()});
   const auto results = arguments.execution.execute(tournament.runs());
   if (!results) return printErrors({results.error()});
-  TournamentTable table(tournament);
-  for (const auto& [run, printed] : results->results) {
-    int game = 0;
-    while (tournament.run(game).subject != run.subject) ++game;
-    if (auto added = table.add(game, printed); !added) return printErrors({added.error()});
-  }
+  if (const auto added = addTo(table, results->results); !added) return printErrors({added.error()});
   if (auto written = writeTournament(arguments, table, results->missing); !written)
     return printErrors({written.error()});
   if (arguments.asJson) {
@@ -112,6 +122,7 @@ void addTournamentCommand(CLI::App& app, int& status) {
   command->add_flag("--errors", arguments->tournament.errors,
                     "Adds how far percepts and models of both teams are from the truth");
   command->add_flag("--json", arguments->asJson, "Prints games and standings as one JSON object");
+  arguments->execution.addOptionsTo(*command);
   arguments->execution.addTo(*command);
   command->callback(
       [arguments, &status] { status = withResources([&] { return playTournament(*arguments); }); });

@@ -81,8 +81,8 @@ std::string commandOf(const TuneArguments& arguments) {
         fmt::format("{}", tuning.execution.seconds), std::string("--out"), tuning.execution.out})
     words.push_back(std::move(word));
   if (tuning.maximize) words.emplace_back("--maximize");
-  if (!tuning.options.empty()) words.emplace_back("--");
-  words.insert(words.end(), tuning.options.begin(), tuning.options.end());
+  if (!tuning.execution.options.empty()) words.emplace_back("--");
+  words.insert(words.end(), tuning.execution.options.begin(), tuning.execution.options.end());
   return shellLine(words);
 }
 
@@ -133,9 +133,7 @@ int tune(const TuneArguments& arguments, const ParameterSpace& space,
   if (!comparison) return printErrors({comparison.error()});
   const std::filesystem::path out(arguments.tuning.execution.out);
   const ReportTitle title{arguments.task + "/" + arguments.solution + ": " + arguments.tuning.figure,
-                          commandOf(arguments),
-                          {},
-                          tuning.tables()};
+                          commandOf(arguments), tuning.missing(), tuning.tables()};
   if (auto written = writeReport(out, *comparison, title); !written) return printErrors({written.error()});
   const int status = printOutcome(*comparison, arguments.tuning);
   std::cout << (out / "report.html").string() << "\n" << (out / "tuned.preset.json").string() << "\n";
@@ -143,16 +141,16 @@ int tune(const TuneArguments& arguments, const ParameterSpace& space,
 }
 
 int runTune(TuneArguments& arguments) {
+  if (const auto known = checkSolutions(arguments.task, {arguments.solution}); !known)
+    return wrongTuning(known.error().text);
   const auto* solution = robotlink::SolutionRegistry::find(arguments.task, arguments.solution);
-  if (solution == nullptr)
-    return wrongTuning("there is no solution '" + arguments.solution + "' of a task '" + arguments.task +
-                       "'");
   if (solution->parameters == nullptr)
     return wrongTuning(arguments.task + "/" + arguments.solution + " has no parameters");
   const auto parameters = parametersOf(arguments);
   if (!parameters) return printErrors(parameters.error());
   const auto space = ParameterSpace::of(arguments.parameters, *solution, *parameters);
   if (!space) return wrongTuning(space.error().text);
+  arguments.tuning.solution = arguments.task + "=" + arguments.solution;
   const int stages = static_cast<int>(arguments.algorithms.size());
   for (int i = 0; i < stages; ++i) {
     const int share = arguments.evaluations / stages + (i < arguments.evaluations % stages ? 1 : 0);
@@ -196,14 +194,17 @@ void addTuneCommand(CLI::App& app, int& status) {
                    "With how many further seeds the best is compared with today's")
       ->check(numberFrom(2, 10000))
       ->capture_default_str();
-  command->add_option("--algorithms", arguments->algorithms, "Algorithms of NLopt, one after the other")
+  command
+      ->add_option("--algorithms", arguments->algorithms,
+                   "Algorithms of NLopt, one after the other, with commas between them")
+      ->allow_extra_args(false)
       ->delimiter(',')
       ->check(CLI::IsMember(Optimizer::algorithms()))
       ->capture_default_str();
   command->add_option("--evaluations", arguments->evaluations, "How many candidates are tried in all")
       ->check(numberFrom(1, 1e6))
       ->capture_default_str();
-  command->add_option("options", tuning.options, "Options of `robotctl sim` for each run, behind --");
+  tuning.execution.addOptionsTo(*command);
   tuning.execution.addTo(*command);
   command->callback([arguments, &status] { status = withResources([&] { return runTune(*arguments); }); });
 }

@@ -16,6 +16,9 @@ namespace {
 /// The cost of a candidate whose runs have no result: worse than any figure, and finite.
 constexpr double kNoResult = 1e30;
 
+/// So many candidates are tried before it counts that all have the same figure.
+constexpr std::size_t kAlike = 4;
+
 /// A name for a candidate that depends on its numbers only.
 std::string candidateName(const std::vector<std::string>& numbers) {
   return fmt::format("candidate-{:016x}", robotlink::fnv1a(fmt::format("{}", fmt::join(numbers, " "))));
@@ -44,12 +47,13 @@ robotlink::Result<std::vector<PlannedRun>> Tuning::runsOf(const std::string& var
   for (int i = 0; i < seeds; ++i) {
     const std::string seed = std::to_string(firstSeed + static_cast<std::uint64_t>(i));
     PlannedRun& run = runs.emplace_back(PlannedRun{variant, "seed " + seed, {"sim", wholePath(task_.scene)}});
-    for (std::string word : {std::string("--threads"), std::string("1"), std::string("--seconds"),
-                             fmt::format("{}", task_.execution.seconds), std::string("--seed"), seed,
-                             std::string("--preset"), preset.string(), std::string("--json")})
+    for (std::string word :
+         {std::string("--threads"), std::string("1"), std::string("--seconds"),
+          fmt::format("{}", task_.execution.seconds), std::string("--seed"), seed, std::string("--solution"),
+          task_.solution, std::string("--preset"), preset.string(), std::string("--json")})
       run.arguments.push_back(std::move(word));
     if (isOfErrors(task_.figure)) run.arguments.emplace_back("--errors");
-    run.arguments.insert(run.arguments.end(), task_.options.begin(), task_.options.end());
+    run.arguments.insert(run.arguments.end(), task_.execution.options.begin(), task_.execution.options.end());
   }
   return runs;
 }
@@ -84,6 +88,19 @@ robotlink::Result<std::optional<double>> Tuning::evaluate(const std::vector<doub
   return sum / static_cast<double>(runs->size());
 }
 
+robotlink::Result<void> Tuning::checkThatParametersMatter() const {
+  if (tried_.size() != kAlike) return {};
+  const auto first = tried_.front().value;
+  if (!first || !std::ranges::all_of(tried_, [&](const TunedPoint& one) { return one.value == first; }))
+    return {};
+  return robotlink::failure(
+      "tune.alike",
+      fmt::format("the first {} candidates all have {} of '{}': what is tuned does not change it; does the "
+                  "scene's layout run the task, or is an option missing behind --?",
+                  kAlike, *first, task_.figure),
+      {}, {task_.figure});
+}
+
 std::optional<double> Tuning::costAt(const std::vector<double>& point, const std::string& stage) {
   const auto [known, isNew] = known_.try_emplace(space_.numbersAt(point), tried_.size());
   if (isNew) {
@@ -94,6 +111,10 @@ std::optional<double> Tuning::costAt(const std::vector<double>& point, const std
       return std::nullopt;
     }
     tried_.push_back({point, *value, stage});
+    if (const auto matters = checkThatParametersMatter(); !matters) {
+      error_ = matters.error();
+      return std::nullopt;
+    }
     if (*value && (!best().value || isBetter(**value, *best().value))) best_ = tried_.size() - 1;
   }
   const auto& value = tried_[known->second].value;
@@ -103,6 +124,9 @@ std::optional<double> Tuning::costAt(const std::vector<double>& point, const std
 
 robotlink::Result<bool> Tuning::search() {
   const Interrupt interrupt;
+  const auto runs = runsOf("start", space_.start(), task_.execution.firstSeed, 1);
+  if (!runs) return tl::unexpected(runs.error());
+  if (const auto tried = task_.execution.tryOut(*runs); !tried) return tl::unexpected(tried.error());
   bool isWhole = costAt(space_.start(), "start").has_value();
   for (const Optimizer& stage : task_.stages) {
     if (!isWhole) break;
@@ -127,6 +151,7 @@ robotlink::Result<Comparison> Tuning::validate() {
   }
   const auto results = task_.execution.execute(runs);
   if (!results) return tl::unexpected(results.error());
+  missing_ = results->missing;
   Comparison comparison;
   for (const auto& [run, printed] : results->results)
     comparison.add(run.variant, run.subject, figuresIn(printed));

@@ -25,8 +25,8 @@ struct TuningTask {
   std::string figure;
   bool maximize = false;
   int seeds = 3, heldOut = 10;
-  /// Options of `robotctl sim` for each run.
-  std::vector<std::string> options = {};
+  /// The task and the solution that is tuned, which each run uses: "motion=wheel-model-fast".
+  std::string solution = {};
   /// One after the other, each from the best so far.
   std::vector<Optimizer> stages = {};
   RunExecution execution = {};
@@ -55,6 +55,8 @@ class Tuning {
 
   /// Runs today's parameters ("today") and the best ones ("tuned") with seeds that the search has not seen.
   robotlink::Result<Comparison> validate();
+  /// "variant, subject" of the runs of validate() that have no result.
+  const std::vector<std::string>& missing() const { return missing_; }
 
   /// The course of the search: a row for each candidate.
   std::string courseCsv() const;
@@ -66,6 +68,8 @@ class Tuning {
   robotlink::Result<std::vector<PlannedRun>> runsOf(const std::string& variant,
                                                     const std::vector<double>& point, std::uint64_t firstSeed,
                                                     int seeds) const;
+  /// Fails if the first candidates all have the same figure: the parameters do not matter for it.
+  robotlink::Result<void> checkThatParametersMatter() const;
   /// Tries a point; nothing if the search is to end.
   std::optional<double> costAt(const std::vector<double>& point, const std::string& stage);
   robotlink::Result<std::optional<double>> evaluate(const std::vector<double>& point);
@@ -78,6 +82,7 @@ class Tuning {
   /// Indices in `tried_` by the numbers that a run gets.
   std::map<std::vector<std::string>, std::size_t> known_;
   std::optional<robotlink::Error> error_;
+  std::vector<std::string> missing_;
 };
 
 }  // namespace app

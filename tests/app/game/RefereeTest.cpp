@@ -258,4 +258,7 @@ TEST(Referee, aTeamGetsAnotherLayoutWhileTheOthersPlayOn) {
   EXPECT_EQ(run->layout().stem(), "soccer");
   play(*run, 0.5);
   EXPECT_NEAR(robotlink::seconds(run->world().clock().now()), 1, 0.02);
+  EXPECT_TRUE(run->setLayout(layoutNamed("balanced")).empty());
+  EXPECT_EQ(run->layout().stem(), "balanced");
+  EXPECT_TRUE(run->otherLayouts().empty()) << "it is chosen for all, also for the team that had another one";
 }

@@ -182,6 +182,15 @@ TEST_F(OpenPlatformTest, keysStayAsTheyWereSavedWhileTheRobotHasNotSwitchedThemO
   EXPECT_FALSE(std::filesystem::exists(savedKeys())) << "the table may be the one from before";
 }
 
+TEST_F(OpenPlatformTest, aScriptKeepsNothing) {
+  ASSERT_TRUE(opened("rover"));
+  publishKey("package/models/ball");
+  open_.keepNothing();
+  ASSERT_TRUE(opened("other rover"));
+  EXPECT_TRUE(open_.keepKeys());
+  EXPECT_FALSE(std::filesystem::exists(savedKeys()));
+}
+
 TEST_F(OpenPlatformTest, keysThatCannotBeKeptAreReported) {
   ASSERT_TRUE(opened("rover"));
   home_.write("session", "a file where the folder has to be");

@@ -86,4 +86,19 @@ TEST_F(RobotctlGame, aTournamentSwapsSidesKeepsResultsAndReports) {
   EXPECT_EQ(std::filesystem::last_write_time(result), made) << "it was not played again";
   EXPECT_EQ(robotctl("tournament compact compact --out cup").status, 2) << "they have the same name";
   EXPECT_EQ(robotctl("tournament a:behavior= compact --out cup").status, 2);
+  EXPECT_THAT(robotctl("tournament a:compact,soccer compact --out cup").errors, HasSubstr("two of layout"));
+}
+
+TEST_F(RobotctlGame, aTournamentThatCannotBePlayedSaysWhyBeforeItBegins) {
+  const auto errorOf = [&](const std::string& arguments) {
+    const RobotctlOutcome outcome = robotctl("tournament --games 1000 --out cup " + arguments);
+    EXPECT_NE(outcome.status, 0);
+    return outcome.errors;
+  };
+  EXPECT_THAT(errorOf("A:nolayout B:compact"), HasSubstr("nolayout"));
+  EXPECT_THAT(errorOf("A:soccer,behavior=nope B:compact"), HasSubstr("has no solution 'nope'"));
+  EXPECT_THAT(errorOf("A:soccer B:compact --scene field2002"),
+              HasSubstr("there is no robot, team or kind of robots blue"));
+  EXPECT_THAT(errorOf("A:soccer B:compact -- --light x"), HasSubstr("--light"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "cup/runs"));
 }

@@ -115,10 +115,18 @@ TEST_F(RobotctlSlurm, whatFailsIsTriedAgainAndThenNamed) {
                               " compare --task ball-model --solutions filtered,kalman --scene mine.sdf "
                               "--seeds 1 --seconds 1 --out there "
                               "--batch slurm";
+  // Its controller fails in the first step, which is not tried before jobs are submitted.
+  std::string broken = textOf(kScene);
+  broken.replace(broken.rfind("</world>"), 0,
+                 "<robotcontrol:controller name=\"ball_replacer\" as=\"lift\">"
+                 "<robotcontrol:parameter name=\"model\">ball</robotcontrol:parameter>"
+                 "<robotcontrol:parameter name=\"area\">2 2 -2 -2</robotcontrol:parameter>"
+                 "</robotcontrol:controller>");
+  ASSERT_TRUE(std::ofstream(folder_ / "mine.sdf") << broken);
   const RobotctlOutcome outcome = slurm(compare);
-  EXPECT_NE(outcome.status, 0) << "there is no such scene";
+  EXPECT_NE(outcome.status, 0);
   EXPECT_THAT(outcome.errors, HasSubstr("no result: kalman, seed 1"));
-  std::filesystem::copy_file(kScene, folder_ / "mine.sdf");
+  std::filesystem::copy_file(kScene, folder_ / "mine.sdf", std::filesystem::copy_options::overwrite_existing);
   const RobotctlOutcome again = slurm(compare);
   EXPECT_EQ(again.status, 0) << again.errors;
   EXPECT_THAT(textOf(folder_ / "there/results.csv"), HasSubstr("kalman,seed 1"));

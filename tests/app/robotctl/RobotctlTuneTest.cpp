@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/TestFolder.h"
 #include "tests/app/robotctl/RobotctlRun.h"
@@ -81,7 +82,7 @@ TEST_F(RobotctlTune, betterParametersAreFoundWrittenAndNotSearchedTwice) {
 TEST_F(RobotctlTune, whatCannotBeTunedIsSaid) {
   const std::string rest = " --robot ers210 --scene " + kScene + " --figure x --out o";
   EXPECT_THAT(robotctl("tune --task motion --solution fly --parameter a" + rest).errors,
-              HasSubstr("there is no solution 'fly' of a task 'motion'"));
+              HasSubstr("the task motion has no solution 'fly'; there are "));
   EXPECT_THAT(
       robotctl("tune --task motion --solution wheel-model-rectangle --parameter gait.hop" + rest).errors,
       HasSubstr("gait.hop is no number of motion/wheel-model-rectangle"));
@@ -92,6 +93,26 @@ TEST_F(RobotctlTune, whatCannotBeTunedIsSaid) {
   EXPECT_THAT(figure.errors, HasSubstr("the runs have no figure 'x'"));
   EXPECT_THAT(figure.errors, HasSubstr("walk forward"));
   EXPECT_NE(figure.status, 0);
+}
+
+TEST_F(RobotctlTune, theTunedSolutionRunsAlthoughTheLayoutHasAnother) {
+  const std::string fast = "tune --task motion --solution wheel-model-fast --robot ers210 --scene " + kScene +
+                           " --parameter gait.maximum_x --figure 'walk forward' --maximize --seeds 1 "
+                           "--held-out 2 --seconds 1 --algorithms crs2 --evaluations 3 --out fast -- ";
+  const RobotctlOutcome outcome = robotctl(fast + "--walk 1");
+  EXPECT_THAT(outcome.out, HasSubstr("walk forward with 2 held-out seeds")) << outcome.errors;
+  std::set<std::string> figures;
+  std::istringstream course(textOf(folder_ / "fast/course.csv"));
+  for (std::string line; std::getline(course, line);)
+    figures.insert(line.substr(0, line.rfind(',')).substr(2));
+  EXPECT_GE(figures.size(), 3U) << "its parameters matter";
+  // A robot that stands does not walk faster.
+  const std::string slow = "tune --task motion --solution wheel-model-rectangle --robot ers210 --scene " +
+                           kScene +
+                           " --parameter gait.maximum_x --figure ball_contacts --seeds 1 --held-out 2 "
+                           "--seconds 0.2 --evaluations 9 --out slow";
+  EXPECT_THAT(robotctl(slow).errors, HasSubstr("the first 4 candidates all have 0 of 'ball_contacts'"));
+  EXPECT_THAT(robotctl(slow + " -- --solution behavior=nope").errors, HasSubstr("has no solution 'nope'"));
 }
 
 TEST_F(RobotctlTune, shadowsHaveErrorsOfTheirOwnAndChangeNothing) {

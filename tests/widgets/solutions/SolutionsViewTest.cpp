@@ -147,10 +147,14 @@ class SolutionsViewTest : public QObject {
       add("scan-lines", frame < 25 ? 0.001 : 0.003);
       add("regions (shadow)", 0.0005);
       bench.push("red1/stopwatches/cognition", times, 1 + 0.04 * frame);
+      // Its times are published after each third frame.
+      robotcontrol::FrameInfo info;
+      info.set_number(1 + 3 * static_cast<std::uint64_t>(frame));
+      bench.push("red1/frames/cognition", info, 1 + 0.04 * frame);
     }
     for (int i = 0; i < 20; ++i) bench.tick(*view);
-    QCOMPARE(cost("scan-lines"), QStringLiteral("2.00 ms, 5.0 %"));
-    QCOMPARE(cost("regions"), QStringLiteral("0.50 ms, 1.3 %"));
+    QCOMPARE(cost("scan-lines"), QStringLiteral("2.00 ms, 15.0 %"));
+    QCOMPARE(cost("regions"), QStringLiteral("0.50 ms, 3.8 %"));
     QCOMPARE(cost("oracle"), QString());
     QCOMPARE(cost("ball-percept"), QString());
   }

@@ -158,7 +158,10 @@ TEST(SlurmBatch, aJobOfTheArrayExecutesItsLine) {
   ASSERT_TRUE(files);
   const SlurmBatch batch(*files);
   EXPECT_THAT(batch.script(7), HasSubstr("#SBATCH --array=1-7\n"));
-  EXPECT_THAT(batch.script(7), HasSubstr("sed -n \"${SLURM_ARRAY_TASK_ID}p\""));
+  EXPECT_THAT(batch.script(7), HasSubstr("run <= 7; run += 7"));
+  EXPECT_THAT(batch.script(7), HasSubstr("sed -n \"${run}p\""));
+  EXPECT_THAT(batch.script(2500), HasSubstr("#SBATCH --array=1-1000\n")) << "each does two or three runs";
+  EXPECT_THAT(batch.script(2500), HasSubstr("run <= 2500; run += 1000"));
   const PlannedRun run{"a", "seed 1", {"sim", "my scene"}};
   const std::string lines = batch.commands({run, run}, "/usr/bin/robotctl");
   EXPECT_THAT(lines, HasSubstr("/usr/bin/robotctl sim 'my scene' > "));

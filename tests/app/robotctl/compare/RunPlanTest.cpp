@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "app/robotctl/compare/RunInputs.h"
 #include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
 
@@ -83,6 +84,22 @@ TEST_F(RunFilesTest, aResultWithoutTheCommandThatMadeItDoesNotCount) {
   EXPECT_FALSE(files_.isDone(run)) << "nobody knows of what it is";
   ASSERT_TRUE(files_.prepare(run));
   EXPECT_FALSE(files_.isDone(run)) << "it was removed";
+}
+
+TEST_F(RunFilesTest, aResultDoesNotCountOnceWhatItDependsOnHasChanged) {
+  const std::filesystem::path layout = folder_ / "mine.yaml";
+  PlannedRun run = runOn("seed 1");
+  run.arguments.push_back("red=" + layout.string());
+  ASSERT_TRUE(robotlink::writeFileAtomically(layout, "one"));
+  run.inputs = inputsOf(run);
+  EXPECT_EQ(inputsOf(run), run.inputs);
+  ASSERT_TRUE(files_.prepare(run));
+  ASSERT_TRUE(robotlink::writeFileAtomically(files_.unfinished(run), "{}"));
+  ASSERT_TRUE(files_.finish(run));
+  EXPECT_TRUE(files_.isDone(run));
+  ASSERT_TRUE(robotlink::writeFileAtomically(layout, "another"));
+  run.inputs = inputsOf(run);
+  EXPECT_FALSE(files_.isDone(run));
 }
 
 TEST_F(RunFilesTest, anUnfinishedRunIsNoResult) {

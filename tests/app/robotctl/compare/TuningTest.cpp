@@ -102,6 +102,7 @@ TEST_F(ParameterSpaceTest, whatIsNoRangeOfANumberIsRefused) {
   EXPECT_THAT(error({"pose_in_field.x=1"}), HasSubstr("NAME=LOW:HIGH"));
   EXPECT_THAT(error({"pose_in_field.x=1:b"}), HasSubstr("NAME=LOW:HIGH"));
   EXPECT_THAT(error({"pose_in_field.x=3:1"}), HasSubstr("has no range"));
+  EXPECT_THAT(error({"pose_in_field.x=3:4"}), HasSubstr("is 2 now, which is not between 3 and 4"));
   EXPECT_THAT(error({"pose_in_field.heading"}), HasSubstr("has no range"));
   EXPECT_THAT(error({"pose_in_field.x=1:2", "pose_in_field.x=1:3"}), HasSubstr("named twice"));
 }
