@@ -13,7 +13,7 @@ import sys
 
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
-ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/ros", "robotlink/decoding", "robotlink/expressions", "robotlink/series", "robotlink/calibration", "robotlink/session", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
+ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/ros", "robotlink/decoding", "robotlink/expressions", "robotlink/series", "robotlink/calibration", "robotlink/session", "robotlink/truth", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
 SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
@@ -28,6 +28,7 @@ TARGETS = {
     "robotlink/dds": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging"],
     "robotlink/session": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process",
                           "robotlink/debugging"],
+    "robotlink/truth": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging"],
     "robotlink/commands": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging",
                            "robotlink/expressions", "robotlink/session"],
     "robotlink/motions": ["robotlink/base"],
@@ -62,7 +63,7 @@ ROOMS = {
     "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", "scratch", ".", "edit"],
     "modules": [".", "behavior", "modeling", "modeling/ball", "modeling/localization", "modeling/players", "modeling/team", "motion", "navigation", "mapping", "perception", "perception/body", "perception/lines", "driving"],
     "widgets": ["controls", ".", "text", "steering", "drawings", "picture", "keys", "ports", "packets", "processes", "solutions", "image", "camera", "motion", "motions", "joints", "world", "field",
-        "log", "streams", "timing", "color", "drive", "behavior", "game", "messages", "search", "console", "plots/items", "plots", "data", "overview", "sceneedit", "scene/render", "scene/gizmo", "scene", "objects", "timeline", "export", "color/image", "color/quality",
+        "log", "streams", "timing", "errors", "color", "drive", "behavior", "game", "messages", "search", "console", "plots/items", "plots", "data", "overview", "sceneedit", "scene/render", "scene/gizmo", "scene", "objects", "timeline", "export", "color/image", "color/quality",
         "color/samples", "color/space"],
     "app/core": ["plugins", "truth", "team", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "scenetext", "world/control", "world", "snapshots", "game", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "compare", "link", "log", "run"],

@@ -18,7 +18,6 @@
 #include "app/core/replay/ReplayFeed.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/core/truth/ErrorFigures.h"
-#include "app/core/truth/TruthErrors.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotlink/base/FileSuffix.h"
@@ -27,6 +26,7 @@
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/process/Process.h"
 #include "robotlink/session/QueueMessages.h"
+#include "robotlink/truth/TruthErrors.h"
 
 namespace app {
 namespace {
@@ -36,6 +36,7 @@ using robotcontrol::ControlReplay;
 using robotcontrol::ReplayStatus;
 using robotlink::Errors;
 using robotlink::Result;
+using robotlink::TruthErrors;
 using Kind = PlatformField::Kind;
 
 constexpr std::string_view kLogPlatform = "log:";

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 
-#include "app/core/truth/TruthErrors.h"
+#include "robotlink/truth/TruthErrors.h"
 
 namespace app {
 namespace {
 
 using nlohmann::json;
+using robotlink::ErrorSamples;
+using robotlink::PackageErrors;
+using robotlink::TruthErrors;
 
 constexpr char kMissed[] = "missed", kFalse[] = "false", kLatency[] = "latency";
 
@@ -36,6 +39,13 @@ json figuresOf(const PackageErrors& errors) {
   return figures;
 }
 
+/// The path of a stream, with the solution where several have published it.
+std::string nameOf(const robotlink::ErrorSource& source, const TruthErrors::Packages& all) {
+  const auto several =
+      std::ranges::count(all, source.path, [](const auto& entry) { return entry.first.path; });
+  return several > 1 ? fmt::format("{} ({})", source.path, source.solution) : source.path;
+}
+
 std::string shareText(const json& package, const char* name) {
   return package.contains(name) ? fmt::format("{:.1f} %", 100 * package[name].get<double>())
                                 : std::string("-");
@@ -56,7 +66,8 @@ std::string amountText(const json& quantity, const char* name) {
 json errorFigures(const TruthErrors& errors) {
   json figures = json::object();
   for (const auto& [robot, packages] : errors.errors())
-    for (const auto& [path, package] : packages) figures[robot][path] = figuresOf(package);
+    for (const auto& [source, package] : packages)
+      figures[robot][nameOf(source, packages)] = figuresOf(package);
   return figures;
 }
 

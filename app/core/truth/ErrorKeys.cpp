@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/truth/ErrorKeys.h"
 
-#include "app/core/truth/TruthErrors.h"
 #include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Presets.h"
+#include "robotlink/truth/TruthErrors.h"
 
 namespace app {
 
@@ -16,7 +16,7 @@ std::shared_ptr<const robotlink::Preset> presetForErrors(
   const auto always = [&](const std::string& package) { (*keys)["package/" + package] = "always"; };
   always(robotlink::kOracleWorld.name);
   always(robotlink::kGameState.name);
-  for (const std::string& package : TruthErrors::packages()) always(package);
+  for (const std::string& package : robotlink::TruthErrors::packages()) always(package);
   return std::make_shared<const robotlink::Preset>(std::move(preset));
 }
 

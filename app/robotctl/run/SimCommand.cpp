@@ -28,7 +28,6 @@
 #include "app/core/simulated/SimulationFeed.h"
 #include "app/core/truth/ErrorFigures.h"
 #include "app/core/truth/ErrorKeys.h"
-#include "app/core/truth/TruthErrors.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/log/LogSubcommands.h"
@@ -43,6 +42,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
 #include "robotlink/base/threads/ThreadPool.h"
+#include "robotlink/truth/TruthErrors.h"
 
 namespace app {
 namespace {
@@ -87,7 +87,7 @@ struct SimArguments {
 /// What a run writes to.
 struct SimOutputs {
   /// Null: nobody wants to know.
-  std::unique_ptr<TruthErrors> errors = nullptr;
+  std::unique_ptr<robotlink::TruthErrors> errors = nullptr;
   /// Null: none.
   std::unique_ptr<LabeledImages> images = nullptr;
   std::unique_ptr<logplayer::Recorder> recorder = nullptr;
@@ -182,8 +182,9 @@ robotlink::Result<std::shared_ptr<SimOutputs>> openOutputs(const SimArguments& a
   if (!images) return tl::unexpected(images.error());
   auto recorder = arguments.record.start();
   if (!recorder) return tl::unexpected(recorder.error());
-  return std::make_shared<SimOutputs>(SimOutputs{arguments.errors ? std::make_unique<TruthErrors>() : nullptr,
-                                                 std::move(*images), std::move(*recorder)});
+  return std::make_shared<SimOutputs>(
+      SimOutputs{arguments.errors ? std::make_unique<robotlink::TruthErrors>() : nullptr, std::move(*images),
+                 std::move(*recorder)});
 }
 
 void printFigures(const SimArguments& arguments, json figures, const ProgramTroubles& troubles) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/truth/ErrorSamples.h"
+#include "robotlink/truth/ErrorSamples.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace app {
+namespace robotlink {
 namespace {
 
 TEST(ErrorSamples, withoutSamplesAllIsZero) {
@@ -56,4 +56,4 @@ TEST(ErrorSamples, ofVeryManyTheStatisticsStayRight) {
 }
 
 }  // namespace
-}  // namespace app
+}  // namespace robotlink

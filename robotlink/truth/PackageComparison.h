@@ -10,12 +10,10 @@ class Message;
 namespace robotcontrol {
 class OracleWorld;
 }
+
 namespace robotlink {
+
 struct FieldDescription;
-}
-
-namespace app {
-
 struct PackageErrors;
 
 /// The packages that can be compared with the truth.
@@ -24,7 +22,7 @@ std::vector<std::string> comparablePackages();
 /// Adds how far a package is from the truth of its time. A value of another type than the package's is
 /// skipped, as is what needs a field if there is none.
 void comparePackage(const std::string& package, const google::protobuf::Message& value,
-                    const robotcontrol::OracleWorld& truth, const robotlink::FieldDescription* field,
+                    const robotcontrol::OracleWorld& truth, const FieldDescription* field,
                     PackageErrors& errors);
 
-}  // namespace app
+}  // namespace robotlink

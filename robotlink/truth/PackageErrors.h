@@ -5,9 +5,9 @@
 #include <map>
 #include <string>
 
-#include "app/core/truth/ErrorSamples.h"
+#include "robotlink/truth/ErrorSamples.h"
 
-namespace app {
+namespace robotlink {
 
 /// What is compared with the simulator's truth, by the name of its quantity ("position"), with its unit.
 struct ErrorQuantity {
@@ -25,4 +25,4 @@ struct PackageErrors {
   ErrorSamples latency;
 };
 
-}  // namespace app
+}  // namespace robotlink

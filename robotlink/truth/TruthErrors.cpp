@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/truth/TruthErrors.h"
+#include "robotlink/truth/TruthErrors.h"
 
 #include <google/protobuf/message.h>
 #include <google/protobuf/timestamp.pb.h>
@@ -8,35 +8,37 @@
 #include <array>
 #include <string_view>
 
-#include "app/core/truth/PackageComparison.h"
+#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
+#include "robotlink/truth/PackageComparison.h"
 
-namespace app {
+namespace robotlink {
 namespace {
-
-using robotlink::Instant;
 
 // The truth of an image that a slow process has looked at is still there.
 constexpr std::size_t kMaxTruths = 1000;
 /// Some more than come in the time in which the truth may be late.
 constexpr std::size_t kMaxWaiting = 2000;
 // Between two truths that follow each other.
-constexpr robotlink::Duration kSameTime = std::chrono::milliseconds(20);
+constexpr Duration kSameTime = std::chrono::milliseconds(20);
 constexpr std::string_view kShadowPrefix = "shadow/";
 
-/// The package of a stream: that of "shadow/kalman/models/ball" is models/ball. Empty if it is not compared.
-std::string_view comparedPackage(std::string_view path) {
-  if (path.starts_with(kShadowPrefix)) {
-    path.remove_prefix(kShadowPrefix.size());
-    path.remove_prefix(std::min(path.find('/'), path.size() - 1) + 1);
-  }
-  const auto& all = TruthErrors::packages();
-  return std::ranges::find(all, path) == all.end() ? std::string_view() : path;
+/// The solution of a shadow's stream, and where the path of what it publishes begins; empty if it is none.
+std::pair<std::string_view, std::string_view> shadowIn(std::string_view path) {
+  if (!path.starts_with(kShadowPrefix)) return {{}, path};
+  path.remove_prefix(kShadowPrefix.size());
+  const std::size_t end = std::min(path.find('/'), path.size());
+  return {path.substr(0, end), path.substr(std::min(end + 1, path.size()))};
+}
+
+bool isSolutionTable(std::string_view path) {
+  return path.starts_with(streams::kSolutions);
 }
 
 /// When the readings were taken that a package is based on.
@@ -46,7 +48,7 @@ std::optional<Instant> timeOf(const google::protobuf::Message& package) {
   const auto* time =
       dynamic_cast<const google::protobuf::Timestamp*>(&package.GetReflection()->GetMessage(package, field));
   if (time == nullptr || !package.GetReflection()->HasField(package, field)) return std::nullopt;
-  return robotlink::instant(*time);
+  return instant(*time);
 }
 
 }  // namespace
@@ -59,21 +61,34 @@ const std::vector<std::string>& TruthErrors::packages() {
   return kPackages;
 }
 
-void TruthErrors::add(const std::string& robot, const robotlink::SharedDebugQueue& queue) {
-  for (const robotlink::SharedDebugMessage& message : queue.messages)
+std::string_view TruthErrors::comparedPackage(std::string_view path) {
+  const std::string_view package = shadowIn(path).second;
+  return std::ranges::find(packages(), package) == packages().end() ? std::string_view() : package;
+}
+
+bool TruthErrors::reads(std::string_view path) {
+  return path == kOracleWorld.name || path == kGameState.name || isSolutionTable(path) ||
+         !comparedPackage(path).empty();
+}
+
+void TruthErrors::add(const std::string& robot, const SharedDebugQueue& queue) {
+  for (const SharedDebugMessage& message : queue.messages)
     if (message.time) add(robot, message.path, *message.time, message.content);
 }
 
 void TruthErrors::add(const std::string& name, const std::string& path, Instant published,
-                      const robotlink::PackagePtr& value) {
-  const bool isTruth = path == robotlink::kOracleWorld.name, isGame = path == robotlink::kGameState.name;
-  if (!value || (!isTruth && !isGame && comparedPackage(path).empty())) return;
+                      const PackagePtr& value) {
+  if (!value || !reads(path)) return;
   Robot& robot = robots_[name];
-  if (isGame) {
+  if (isSolutionTable(path)) {
+    addSolutions(robot, published, value);
+    return;
+  }
+  if (path == kGameState.name) {
     addGameState(robot, value);
     return;
   }
-  if (!isTruth) {
+  if (path != kOracleWorld.name) {
     robot.waiting.push_back({path, published, value});
     if (robot.waiting.size() > kMaxWaiting) robot.waiting.pop_front();
     return;
@@ -83,7 +98,7 @@ void TruthErrors::add(const std::string& name, const std::string& path, Instant 
   compareWaiting(name, robot);
 }
 
-void TruthErrors::addGameState(Robot& robot, const robotlink::PackagePtr& value) {
+void TruthErrors::addGameState(Robot& robot, const PackagePtr& value) {
   const auto* game = dynamic_cast<const robotcontrol::GameState*>(value.get());
   const std::optional<Instant> time = timeOf(*value);
   if (game == nullptr || !time) return;
@@ -94,6 +109,30 @@ void TruthErrors::addGameState(Robot& robot, const robotlink::PackagePtr& value)
   } else if (!game->penalized() && wasPenalized) {
     robot.playsAgainAt = time;
   }
+}
+
+void TruthErrors::addSolutions(Robot& robot, Instant time, const PackagePtr& value) {
+  const auto* table = dynamic_cast<const robotcontrol::SolutionTable*>(value.get());
+  if (table == nullptr) return;
+  for (const auto& task : table->tasks()) {
+    const auto running = std::ranges::find(task.solutions(), task.active(),
+                                           [](const auto& solution) { return solution.name(); });
+    if (running == task.solutions().end()) continue;
+    for (const std::string& package : running->outputs()) {
+      const auto [known, isNew] =
+          robot.active.try_emplace(package, Active{task.active(), task.active(), time});
+      Active& active = known->second;
+      if (active.solution != task.active()) active = {task.active(), active.solution, time};
+    }
+  }
+}
+
+std::string TruthErrors::solutionOf(const Robot& robot, const Waiting& one) {
+  const auto [shadow, package] = shadowIn(one.path);
+  if (!shadow.empty()) return std::string(shadow);
+  const auto known = robot.active.find(package);
+  if (known == robot.active.end()) return {};
+  return one.published < known->second.since ? known->second.before : known->second.solution;
 }
 
 bool TruthErrors::isPenalized(const Robot& robot, Instant time) {
@@ -109,7 +148,7 @@ void TruthErrors::compareWaiting(const std::string& name, Robot& robot) {
     if (!time) return true;
     if (*time > newest) return false;
     const auto* truth = isPenalized(robot, *time) ? nullptr : truthAt(robot, *time);
-    if (truth != nullptr) compare(name, one, *time, *truth);
+    if (truth != nullptr) compare(name, robot, one, *time, *truth);
     return true;
   });
 }
@@ -127,11 +166,11 @@ const robotcontrol::OracleWorld* TruthErrors::truthAt(const Robot& robot, Instan
   return distance > kSameTime ? nullptr : dynamic_cast<const robotcontrol::OracleWorld*>(best->second.get());
 }
 
-void TruthErrors::compare(const std::string& robot, const Waiting& one, Instant time,
+void TruthErrors::compare(const std::string& name, const Robot& robot, const Waiting& one, Instant time,
                           const robotcontrol::OracleWorld& truth) {
-  PackageErrors& errors = errors_[robot][one.path];
+  PackageErrors& errors = errors_[name][{one.path, solutionOf(robot, one)}];
   comparePackage(std::string(comparedPackage(one.path)), *one.value, truth, field_.get(), errors);
-  errors.latency.add(robotlink::seconds(one.published - time));
+  errors.latency.add(seconds(one.published - time));
 }
 
 void TruthErrors::clear() {
@@ -139,4 +178,4 @@ void TruthErrors::clear() {
   errors_.clear();
 }
 
-}  // namespace app
+}  // namespace robotlink

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace app {
+namespace robotlink {
 
 /// Amounts of an error, with their statistics. Memory is bounded: from a bound on every second sample counts,
 /// then every fourth and so on, always the same ones. A plain value.
@@ -19,15 +19,17 @@ class ErrorSamples {
   /// 0 without samples, as the functions below.
   double mean() const { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
   double maximum() const { return maximum_; }
+  /// The newest one.
+  double last() const { return last_; }
   /// The smallest kept sample that at least this share (0 to 1) of the kept ones does not exceed.
   double quantile(double share) const;
 
  private:
   std::size_t count_ = 0;
-  double sum_ = 0, maximum_ = 0;
+  double sum_ = 0, maximum_ = 0, last_ = 0;
   /// Each how many samples one is kept.
   std::size_t stride_ = 1;
   std::vector<float> kept_;
 };
 
-}  // namespace app
+}  // namespace robotlink

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/truth/TruthErrors.h"
+#include "robotlink/truth/TruthErrors.h"
 
 #include <gmock/gmock.h>
 
-#include "app/core/truth/ErrorFigures.h"
+#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
@@ -11,31 +11,26 @@
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
 
-namespace app {
+namespace robotlink {
 namespace {
 
-using robotlink::Instant;
-using robotlink::Pose2;
-using robotlink::Vector2;
-using testing::DoubleNear;
-
-constexpr robotlink::Duration kFrame = std::chrono::milliseconds(40);
+constexpr Duration kTruthFrame = std::chrono::milliseconds(40);
 
 class TruthErrorsTest : public testing::Test {
  protected:
   /// The robot stands at (1, 0) and looks along +y; the ball lies 1 m in front of it.
   void tellTruth(Instant time) {
     auto truth = std::make_shared<robotcontrol::OracleWorld>();
-    robotlink::assign(*truth->mutable_timestamp(), time);
-    robotlink::assign(*truth->mutable_robot_in_field(), Pose2{1, 0, robotlink::kPi / 2});
-    robotlink::assign(*truth->mutable_ball_in_field(), robotlink::Vector3(1, 1, 0.04));
+    assign(*truth->mutable_timestamp(), time);
+    assign(*truth->mutable_robot_in_field(), Pose2{1, 0, kPi / 2});
+    assign(*truth->mutable_ball_in_field(), Vector3(1, 1, 0.04));
     auto& other = *truth->add_others();
     other.set_name("blue1");
-    robotlink::assign(*other.mutable_pose_in_field(), Pose2{1, 1.5, 0});
+    assign(*other.mutable_pose_in_field(), Pose2{1, 1.5, 0});
     auto& camera = *truth->mutable_camera();
-    robotlink::Pose3 pose = robotlink::Pose3::Identity();
-    pose.translation() = robotlink::Vector3(0.1, 0, 0.2);
-    robotlink::assign(*camera.mutable_camera_in_robot(), pose);
+    Pose3 pose = Pose3::Identity();
+    pose.translation() = Vector3(0.1, 0, 0.2);
+    assign(*camera.mutable_camera_in_robot(), pose);
     camera.set_horizontal_angle(1);
     camera.set_vertical_angle(0.8);
     errors_.add("red1", "oracle/world", time, truth);
@@ -43,16 +38,18 @@ class TruthErrorsTest : public testing::Test {
   template <typename T>
   std::shared_ptr<T> at(Instant time) {
     auto value = std::make_shared<T>();
-    robotlink::assign(*value->mutable_timestamp(), time);
+    assign(*value->mutable_timestamp(), time);
     return value;
   }
   void ballPercept(Instant time, const std::optional<Vector2>& place) {
     auto percept = at<robotcontrol::BallPercept>(time);
     percept->set_seen(place.has_value());
-    if (place) robotlink::assign(*percept->mutable_position_in_robot(), *place);
-    errors_.add("red1", "percepts/ball", time + kFrame, percept);
+    if (place) assign(*percept->mutable_position_in_robot(), *place);
+    errors_.add("red1", "percepts/ball", time + kTruthFrame, percept);
   }
-  const PackageErrors& of(const std::string& package) { return errors_.errors().at("red1").at(package); }
+  const PackageErrors& of(const std::string& path, const std::string& solution = {}) {
+    return errors_.errors().at("red1").at({path, solution});
+  }
 
   TruthErrors errors_;
 };
@@ -62,9 +59,9 @@ TEST_F(TruthErrorsTest, aBallIsComparedInTheFrameOfTheRobot) {
   tellTruth(time);
   auto model = at<robotcontrol::BallModel>(time);
   model->set_known(true);
-  robotlink::assign(*model->mutable_position_in_robot(), Vector2(1, 0.1));
-  errors_.add("red1", "models/ball", time + kFrame, model);
-  tellTruth(time + kFrame);
+  assign(*model->mutable_position_in_robot(), Vector2(1, 0.1));
+  errors_.add("red1", "models/ball", time + kTruthFrame, model);
+  tellTruth(time + kTruthFrame);
   EXPECT_NEAR(of("models/ball").quantities.at("position").amounts.mean(), 0.1, 1e-9);
   EXPECT_NEAR(of("models/ball").quantities.at("relative").amounts.mean(), 0.1, 1e-9);
   EXPECT_NEAR(of("models/ball").latency.mean(), 0.04, 1e-9);
@@ -77,9 +74,9 @@ TEST_F(TruthErrorsTest, theBallOfATeamIsComparedInTheField) {
   errors_.add("red1", "models/team-ball", time, ball);
   auto known = at<robotcontrol::TeamBall>(time);
   known->set_known(true);
-  robotlink::assign(*known->mutable_position_in_field(), Vector2(1.2, 1));
+  assign(*known->mutable_position_in_field(), Vector2(1.2, 1));
   errors_.add("red1", "models/team-ball", time, known);
-  tellTruth(time + kFrame);
+  tellTruth(time + kTruthFrame);
   EXPECT_EQ(of("models/team-ball").there, 2U);
   EXPECT_EQ(of("models/team-ball").missed, 1U);
   EXPECT_EQ(of("models/team-ball").reported, 1U);
@@ -89,12 +86,12 @@ TEST_F(TruthErrorsTest, theBallOfATeamIsComparedInTheField) {
 TEST_F(TruthErrorsTest, whileARobotIsPenalizedNothingIsCompared) {
   const Instant start(std::chrono::seconds(1));
   const auto frame = [&](int number, bool isPenalized) {
-    const Instant time = start + number * kFrame;
+    const Instant time = start + number * kTruthFrame;
     auto game = at<robotcontrol::GameState>(time);
     game->set_penalized(isPenalized);
     errors_.add("red1", "game/state", time, game);
     auto pose = at<robotcontrol::RobotPose>(time);
-    robotlink::assign(*pose->mutable_robot_in_field(), isPenalized ? Pose2{9, 9, 0} : Pose2{1, 0, 0});
+    assign(*pose->mutable_robot_in_field(), isPenalized ? Pose2{9, 9, 0} : Pose2{1, 0, 0});
     errors_.add("red1", "models/pose", time, pose);
     tellTruth(time);
   };
@@ -120,7 +117,7 @@ TEST_F(TruthErrorsTest, aGameStateWithoutTimeDecidesNothing) {
 TEST_F(TruthErrorsTest, whatComesBeforeItsTruthWaitsForIt) {
   const Instant time(std::chrono::seconds(1));
   auto pose = at<robotcontrol::RobotPose>(time);
-  robotlink::assign(*pose->mutable_robot_in_field(), Pose2{1.3, 0.4, robotlink::kPi / 2 - 0.2});
+  assign(*pose->mutable_robot_in_field(), Pose2{1.3, 0.4, kPi / 2 - 0.2});
   errors_.add("red1", "models/pose", time, pose);
   EXPECT_TRUE(errors_.errors().empty());
   tellTruth(time);
@@ -145,8 +142,8 @@ TEST_F(TruthErrorsTest, whatIsInTheImageAndNotSeenIsMissed) {
 TEST_F(TruthErrorsTest, robotsAreMatchedWithTheNearestOnes) {
   const Instant time(std::chrono::seconds(1));
   auto percepts = at<robotcontrol::RobotPercepts>(time);
-  robotlink::assign(*percepts->add_robots()->mutable_position_in_robot(), Vector2(1.4, 0));
-  robotlink::assign(*percepts->add_robots()->mutable_position_in_robot(), Vector2(1.6, 0));
+  assign(*percepts->add_robots()->mutable_position_in_robot(), Vector2(1.4, 0));
+  assign(*percepts->add_robots()->mutable_position_in_robot(), Vector2(1.6, 0));
   errors_.add("red1", "percepts/robots", time, percepts);
   tellTruth(time);
   EXPECT_EQ(of("percepts/robots").missed, 0U);
@@ -154,7 +151,7 @@ TEST_F(TruthErrorsTest, robotsAreMatchedWithTheNearestOnes) {
 }
 
 TEST_F(TruthErrorsTest, landmarksAreThoseOfTheField) {
-  auto field = std::make_shared<robotlink::FieldDescription>();
+  auto field = std::make_shared<FieldDescription>();
   field->goals.push_back({"skyblue", 1, "skyblue"});
   field->beacons.push_back({"post", {1, 2}, "", ""});
   errors_.setField(field);
@@ -179,8 +176,9 @@ TEST_F(TruthErrorsTest, aShadowHasErrorsOfItsOwn) {
   auto pose = at<robotcontrol::RobotPose>(time);
   errors_.add("red1", "shadow/odometry/models/pose", time, pose);
   tellTruth(time);
-  EXPECT_EQ(errors_.errors().at("red1").count("models/pose"), 0U);
-  EXPECT_NEAR(of("shadow/odometry/models/pose").quantities.at("position").amounts.mean(), 1, 1e-9);
+  EXPECT_EQ(errors_.errors().at("red1").count({"models/pose", ""}), 0U);
+  EXPECT_NEAR(of("shadow/odometry/models/pose", "odometry").quantities.at("position").amounts.mean(), 1,
+              1e-9);
 }
 
 TEST_F(TruthErrorsTest, otherStreamsAndMessagesWithoutATimeAreSkipped) {
@@ -195,36 +193,48 @@ TEST_F(TruthErrorsTest, otherStreamsAndMessagesWithoutATimeAreSkipped) {
   EXPECT_EQ(errors_.errors().at("red1").size(), 1U);
 }
 
-TEST_F(TruthErrorsTest, figuresHaveUnitsAndSharesOnlyOfWhatThereWas) {
-  const Instant time(std::chrono::seconds(1));
-  ballPercept(time, std::nullopt);
-  tellTruth(time);
-  const auto figures = errorFigures(errors_);
-  EXPECT_EQ(figures["red1"]["percepts/ball"]["missed"], 1.0);
-  EXPECT_FALSE(figures["red1"]["percepts/ball"].contains("false")) << "nothing was reported";
-  EXPECT_THAT(errorsText(figures), testing::HasSubstr("median"));
-  EXPECT_EQ(errorsText(nlohmann::json::object()), "");
-}
-
-TEST(ErrorSamples, statisticsAreThoseOfTheSamples) {
-  ErrorSamples samples;
-  EXPECT_EQ(samples.quantile(0.5), 0);
-  for (int i = 1; i <= 100; ++i) samples.add(i);
-  samples.add(std::nan(""));
-  EXPECT_EQ(samples.count(), 100U);
-  EXPECT_EQ(samples.mean(), 50.5);
-  EXPECT_EQ(samples.quantile(0.5), 50);
-  EXPECT_EQ(samples.quantile(0.95), 95);
-  EXPECT_EQ(samples.quantile(1), 100);
-  EXPECT_EQ(samples.maximum(), 100);
-}
-
-TEST(ErrorSamples, memoryIsBoundedAndTheQuantilesStay) {
-  ErrorSamples samples;
-  for (std::size_t i = 0; i < 5 * ErrorSamples::kMaxKept; ++i) samples.add(static_cast<double>(i % 1000));
-  EXPECT_THAT(samples.quantile(0.5), DoubleNear(500, 10));
-  EXPECT_EQ(samples.count(), 5 * ErrorSamples::kMaxKept);
+TEST_F(TruthErrorsTest, solutionsThatAreSwitchedAreKeptApart) {
+  const Instant start(std::chrono::seconds(1));
+  const auto solutions = [&](const char* path, Instant time, const char* active) {
+    auto table = std::make_shared<robotcontrol::SolutionTable>();
+    auto& task = *table->add_tasks();
+    task.set_name("ball-model");
+    task.set_active(active);
+    for (const char* name : {"kalman", "particles"}) {
+      auto& solution = *task.add_solutions();
+      solution.set_name(name);
+      solution.add_outputs("models/ball");
+    }
+    errors_.add("red1", path, time, table);
+  };
+  const auto frame = [&](int number, double x) {
+    auto model = at<robotcontrol::BallModel>(start + number * kTruthFrame);
+    model->set_known(true);
+    assign(*model->mutable_position_in_robot(), Vector2(x, 0));
+    errors_.add("red1", "models/ball", start + number * kTruthFrame, model);
+  };
+  solutions("tables/solutions/cognition", start, "kalman");
+  frame(0, 1.1);
+  tellTruth(start);
+  frame(1, 1.1);
+  frame(2, 1.3);
+  solutions("tables/solutions/cognition", start + 2 * kTruthFrame, "particles");
+  solutions("tables/solutions", start + 3 * kTruthFrame, "particles");
+  tellTruth(start + kTruthFrame);
+  tellTruth(start + 2 * kTruthFrame);
+  const auto& errors = errors_.errors().at("red1");
+  ASSERT_EQ(errors.size(), 2U);
+  const auto& kalman = errors.at({"models/ball", "kalman"}).quantities.at("position").amounts;
+  EXPECT_EQ(kalman.count(), 2U);
+  EXPECT_NEAR(kalman.mean(), 0.1, 1e-9);
+  const auto& particles = errors.at({"models/ball", "particles"}).quantities.at("position").amounts;
+  EXPECT_EQ(particles.count(), 1U) << "what the frame of the switch has published is its own";
+  EXPECT_NEAR(particles.last(), 0.3, 1e-9);
+  errors_.clearErrors();
+  frame(3, 1.2);
+  tellTruth(start + 3 * kTruthFrame);
+  EXPECT_NEAR(of("models/ball", "particles").quantities.at("position").amounts.mean(), 0.2, 1e-9);
 }
 
 }  // namespace
-}  // namespace app
+}  // namespace robotlink

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/truth/PackageComparison.h"
+#include "robotlink/truth/PackageComparison.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
-#include "app/core/truth/PackageErrors.h"
 #include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
@@ -16,17 +15,12 @@
 #include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/packages/ViewFrustum.h"
+#include "robotlink/truth/PackageErrors.h"
 
-namespace app {
+namespace robotlink {
 namespace {
 
 using robotcontrol::OracleWorld;
-using robotlink::FieldDescription;
-using robotlink::Pose2;
-using robotlink::Pose3;
-using robotlink::Vector2;
-using robotlink::Vector3;
-using robotlink::ViewFrustum;
 
 /// How far away a thing may be that counts as missed if it is not reported, m.
 constexpr double kNear = 2;
@@ -64,11 +58,11 @@ ViewFrustum viewOf(const OracleWorld& truth) {
 }
 
 Pose2 robotIn(const OracleWorld& truth) {
-  return robotlink::pose2(truth.robot_in_field());
+  return pose2(truth.robot_in_field());
 }
 
 Vector2 ballInRobot(const OracleWorld& truth) {
-  const Vector3 ball = robotlink::vector3(truth.ball_in_field());
+  const Vector3 ball = vector3(truth.ball_in_field());
   return robotIn(truth).inverse() * Vector2(ball.head<2>());
 }
 
@@ -87,7 +81,7 @@ void compareBallModel(const google::protobuf::Message& value, const OracleWorld&
   errors.there += isDue ? 1 : 0;
   errors.missed += isDue && !model->known() ? 1 : 0;
   if (!model->known()) return;
-  const Vector2 reported = robotlink::vector2(model->position_in_robot());
+  const Vector2 reported = vector2(model->position_in_robot());
   ++errors.reported;
   errors.invented += isInvented((reported - ball).norm(), ball.norm()) ? 1 : 0;
   noteBall(errors, reported, ball);
@@ -99,12 +93,12 @@ void compareTeamBall(const google::protobuf::Message& value, const OracleWorld& 
                      const FieldDescription*, PackageErrors& errors) {
   const auto* model = dynamic_cast<const robotcontrol::TeamBall*>(&value);
   if (model == nullptr || !truth.has_ball_in_field()) return;
-  const Vector2 ball(robotlink::vector3(truth.ball_in_field()).head<2>());
+  const Vector2 ball(vector3(truth.ball_in_field()).head<2>());
   const double distance = ballInRobot(truth).norm();
   errors.there += 1;
   errors.missed += model->known() ? 0 : 1;
   if (!model->known()) return;
-  const double error = (robotlink::vector2(model->position_in_field()) - ball).norm();
+  const double error = (vector2(model->position_in_field()) - ball).norm();
   ++errors.reported;
   errors.invented += isInvented(error, distance) ? 1 : 0;
   note(errors, "position", "m", error);
@@ -120,7 +114,7 @@ void compareBallPercept(const google::protobuf::Message& value, const OracleWorl
   errors.there += isDue ? 1 : 0;
   errors.missed += isDue && !percept->seen() ? 1 : 0;
   if (!percept->seen()) return;
-  const Vector2 reported = robotlink::vector2(percept->position_in_robot());
+  const Vector2 reported = vector2(percept->position_in_robot());
   ++errors.reported;
   if (isInvented((reported - ball).norm(), ball.norm()))
     ++errors.invented;
@@ -132,17 +126,17 @@ void comparePose(const google::protobuf::Message& value, const OracleWorld& trut
                  PackageErrors& errors) {
   const auto* estimate = dynamic_cast<const robotcontrol::RobotPose*>(&value);
   if (estimate == nullptr || !truth.has_robot_in_field()) return;
-  const Pose2 reported = robotlink::pose2(estimate->robot_in_field()), pose = robotIn(truth);
+  const Pose2 reported = pose2(estimate->robot_in_field()), pose = robotIn(truth);
   note(errors, "position", "m", (reported.translation() - pose.translation()).norm());
-  note(errors, "heading", "rad", std::abs(robotlink::normalizedAngle(reported.heading - pose.heading)));
+  note(errors, "heading", "rad", std::abs(normalizedAngle(reported.heading - pose.heading)));
 }
 
 void compareCameraPose(const google::protobuf::Message& value, const OracleWorld& truth,
                        const FieldDescription*, PackageErrors& errors) {
   const auto* estimate = dynamic_cast<const robotcontrol::CameraPose*>(&value);
   if (estimate == nullptr || !truth.has_camera()) return;
-  const Pose3 reported = robotlink::pose3(estimate->camera_in_robot());
-  const Pose3 camera = robotlink::pose3(truth.camera().camera_in_robot());
+  const Pose3 reported = pose3(estimate->camera_in_robot());
+  const Pose3 camera = pose3(truth.camera().camera_in_robot());
   note(errors, "position", "m", (reported.translation() - camera.translation()).norm());
   const Eigen::AngleAxisd between(reported.linear().transpose() * camera.linear());
   note(errors, "direction", "rad", std::abs(between.angle()));
@@ -173,12 +167,11 @@ void compareRobots(const google::protobuf::Message& value, const OracleWorld& tr
   const ViewFrustum view = viewOf(truth);
   std::vector<Thing> others;
   for (const OracleWorld::Robot& other : truth.others()) {
-    const Vector2 place = robotIn(truth).inverse() * robotlink::pose2(other.pose_in_field()).translation();
+    const Vector2 place = robotIn(truth).inverse() * pose2(other.pose_in_field()).translation();
     others.push_back({place, place.norm() <= kNear && view.shows({place.x(), place.y(), kRobotHeight})});
   }
   std::vector<Vector2> reported;
-  for (const auto& robot : percepts->robots())
-    reported.push_back(robotlink::vector2(robot.position_in_robot()));
+  for (const auto& robot : percepts->robots()) reported.push_back(vector2(robot.position_in_robot()));
   matchPlaces(reported, std::move(others), errors);
 }
 
@@ -189,12 +182,12 @@ void comparePlayers(const google::protobuf::Message& value, const OracleWorld& t
   const Pose2 fieldInRobot = robotIn(truth).inverse();
   std::vector<Thing> others;
   for (const OracleWorld::Robot& other : truth.others()) {
-    const Vector2 place = fieldInRobot * robotlink::pose2(other.pose_in_field()).translation();
+    const Vector2 place = fieldInRobot * pose2(other.pose_in_field()).translation();
     others.push_back({place, place.norm() <= kNear});
   }
   std::vector<Vector2> reported;
   for (const auto& player : model->players())
-    reported.push_back(fieldInRobot * robotlink::vector2(player.position_in_field()));
+    reported.push_back(fieldInRobot * vector2(player.position_in_field()));
   matchPlaces(reported, std::move(others), errors);
 }
 
@@ -234,7 +227,7 @@ void compareLandmarks(const google::protobuf::Message& value, const OracleWorld&
     const Vector2& place = known->second.position;
     note(errors, "distance", "m", std::abs(percept.distance() - distance));
     note(errors, "bearing", "rad",
-         std::abs(robotlink::normalizedAngle(percept.bearing() - std::atan2(place.y(), place.x()))));
+         std::abs(normalizedAngle(percept.bearing() - std::atan2(place.y(), place.x()))));
   }
   for (const auto& [name, thing] : missed) errors.missed += thing.isDue ? 1 : 0;
 }
@@ -244,10 +237,10 @@ using Compare = void (*)(const google::protobuf::Message&, const OracleWorld&, c
 
 const std::map<std::string, Compare>& comparisons() {
   static const std::map<std::string, Compare> kAll{
-      {robotlink::kCameraPose.name, compareCameraPose}, {robotlink::kBallPercept.name, compareBallPercept},
-      {robotlink::kRobotPercepts.name, compareRobots},  {robotlink::kLandmarkPercepts.name, compareLandmarks},
-      {robotlink::kBallModel.name, compareBallModel},   {robotlink::kRobotPose.name, comparePose},
-      {robotlink::kPlayersModel.name, comparePlayers},  {robotlink::kTeamBall.name, compareTeamBall}};
+      {kCameraPose.name, compareCameraPose}, {kBallPercept.name, compareBallPercept},
+      {kRobotPercepts.name, compareRobots},  {kLandmarkPercepts.name, compareLandmarks},
+      {kBallModel.name, compareBallModel},   {kRobotPose.name, comparePose},
+      {kPlayersModel.name, comparePlayers},  {kTeamBall.name, compareTeamBall}};
   return kAll;
 }
 
@@ -265,4 +258,4 @@ void comparePackage(const std::string& package, const google::protobuf::Message&
   if (found != comparisons().end()) found->second(value, truth, field, errors);
 }
 
-}  // namespace app
+}  // namespace robotlink

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/truth/ErrorSamples.h"
+#include "robotlink/truth/ErrorSamples.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace app {
+namespace robotlink {
 
 void ErrorSamples::add(double amount) {
   if (!std::isfinite(amount)) return;
   sum_ += amount;
+  last_ = amount;
   maximum_ = count_ == 0 ? amount : std::max(maximum_, amount);
   if (count_++ % stride_ != 0) return;
   kept_.push_back(static_cast<float>(amount));
@@ -28,4 +29,4 @@ double ErrorSamples::quantile(double share) const {
   return static_cast<double>(*nth);
 }
 
-}  // namespace app
+}  // namespace robotlink
