@@ -19,7 +19,7 @@ bool isGlance(const robotcontrol::KeyMode& mode) {
 }
 
 void PackageSubscription::want(robotlink::Session& session, const std::string& robot,
-                               std::initializer_list<const char*> packages) {
+                               std::span<const char* const> packages) {
   if (const auto generation = session.store().generation(); generation != generation_) {
     generation_ = generation;
     settled_.clear();

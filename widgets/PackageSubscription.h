@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 
 #include "robotlink/process/Link.h"
@@ -34,8 +35,11 @@ class PackageSubscription {
  public:
   /// Called in each tick, always with the same packages for a robot. Returns early while the key table is
   /// unchanged and nothing was refused.
+  void want(robotlink::Session& session, const std::string& robot, std::span<const char* const> packages);
   void want(robotlink::Session& session, const std::string& robot,
-            std::initializer_list<const char*> packages);
+            std::initializer_list<const char*> packages) {
+    want(session, robot, std::span(packages.begin(), packages.size()));
+  }
 
  private:
   /// Forgets what was refused, if it is time to request it again.

@@ -2010,6 +2010,11 @@
         <source>%1 bytes</source>
         <translation>%1 Byte</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <comment>error on the field</comment>
+        <translation>%1 mm</translation>
+    </message>
 </context>
 <context>
     <name>Radar</name>
@@ -2591,6 +2596,14 @@
     <message>
         <source>Shows the options and states of the robot&apos;s behavior, what is active and why.</source>
         <translation>Zeigt die Optionen und Zustände des Verhaltens des Roboters, was aktiv ist und warum.</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Shows how far the robot&apos;s percepts and models are from the truth that the simulator knows, for each solution.</source>
+        <translation>Zeigt für jede Lösung, wie weit Perzepte und Modelle des Roboters von der Wahrheit abweichen, die der Simulator kennt.</translation>
     </message>
 </context>
 <context>
@@ -8953,6 +8966,160 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     </message>
 </context>
 <context>
+    <name>widgets::ErrorModel</name>
+    <message>
+        <source>Stream</source>
+        <translation>Datenstrom</translation>
+    </message>
+    <message>
+        <source>Solution</source>
+        <translation>Lösung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max.</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Proben</translation>
+    </message>
+    <message>
+        <source>Missed %</source>
+        <translation>Verpasst %</translation>
+    </message>
+    <message>
+        <source>False %</source>
+        <translation>Falsch %</translation>
+    </message>
+    <message>
+        <source>Latency ms</source>
+        <translation>Latenz ms</translation>
+    </message>
+    <message>
+        <source>%1 (shadow)</source>
+        <translation>%1 (Schatten)</translation>
+    </message>
+    <message>
+        <source>The solution that published it, or one that runs in its shadow</source>
+        <translation>Die Lösung, die es veröffentlicht hat, oder eine, die in ihrem Schatten läuft</translation>
+    </message>
+    <message>
+        <source>What is compared; relative errors are shares of the distance</source>
+        <translation>Was verglichen wird; relative Fehler sind Anteile der Entfernung</translation>
+    </message>
+    <message>
+        <source>The newest error</source>
+        <translation>Der neueste Fehler</translation>
+    </message>
+    <message>
+        <source>Half of all errors are no larger</source>
+        <translation>Die Hälfte aller Fehler ist nicht größer</translation>
+    </message>
+    <message>
+        <source>95 % of all errors are no larger</source>
+        <translation>95 % aller Fehler sind nicht größer</translation>
+    </message>
+    <message>
+        <source>Of what was there to be seen or known: how much of it was not reported</source>
+        <translation>Von dem, was zu sehen oder zu wissen war: wie viel davon nicht gemeldet wurde</translation>
+    </message>
+    <message>
+        <source>Of what was reported: how much of it was not there</source>
+        <translation>Von dem, was gemeldet wurde: wie viel davon nicht da war</translation>
+    </message>
+    <message>
+        <source>Mean time from the reading until what is based on it was published, on the robot&apos;s clock</source>
+        <translation>Mittlere Zeit vom Messwert bis zur Veröffentlichung dessen, was auf ihm beruht, auf der Uhr des Roboters</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ErrorsView</name>
+    <message>
+        <source>Plot</source>
+        <translation>Auftragen</translation>
+    </message>
+    <message>
+        <source>Plots the chosen error over time</source>
+        <translation>Trägt den gewählten Fehler über der Zeit auf</translation>
+    </message>
+    <message>
+        <source>Ctrl+Return</source>
+        <translation>Ctrl+Return</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the table with tabs</source>
+        <translation>Kopiert die Tabelle mit Tabulatoren</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restarts the figures</source>
+        <translation>Beginnt die Statistik von vorn</translation>
+    </message>
+    <message>
+        <source>Ctrl+Backspace</source>
+        <translation>Ctrl+Backspace</translation>
+    </message>
+    <message>
+        <source>Search errors</source>
+        <translation>Fehler suchen</translation>
+    </message>
+    <message>
+        <source>Shows only errors whose stream, solution or name has this</source>
+        <translation>Zeigt nur Fehler, in deren Datenstrom, Lösung oder Namen das vorkommt</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>No robot. Start a simulation or connect to a robot, and choose it in the toolbar.</source>
+        <translation>Kein Roboter. Starten Sie eine Simulation oder verbinden Sie sich mit einem Roboter und wählen Sie ihn in der Werkzeugleiste.</translation>
+    </message>
+    <message>
+        <source>Nothing was compared yet. Errors come while the robot&apos;s program runs.</source>
+        <translation>Es wurde noch nichts verglichen. Fehler kommen, während das Programm des Roboters läuft.</translation>
+    </message>
+    <message>
+        <source>Nobody knows the truth about this robot. The simulator does; a log has it if oracle/world was recorded.</source>
+        <translation>Niemand kennt die Wahrheit über diesen Roboter. Der Simulator kennt sie; ein Log hat sie, wenn oracle/world aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Why nothing was plotted</source>
+        <translation>Warum nichts aufgetragen wurde</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ExportBar</name>
     <message>
         <source>Export of a view</source>
@@ -9418,6 +9585,14 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Shows lines from where the robot and the ball are to where the robot believes them</source>
+        <translation>Zeigt Linien von dort, wo Roboter und Ball sind, dorthin, wo der Roboter sie vermutet</translation>
     </message>
 </context>
 <context>

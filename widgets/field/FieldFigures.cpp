@@ -129,24 +129,50 @@ void paintEstimate(QPainter& painter, const FieldFigures& figures, const RobotBe
   painter.drawLine(at, map(toWidget, *belief.estimate * Vector2(ahead, 0)));
 }
 
-void paintName(QPainter& painter, const RobotBelief& belief, const QTransform& toWidget) {
-  const auto pose = belief.pose();
-  if (!pose) return;
+/// A text on a dark box around a place of the widget.
+void paintLabel(QPainter& painter, const QPointF& at, const QString& text, bool isBold) {
   QFont font = painter.font();
   font.setPixelSize(11);
-  font.setBold(belief.selected);
+  font.setBold(isBold);
   painter.setFont(font);
-  const QString name = QString::fromStdString(belief.robot);
-  const QPointF below =
-      map(toWidget, pose->translation()) +
-      QPointF(0, std::max(0.63 * lengthOf(belief.body) * scaleOf(toWidget), 0.6 * kSmallest) + 12);
-  QRectF box = QFontMetricsF(font).boundingRect(name).adjusted(-4, -1, 4, 1);
-  box.moveCenter(below);
+  QRectF box = QFontMetricsF(font).boundingRect(text).adjusted(-4, -1, 4, 1);
+  box.moveCenter(at);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0, 0, 0, 130));
   painter.drawRoundedRect(box, 3, 3);
   painter.setPen(Qt::white);
-  painter.drawText(box, Qt::AlignCenter, name);
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void paintName(QPainter& painter, const RobotBelief& belief, const QTransform& toWidget) {
+  const auto pose = belief.pose();
+  if (!pose) return;
+  const QPointF below =
+      map(toWidget, pose->translation()) +
+      QPointF(0, std::max(0.63 * lengthOf(belief.body) * scaleOf(toWidget), 0.6 * kSmallest) + 12);
+  paintLabel(painter, below, QString::fromStdString(belief.robot), belief.selected);
+}
+
+/// A line from where something is to where it is believed, with the distance.
+void paintError(QPainter& painter, const FieldFigures& figures, const Vector2& truth, const Vector2& believed,
+                const QTransform& toWidget, const QPalette& palette) {
+  const QLineF line(map(toWidget, truth), map(toWidget, believed));
+  painter.setPen(QPen(figures.onMap ? palette.color(QPalette::Text) : QColor(Qt::white), 1.5));
+  painter.drawLine(line);
+  paintLabel(painter, line.center(),
+             QObject::tr("%1 mm", "error on the field").arg(1000 * (believed - truth).norm(), 0, 'f', 0),
+             false);
+}
+
+void paintErrors(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget,
+                 const QPalette& palette) {
+  for (const RobotBelief& belief : figures.robots) {
+    if (belief.truth && belief.estimate)
+      paintError(painter, figures, belief.truth->translation(), belief.estimate->translation(), toWidget,
+                 palette);
+    if (figures.ball && belief.ball)
+      paintError(painter, figures, *figures.ball, *belief.ball, toWidget, palette);
+  }
 }
 
 void paintBallEstimate(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief,
@@ -240,6 +266,7 @@ void paintFigures(QPainter& painter, const FieldFigures& figures, const QTransfo
     if (belief.ball) paintBallEstimate(painter, figures, belief, toWidget, palette);
   }
   for (const RobotBelief& belief : figures.robots) paintName(painter, belief, toWidget);
+  if (figures.errorLines) paintErrors(painter, figures, toWidget, palette);
   painter.restore();
 }
 

@@ -35,6 +35,8 @@ struct FieldFigures {
   std::map<std::string, std::deque<robotlink::Vector2>> trails;
   /// The model under the cursor; empty: none.
   std::string highlighted;
+  /// Whether lines lead from where robots and ball are to where they are believed, with the distance.
+  bool errorLines = false;
   /// Whether the ground is a map in the palette's colors instead of the green field.
   bool onMap = false;
 };

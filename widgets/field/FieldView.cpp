@@ -54,6 +54,7 @@ FieldView::FieldView(ViewContext& context, QWidget* parent)
   keep(
       "trailsOf", [this] { return trailMenu_->save(); },
       [this](const QJsonValue& value) { trailMenu_->restore(value); });
+  keep("errors", showErrors_);
   keep("send", goals_->send());
   keep("robot", robots_);
   tick();
@@ -78,6 +79,10 @@ void FieldView::createActions() {
        tr("Shows where everything was in the last seconds; the arrow chooses how many, and of what"),
        Qt::Key_T});
   trailMenu_ = new TrailMenu(this);
+  showErrors_ = makeToggle(
+      this, "errors",
+      {"fieldErrors", tr("Errors"),
+       tr("Shows lines from where the robot and the ball are to where the robot believes them"), Qt::Key_E});
 }
 
 void FieldView::createViews() {
@@ -132,7 +137,7 @@ QWidget* FieldView::createToolRow(QAction* showDrawings) {
   trails->setMenu(trailMenu_);
   trails->setPopupMode(QToolButton::MenuButtonPopup);
   row->addWidget(trails);
-  addButtons(row, {measure_->toggle(), turn_, fit_, zoomOut(), zoomIn(), showDrawings});
+  addButtons(row, {showErrors_, measure_->toggle(), turn_, fit_, zoomOut(), zoomIn(), showDrawings});
   return row->parentWidget();
 }
 
@@ -155,6 +160,7 @@ void FieldView::connectSignals() {
   connect(turn_, &QAction::triggered, this, &FieldView::turn);
   connect(move_, &QAction::toggled, this, &FieldView::tick);
   connect(showTrails_, &QAction::toggled, this, &FieldView::tick);
+  connect(showErrors_, &QAction::toggled, this, &FieldView::tick);
   connect(trailMenu_, &TrailMenu::changed, this, &FieldView::tick);
   drawings()->listStreams(&StreamFigures::canShow);
   connect(drawings(), &DrawingsModel::shownChanged, this, &FieldView::tick);
@@ -197,6 +203,7 @@ void FieldView::tick() {
   updateGround();
   const std::vector<RobotBelief> shownRobots = beliefs();
   updateTrails();
+  updateErrors();
   updateGoals(shownRobots);
   placeNotice_ = noticeOf(shownRobots);
   canvas_->setMovable(measure_->isOn() ? std::vector<std::string>() : scene_.models(), move_->isChecked());
@@ -304,6 +311,7 @@ FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
   }
   figures.onMap = canvas_->map() != nullptr;
   figures.trails = trails_.places();
+  figures.errorLines = showErrors_->isChecked();
   if (const auto ball = scene_.modelPose(kBallModel)) figures.ball = ball->translation().head<2>();
   if (const auto& field = context().field) {
     figures.ballRadius = field->ballRadius;
@@ -340,6 +348,12 @@ Trails::Sources FieldView::trailSources() {
 void FieldView::updateTrails() {
   if (!showTrails_->isChecked()) return trails_.clear();
   trails_.update(session().store(), trailSources(), session().timeline().shown());
+}
+
+void FieldView::updateErrors() {
+  if (!showErrors_->isChecked()) return;
+  for (const std::string& robot : robots_->robots(session()))
+    errorSubscription_.want(session(), robot, {robotlink::kRobotPose.name, robotlink::kBallModel.name});
 }
 
 void FieldView::updateWanted() {

@@ -65,6 +65,8 @@ class FieldView final : public PictureView {
   FieldFigures figures(const std::vector<RobotBelief>& beliefs) const;
   /// Appends to the trails, or clears them if they are not shown.
   void updateTrails();
+  /// Requests what lines to what is believed need, while they are shown.
+  void updateErrors();
   /// The objects whose positions the trails show.
   Trails::Sources trailSources();
   /// Passes the dragged pose and its refusal to the canvas.
@@ -92,11 +94,11 @@ class FieldView final : public PictureView {
   QString placeNotice_;
   /// Requests that the packages shown here are published.
   PackageSubscription subscription_;
-  /// The same for trails of estimates.
-  PackageSubscription trailSubscription_;
+  /// The same for trails of estimates, and for lines to what is believed.
+  PackageSubscription trailSubscription_, errorSubscription_;
   RobotChoice* robots_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *cursor_ = nullptr, *zoom_ = nullptr;
-  QAction *fit_ = nullptr, *turn_ = nullptr, *move_ = nullptr, *showTrails_ = nullptr;
+  QAction *fit_ = nullptr, *turn_ = nullptr, *move_ = nullptr, *showTrails_ = nullptr, *showErrors_ = nullptr;
 };
 
 }  // namespace widgets

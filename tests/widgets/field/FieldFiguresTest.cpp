@@ -87,6 +87,21 @@ class FieldFiguresTest : public QObject {
     QVERIFY(countNear(picture, figures.ballColor, 30) > 20);
   }
 
+  void linesLeadFromTheTruthToWhatIsBelieved() {
+    FieldFigures figures;
+    figures.robots = {beliefAt("p3at", robotlink::Pose2{-1, 1, 0}, robotlink::Pose2{1, 1, 0})};
+    figures.robots[0].ball = robotlink::Vector2(1, -1);
+    figures.ball = robotlink::Vector2(-1, -1);
+    const QImage without = figuresPicture(figures);
+    QCOMPARE(paintedAround(without, {0, 1}), 0);
+    QCOMPARE(paintedAround(without, {-0.5, -1}, 10), 0);
+    figures.errorLines = true;
+    const QImage with = figuresPicture(figures);
+    QVERIFY2(paintedAround(with, {0, 1}) > 200, "the line, and the distance in a box");
+    QVERIFY(paintedAround(with, {-0.5, -1}, 10) > 20);
+    keepPicture(with, "error-lines");
+  }
+
   void whatIsDraggedIsPaintedAtItsWantedPlace() {
     FieldFigures figures;
     QImage picture(400, 400, QImage::Format_RGB32);
