@@ -2,6 +2,7 @@
 #include "simcore/devices/Ports.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "robotlink/base/Random.h"
@@ -107,6 +108,13 @@ class Collector {
     return {name_ + "/" + path, name_, type, std::move(shape), unit};
   }
 
+  /// Sets the range of all numbers of a port, as far as there is one.
+  static void limit(PortInfo& info, double minimum, double maximum) {
+    if (!(minimum < maximum) || !std::isfinite(maximum - minimum)) return;
+    info.minimum = minimum;
+    info.maximum = maximum;
+  }
+
   SensorSource source(SourceKind kind) const {
     SensorSource result;
     result.kind = kind;
@@ -123,8 +131,7 @@ class Collector {
     } else {
       from.stream = {kNamedStream, hashOfPath(info.path)};
     }
-    info.minimum = from.minimum;
-    info.maximum = from.maximum;
+    if (info.maximum <= info.minimum) limit(info, from.minimum, from.maximum);
     ports_.sensors.push_back({std::move(info), std::move(values)});
     ports_.sources.push_back(std::move(from));
   }
@@ -135,6 +142,9 @@ class Collector {
     from.hinge = hinge_;
     from.errors = joint.positionErrors;
     PortInfo info = port(joint.name + "/position", slides ? "position" : "angle", {}, slides ? "m" : "rad");
+    const bool turnsFreely =
+        !slides && joint.lower <= -JointDescription::kFullTurn && joint.upper >= JointDescription::kFullTurn;
+    if (!turnsFreely) limit(info, joint.lower, joint.upper);
     add(std::move(info), from, {joint.initialAngle});
   }
 
@@ -149,8 +159,12 @@ class Collector {
     };
     constexpr Name kNames[][2] = {{{"/load", "torque", "N m"}, {"/load", "force", "N"}},
                                   {{"/speed", "angular_velocity", "rad/s"}, {"/speed", "velocity", "m/s"}}};
-    const Name& name = kNames[kind == SourceKind::kJointSpeed ? 1 : 0][joint.slides() ? 1 : 0];
-    add(port(joint.name + name.path, name.type, {}, name.unit), from, {0});
+    const bool isSpeed = kind == SourceKind::kJointSpeed;
+    const Name& name = kNames[isSpeed ? 1 : 0][joint.slides() ? 1 : 0];
+    PortInfo info = port(joint.name + name.path, name.type, {}, name.unit);
+    const double most = isSpeed ? joint.maximumSpeed : joint.maximumTorque;
+    if (joint.servo) limit(info, -most, most);
+    add(std::move(info), from, {0});
   }
 
   void addServo(const JointDescription& joint) {
@@ -267,10 +281,25 @@ class Collector {
     if (byTorque) unit = size == 2 && motion.kind == GuidedMotion::Kind::kAckermann ? "N m, rad" : "N m";
     Guide guide{port(motion.name, "motion", {size}, unit), motion};
     ports_.guideMeans.push_back(meansOf(follows));
-    guide.info.minimum = -std::max(motion.maximumSpeed, motion.maximumRate);
-    guide.info.maximum = -guide.info.minimum;
+    const double largest = std::max(byTorque ? maximumTorque() : motion.maximumSpeed, turningLimit(motion));
+    limit(guide.info, -largest, largest);
     ports_.guides.push_back(std::move(guide));
     ports_.guideModels.push_back(model_);
+  }
+
+  /// Of a wheel of the vehicle, N m.
+  double maximumTorque() const {
+    double largest = 0;
+    for (const VehicleWheel& wheel : type_->vehicle->wheels)
+      if (wheel.driven) largest = std::max(largest, wheel.maximumForce * wheel.radius);
+    return largest;
+  }
+
+  /// The limit of what a command says of turning; 0 if it says speeds only.
+  static double turningLimit(const GuidedMotion& motion) {
+    using Kind = GuidedMotion::Kind;
+    if (motion.kind == Kind::kAckermann) return motion.maximumSteering;
+    return motion.kind == Kind::kDifferential || motion.kind == Kind::kSkid ? 0 : motion.maximumRate;
   }
 
   void addDrive(const DriveDescription& drive) {
@@ -317,8 +346,11 @@ class Collector {
     }
     if (sensor.kind == SensorDescription::Kind::kForceTorque) from.hinge = hingeOf(sensor.joint);
     const int size = static_cast<int>(reading.size);
-    add(port(sensor.name, reading.type, size > 1 ? std::vector{size} : std::vector<int>{}, reading.unit),
-        from, std::vector<double>(reading.size));
+    PortInfo info =
+        port(sensor.name, reading.type, size > 1 ? std::vector{size} : std::vector<int>{}, reading.unit);
+    if (info.type == "contact") limit(info, 0, 1);
+    if (reading.source == SourceKind::kBattery) limit(info, 0, std::max(1.0, sensor.battery.fullVoltage));
+    add(std::move(info), from, std::vector<double>(reading.size));
   }
 
   /// The number of a joint's hinge or slider.

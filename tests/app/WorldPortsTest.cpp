@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "app/core/simulated/WorldRequests.h"
 #include "app/core/world/SimulatedWorld.h"
 #include "app/core/world/WorldObjects.h"
 #include "foxglove/Image.pb.h"
@@ -99,6 +100,52 @@ TEST_F(WorldPortsTest, onlyWhatIsReadIsPublished) {
   read.set_ended(true);
   ASSERT_TRUE(ports_.read(read));
   EXPECT_TRUE(ports_.isEmpty());
+}
+
+TEST_F(WorldPortsTest, whatWasReadIsReadAgainOnceItIsBack) {
+  robotcontrol::ReadPorts read;
+  read.add_ports("red1/accelerometer");
+  ASSERT_TRUE(ports_.read(read));
+  const TestFolder folder;
+  const auto scene = simcore::Scene::load(
+      folder.write("empty.sdf", "<sdf version=\"1.9\"><world name=\"empty\"></world></sdf>"));
+  ASSERT_TRUE(scene) << robotlink::describe(scene.error());
+  const auto without = std::move(SimulatedWorld::create(*scene, {}).value());
+  const WorldPorts between(*without, nullptr, &ports_);
+  EXPECT_EQ(between.readings()->readings_size(), 0);
+  const WorldPorts after(run_->world(), nullptr, &between);
+  ASSERT_EQ(after.readings()->readings_size(), 1);
+  EXPECT_EQ(after.readings()->readings(0).port(), "red1/accelerometer");
+}
+
+TEST_F(WorldPortsTest, ofAnActuatorItIsReadWhatBecameOfItsCommand) {
+  robotcontrol::ReadPorts read;
+  read.add_ports("red1/headPan/request");
+  ASSERT_TRUE(ports_.read(read));
+  const auto readings = ports_.readings();
+  ASSERT_EQ(readings->readings_size(), 1);
+  EXPECT_EQ(readings->readings(0).port(), "red1/headPan/request");
+  ASSERT_EQ(readings->readings(0).values_size(), 2);
+  EXPECT_EQ(readings->readings(0).values(1), 1) << "nothing is in its way";
+  EXPECT_EQ(readings->held_size(), 0);
+}
+
+TEST_F(WorldPortsTest, whatCannotBeDoneByHandIsRefused) {
+  robotcontrol::Request request;
+  request.mutable_drag_object()->set_path("bal");
+  request.mutable_drag_object()->set_released(true);
+  const auto dropped = changeWorld(run_->world(), request, {});
+  ASSERT_FALSE(dropped);
+  EXPECT_THAT(dropped.error().text, HasSubstr("there is no 'bal' here; did you mean 'ball'?"));
+  request.mutable_drag_object()->set_path("ball");
+  EXPECT_TRUE(changeWorld(run_->world(), request, {}));
+  request.mutable_throw_model()->set_model("ball");
+  request.mutable_throw_model()->mutable_velocity()->set_x(1);
+  EXPECT_TRUE(changeWorld(run_->world(), request, {}));
+  ASSERT_TRUE(run_->world().simulation().pin("ball", true));
+  const auto thrown = changeWorld(run_->world(), request, {});
+  ASSERT_FALSE(thrown);
+  EXPECT_EQ(thrown.error().text, "'ball' is pinned; let it go first");
 }
 
 TEST_F(WorldPortsTest, imagesThatARobotSendsAreNotSentTwice) {

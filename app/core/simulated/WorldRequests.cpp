@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/WorldRequests.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "app/core/world/SimulatedWorld.h"
 #include "app/core/world/WorldPorts.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/packages/Conversions.h"
+#include "simcore/Scene.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace app {
 namespace {
@@ -40,6 +44,10 @@ Result<void> turnModel(SimulatedWorld& world, const Request& request) {
 
 Result<void> throwModel(SimulatedWorld& world, const Request& request) {
   const auto& thrown = request.throw_model();
+  const auto pinned = world.simulation().pinned();
+  if (std::ranges::any_of(pinned, [&](const auto& link) { return link.starts_with(thrown.model() + "/"); }))
+    return robotlink::failure("simulation.pinned", "'" + thrown.model() + "' is pinned; let it go first", {},
+                              {thrown.model()});
   return world.simulation().throwModel(thrown.model(), vectorOf(thrown.velocity()), vectorOf(thrown.spin()));
 }
 
@@ -50,6 +58,13 @@ Result<void> pinObject(SimulatedWorld& world, const Request& request) {
 Result<void> dragObject(SimulatedWorld& world, const Request& request) {
   const auto& drag = request.drag_object();
   if (drag.released()) {
+    const std::string model = drag.path().substr(0, drag.path().find('/'));
+    std::vector<std::string> known;
+    for (const auto& each : world.simulation().scene().world().models) known.push_back(each.name);
+    if (!model.empty() && std::ranges::find(known, model) == known.end())
+      return robotlink::failure("simulation.unknown-model",
+                                "there is no '" + model + "' here" + robotlink::suggestion(model, known), {},
+                                {model});
     world.simulation().release(drag.path());
     return {};
   }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "app/core/world/PortRanges.h"
 #include "robotlink/base/Spelling.h"
 #include "simcore/Simulation.h"
 
@@ -23,21 +23,6 @@ std::vector<std::string> actuatorNames(const simcore::Simulation& simulation) {
 
 std::size_t valuesOf(const Port& port) {
   return port.info.shape.empty() ? 1 : static_cast<std::size_t>(port.info.shape.front());
-}
-
-/// The range of each value; unset if it is not known.
-std::optional<std::pair<double, double>> commandRange(const simcore::Simulation& simulation,
-                                                      const Port& port) {
-  std::pair<double, double> range{port.info.minimum, port.info.maximum};
-  if (port.kind == Port::Kind::kDrive) {
-    range.second = simulation.drives()[port.index].maximumSpeed;
-    range.first = -range.second;
-  } else if (port.kind == Port::Kind::kServo) {
-    range = {simulation.servos()[port.index].minimum, simulation.servos()[port.index].maximum};
-  } else if (port.kind == Port::Kind::kDoor) {
-    range = {0, 1};
-  }
-  return range.first < range.second ? std::optional(range) : std::nullopt;
 }
 
 /// Ends the motion of what was held.
@@ -74,8 +59,9 @@ robotlink::Result<void> HeldActuators::hold(const simcore::Simulation& simulatio
     return robotlink::failure("simulation.actuator", "the values of " + path + " are not all numbers", {},
                               {path});
   Held held{port->info.robot, values};
-  if (const auto range = commandRange(simulation, *port)) {
-    for (double& value : held.values) value = std::clamp(value, range->first, range->second);
+  const std::vector<ValueRange> ranges = rangesOf(simulation, *port);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (ranges[i].isKnown()) held.values[i] = std::clamp(values[i], ranges[i].minimum, ranges[i].maximum);
   }
   held_[path] = std::move(held);
   return {};

@@ -2,10 +2,12 @@
 #include "app/core/world/PortObjects.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <vector>
 
 #include "app/core/world/ObjectProperties.h"
+#include "app/core/world/PortRanges.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "simcore/Scene.h"
@@ -31,45 +33,47 @@ class PortWriter {
       : simulation_(simulation), to_(to) {
     for (const auto& object : to.objects()) known_.insert(object.path());
     for (const auto& sensor : simulation.sensors()) add(sensor.info);
-    for (const auto& sensor : simulation.rangeSensors())
-      setRange(*add(sensor.info).mutable_port(), sensor.minimum, sensor.maximum);
+    for (const auto& sensor : simulation.rangeSensors()) add(sensor.info);
     for (const auto& camera : simulation.cameras())
       add(camera.info).mutable_port()->set_image_stream(imageStreamOf(simulation, camera));
-    for (const auto& sensor : simulation.imageSensors()) {
-      auto& port = *add(sensor.info).mutable_port();
-      port.set_image_stream(sensor.info.path);
-      if (sensor.geometry.kind == simcore::ImageGeometry::Kind::kDepth)
-        setRange(port, sensor.geometry.nearest, sensor.geometry.farthest);
-    }
+    for (const auto& sensor : simulation.imageSensors())
+      add(sensor.info).mutable_port()->set_image_stream(sensor.info.path);
     for (const auto& servo : simulation.servos()) {
-      WorldObject& object = addActuator(servo.info, servo.minimum, servo.maximum);
+      WorldObject& object = addActuator(servo.info);
       const std::string& unit = servo.info.unit;
       addMotor(object, unit == "m" || unit == "m/s" || unit == "N", servo.maximumSpeed, servo.maximumTorque);
     }
     for (const auto& drive : simulation.drives()) {
-      WorldObject& object = addActuator(drive.info, -drive.maximumSpeed, drive.maximumSpeed);
+      WorldObject& object = addActuator(drive.info);
       addNumbers(object, "track", {drive.track}, "m");
       addNumbers(object, "wheel_radius", {drive.wheelRadius}, "m");
     }
-    for (const auto& guide : simulation.guides()) {
-      WorldObject& object = addActuator(guide.info, guide.info.minimum, guide.info.maximum);
-      addNumbers(object, "maximum_speed", {guide.motion.maximumSpeed}, "m/s");
-    }
-    for (const auto& door : simulation.doors()) addActuator(door.info, 0, 1);
+    for (const auto& guide : simulation.guides())
+      addNumbers(addActuator(guide.info), "maximum_speed", {guide.motion.maximumSpeed}, "m/s");
+    for (const auto& door : simulation.doors()) addActuator(door.info);
   }
 
  private:
-  static void setRange(robotcontrol::WorldPort& port, double minimum, double maximum) {
-    port.set_minimum(minimum);
-    port.set_maximum(maximum);
-  }
-
-  WorldObject& addActuator(const simcore::PortInfo& info, double minimum, double maximum) {
+  WorldObject& addActuator(const simcore::PortInfo& info) {
     WorldObject& object = add(info);
     object.set_kind(WorldObject::ACTUATOR);
     object.mutable_port()->set_is_actuator(true);
-    setRange(*object.mutable_port(), minimum, maximum);
     return object;
+  }
+
+  /// Adds the range of each number where they differ.
+  void addRanges(WorldObject& object, const simcore::PortInfo& info) const {
+    const simcore::Port* port = simulation_.port(info.path);
+    if (port == nullptr || info.shape.size() > 1) return;
+    const std::vector<ValueRange> ranges = rangesOf(simulation_, *port);
+    if (std::ranges::adjacent_find(ranges, std::not_equal_to()) == ranges.end()) return;
+    std::vector<double> minimums, maximums;
+    for (const ValueRange& range : ranges) {
+      minimums.push_back(range.minimum);
+      maximums.push_back(range.maximum);
+    }
+    addNumbers(object, "minimum", minimums, info.unit.c_str());
+    addNumbers(object, "maximum", maximums, info.unit.c_str());
   }
 
   WorldObject& add(const simcore::PortInfo& info) {
@@ -85,6 +89,9 @@ class PortWriter {
     port.set_type(info.type);
     port.set_unit(info.unit);
     for (const int size : info.shape) port.add_shape(size);
+    port.set_minimum(info.minimum);
+    port.set_maximum(info.maximum);
+    addRanges(object, info);
     const std::string first = object.name().substr(0, object.name().find('/'));
     if (const std::string joint = info.robot + "/joint:" + first; known_.contains(joint)) {
       object.set_parent(joint);

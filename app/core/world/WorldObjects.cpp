@@ -301,9 +301,17 @@ std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Si
   const std::string file = simulation.scene().file().string();
   message->set_file(file);
   const auto movable = movableModels(simulation);
+  const auto& robots = simulation.scene().robots();
   for (const auto& model : simulation.scene().world().models) {
     const bool isMovable = std::ranges::find(movable, model.name) != movable.end();
+    const int first = message->objects_size();
     const ModelWriter writer(model, file, isMovable, *message);
+    const auto robot = std::ranges::find(robots, model.name, &simcore::SceneRobot::name);
+    if (robot == robots.end()) continue;
+    // Also an empty one: then it is known that the robot has none.
+    auto& team = *message->mutable_objects(first)->add_properties();
+    team.set_name("team");
+    team.set_text(robot->team);
   }
   addPorts(simulation, *message);
   addControllers(simulation, external, *message);

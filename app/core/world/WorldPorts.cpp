@@ -114,19 +114,13 @@ std::shared_ptr<foxglove::RawImage> measuredImage(const simcore::Simulation& sim
 
 WorldPorts::WorldPorts(SimulatedWorld& world, const ExternalControllers* external, const WorldPorts* before)
     : world_(world), external_(external) {
-  if (before == nullptr) return;
-  for (const std::string& name : sensorNames())
-    if (before->read_.contains(name)) read_.insert(name);
+  if (before != nullptr) read_ = before->read_;
 }
 
-std::vector<std::string> WorldPorts::sensorNames() const {
-  const simcore::Simulation& simulation = world_.simulation();
+std::vector<std::string> WorldPorts::readable() const {
   std::vector<std::string> names;
-  for (const auto& sensor : simulation.sensors()) names.push_back(sensor.info.path);
-  for (const auto& sensor : simulation.rangeSensors()) names.push_back(sensor.info.path);
-  for (const auto& camera : simulation.cameras()) names.push_back(camera.info.path);
-  for (const auto& sensor : simulation.imageSensors()) names.push_back(sensor.info.path);
-  for (const auto* output : simulation.outputs()) names.push_back(output->info.path);
+  for (const simcore::Port& port : world_.simulation().ports())
+    if (!port.isTruth()) names.push_back(port.info.path);
   if (external_ == nullptr) return names;
   for (const auto* output : external_->outputs()) names.push_back(output->info.path);
   return names;
@@ -150,11 +144,12 @@ robotlink::Result<void> WorldPorts::read(const robotcontrol::ReadPorts& request)
     for (const std::string& port : request.ports()) read_.erase(port);
     return {};
   }
-  const auto known = sensorNames();
+  const auto known = readable();
   for (const std::string& port : request.ports()) {
     if (std::ranges::find(known, port) == known.end()) {
-      return robotlink::failure(
-          "simulation.port", "there is no sensor " + port + robotlink::suggestion(port, known), {}, {port});
+      return robotlink::failure("simulation.port",
+                                "there is no sensor or actuator " + port + robotlink::suggestion(port, known),
+                                {}, {port});
     }
   }
   read_.insert(request.ports().begin(), request.ports().end());
@@ -212,6 +207,11 @@ std::shared_ptr<const robotcontrol::PortReadings> WorldPorts::readings() const {
     if (!read_.contains(sensor.info.path) || sensor.values() > kMaxNumbers) continue;
     addReading(*message->mutable_readings(), sensor.info.path,
                simulation.read(sensor.info.path).value_or(std::vector<double>()));
+  }
+  for (const simcore::Port& port : simulation.ports()) {
+    if (port.isActuator() && read_.contains(port.info.path))
+      addReading(*message->mutable_readings(), port.info.path,
+                 simulation.read(port.info.path).value_or(std::vector<double>()));
   }
   addOutputs(*message);
   for (const auto& [port, held] : world_.held().all())

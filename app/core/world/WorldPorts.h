@@ -23,11 +23,12 @@ class SimulatedWorld;
 
 /// The ports of a simulated world that are read or held by whoever watches it: fulfills ReadPorts and
 /// SetActuator, and makes what the streams `ports` and those of cameras show. What controllers show is read
-/// like sensors. Used by one thread, that of the world, which must outlive it.
+/// like sensors; of an actuator it is read what became of its last command. Used by one thread, that of the
+/// world, which must outlive it.
 class WorldPorts {
  public:
   /// `external` are the controllers elsewhere, and must outlive it; null: there are none. `before` is what
-  /// was read of another world, of which only what is here is read.
+  /// was read of another world; what is missing here is read again as soon as it is there again.
   explicit WorldPorts(SimulatedWorld& world, const ExternalControllers* external = nullptr,
                       const WorldPorts* before = nullptr);
 
@@ -50,7 +51,8 @@ class WorldPorts {
   std::vector<robotlink::StreamMessage> images(bool all);
 
  private:
-  std::vector<std::string> sensorNames() const;
+  /// The paths of what can be read.
+  std::vector<std::string> readable() const;
   void addOutputs(robotcontrol::PortReadings& to) const;
 
   SimulatedWorld& world_;

@@ -105,6 +105,7 @@ TEST_F(ControlledSceneTest, aControllerElsewhereInLockstepHasEachStepWaitForItsA
   auto& wish = *attach.mutable_attach_controller();
   wish.set_name("remote");
   wish.add_sensors("elevator/rail/position");
+  wish.add_sensors("elevator/rail/request");
   wish.set_lockstep(true);
   wish.set_patience(60);
   workbench_.session().request(attach);
@@ -127,6 +128,8 @@ TEST_F(ControlledSceneTest, aControllerElsewhereInLockstepHasEachStepWaitForItsA
   }
   ASSERT_TRUE(waitFor([&] { return inputs()->step() == 20; }));
   EXPECT_GT(inputs()->readings(0).values(0), 0.01) << "it moves";
+  ASSERT_EQ(inputs()->readings_size(), 2);
+  EXPECT_EQ(inputs()->readings(1).values_size(), 2) << "whether it is there, and nothing was in the way";
   attach.mutable_attach_controller()->set_ended(true);
   workbench_.session().request(attach);
   EXPECT_TRUE(waitFor([this] { return object("controller:remote") == nullptr; }));

@@ -2,7 +2,11 @@
 // Vehicles that a person drives by hand, as scene.hold and the sliders of the scene tree do.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/core/world/HeldActuators.h"
+#include "app/core/world/WorldObjects.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
@@ -46,4 +50,22 @@ TEST(HeldGuides, whatDoesNotFitIsRefused) {
   const auto unknown = held.hold(*simulation, "omni/drvie", {0.5, 0, 0});
   ASSERT_FALSE(unknown);
   EXPECT_NE(unknown.error().text.find("omni/drive"), std::string::npos) << "it suggests the right name";
+}
+
+TEST(HeldGuides, eachValueIsClampedToItsOwnRange) {
+  const auto simulation = vehicles();
+  ASSERT_NE(simulation, nullptr);
+  app::HeldActuators held;
+  ASSERT_TRUE(held.hold(*simulation, "car/drive", {100, -100}));
+  const simcore::GuidedMotion& motion = simulation->guides()[simulation->port("car/drive")->index].motion;
+  EXPECT_EQ(held.all().at("car/drive").values,
+            (std::vector<double>{motion.maximumSpeed, -motion.maximumSteering}));
+  const auto all = app::worldObjects(*simulation);
+  const auto drive = std::ranges::find(all->objects(), "car/drive", &robotcontrol::WorldObject::path);
+  ASSERT_NE(drive, all->objects().end());
+  const auto maximum = std::ranges::find(drive->properties(), "maximum", &robotcontrol::WorldProperty::name);
+  ASSERT_NE(maximum, drive->properties().end());
+  EXPECT_EQ(maximum->values(0), motion.maximumSpeed);
+  EXPECT_EQ(maximum->values(1), motion.maximumSteering);
+  EXPECT_EQ(maximum->unit(), "m/s, rad");
 }

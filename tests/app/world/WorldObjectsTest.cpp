@@ -72,6 +72,13 @@ TEST_F(WorldObjectsTest, servosOfSlidersHaveSpeedsAndForces) {
   EXPECT_EQ(number("lift/joint:rail", "upper_limit"), "0.5 m");
 }
 
+TEST_F(WorldObjectsTest, sensorsOfJointsHaveTheRangeOfTheirJoint) {
+  EXPECT_EQ(object("lift/wrist/position").port().minimum(), -1);
+  EXPECT_EQ(object("lift/wrist/position").port().maximum(), 1);
+  EXPECT_EQ(object("lift/rail/position").port().maximum(), 0.5);
+  EXPECT_EQ(number("lift/wrist/position", "maximum"), "") << "it has a single number";
+}
+
 TEST_F(WorldObjectsTest, servosOfHingesHaveTorques) {
   for (const char* path : {"lift/joint:wrist", "lift/wrist/request"}) {
     EXPECT_EQ(number(path, "maximum_speed"), "2 rad/s") << path;

@@ -240,6 +240,35 @@ TEST(PortsTest, aGuideTakesWhatItsKindOfMotionNeeds) {
   EXPECT_EQ(guideOf(Kind::kAckermann).path, "m/motion");
   EXPECT_EQ(guideOf(Kind::kFree).maximum, 2) << "the larger of speed and rate";
   EXPECT_EQ(guideOf(Kind::kFree).minimum, -2);
+  EXPECT_EQ(guideOf(Kind::kDifferential).maximum, 0.5) << "both are speeds";
+  EXPECT_EQ(guideOf(Kind::kAckermann).maximum, 0.6) << "the steering angle";
+}
+
+TEST(PortsTest, sensorsSayBetweenWhichValuesTheyRead) {
+  using Kind = SensorDescription::Kind;
+  ModelDescription arm = modelOf(4);
+  arm.joints = {motorTo(1, MotorControl::Kind::kPosition), jointTo(2)};
+  arm.joints[0].speedSensor.emplace();
+  arm.joints[0].loadSensor.emplace();
+  arm.joints[1].lower = -JointDescription::kFullTurn;
+  arm.joints[1].upper = JointDescription::kFullTurn;
+  arm.sensors = {sensorOf(Kind::kSwitch, "foot"), sensorOf(Kind::kBattery, "battery"),
+                 sensorOf(Kind::kMagnetometer, "compass")};
+  arm.sensors[1].battery.fullVoltage = 13;
+  const Ports ports = portsOfModels({instanceOf("arm", arm)});
+  const auto rangeOf = [&](const std::string& path) {
+    const auto found =
+        std::ranges::find(ports.sensors, path, [](const Sensor& each) { return each.info.path; });
+    EXPECT_NE(found, ports.sensors.end()) << path;
+    return std::pair(found->info.minimum, found->info.maximum);
+  };
+  EXPECT_EQ(rangeOf("arm/joint1/position"), std::pair(-0.5, 1.5));
+  EXPECT_EQ(rangeOf("arm/joint1/speed"), std::pair(-3.0, 3.0));
+  EXPECT_EQ(rangeOf("arm/joint1/load"), std::pair(-7.0, 7.0));
+  EXPECT_EQ(rangeOf("arm/joint2/position"), std::pair(0.0, 0.0)) << "it turns freely";
+  EXPECT_EQ(rangeOf("arm/foot"), std::pair(0.0, 1.0));
+  EXPECT_EQ(rangeOf("arm/battery"), std::pair(0.0, 13.0));
+  EXPECT_EQ(rangeOf("arm/compass"), std::pair(0.0, 0.0)) << "not known";
 }
 
 TEST(PortsTest, aVehicleIsCommandedByTorquesOnlyWhileForcesMoveIt) {
@@ -249,11 +278,15 @@ TEST(PortsTest, aVehicleIsCommandedByTorquesOnlyWhileForcesMoveIt) {
   car.guided.emplace().kind = GuidedMotion::Kind::kAckermann;
   car.vehicle.emplace().byTorque = true;
   car.vehicle->wheels.resize(1);
+  car.vehicle->wheels[0].driven = true;
+  car.vehicle->wheels[0].maximumForce = 20;
+  car.vehicle->wheels[0].radius = 0.3;
   ModelInstance kinematic = instanceOf("kinematic", car);
   kinematic.motion = MotionMode::kKinematic;
   const Ports ports = portsOfModels({instanceOf("pushed", car), kinematic});
   ASSERT_EQ(ports.guides.size(), 2U);
   EXPECT_EQ(ports.guides[0].info.unit, "N m, rad");
+  EXPECT_EQ(ports.guides[0].info.maximum, 6) << "of the wheel, N m";
   EXPECT_EQ(ports.guideMeans[0].kind, GuideMeans::Kind::kWheels);
   EXPECT_EQ(ports.guides[1].info.unit, "m/s, rad");
   EXPECT_EQ(ports.guideMeans[1].kind, GuideMeans::Kind::kFollows);

@@ -33,18 +33,12 @@ bool isControllerName(const std::string& name) {
   return !name.empty() && name.size() <= kMaxName && std::ranges::all_of(name, fits);
 }
 
-bool isReadable(const Port& port) {
-  return !port.isActuator();
-}
-
-Result<void> checkSensor(const simcore::Simulation& simulation, const std::string& path) {
-  const Port* port = simulation.port(path);
-  if (port != nullptr && isReadable(*port)) return {};
+Result<void> checkReadable(const simcore::Simulation& simulation, const std::string& path) {
+  if (simulation.port(path) != nullptr) return {};
   std::vector<std::string> known;
-  for (const Port& each : simulation.ports())
-    if (isReadable(each)) known.push_back(each.info.path);
-  return failure("simulation.port", "there is no sensor " + path + robotlink::suggestion(path, known), {},
-                 {path});
+  for (const Port& each : simulation.ports()) known.push_back(each.info.path);
+  return failure("simulation.port",
+                 "there is no sensor or actuator " + path + robotlink::suggestion(path, known), {}, {path});
 }
 
 /// Unset if its size is impossible.
@@ -71,7 +65,7 @@ Result<ExternalControllers::Attached> ExternalControllers::read(const robotcontr
                                                                 const simcore::Simulation& simulation) {
   Attached attached;
   for (const std::string& path : request.sensors()) {
-    if (auto known = checkSensor(simulation, path); !known) return tl::unexpected(known.error());
+    if (auto known = checkReadable(simulation, path); !known) return tl::unexpected(known.error());
     attached.sensors.push_back(path);
   }
   std::set<std::string> paths;
