@@ -18,6 +18,7 @@
 #include "widgets/Controls.h"
 #include "widgets/Requests.h"
 #include "widgets/objects/SceneTreeModel.h"
+#include "widgets/ports/PortNumber.h"
 
 namespace widgets {
 namespace {
@@ -30,9 +31,21 @@ constexpr double kUnknownRange = 1000;
 QString valueName(const robotcontrol::WorldPort& port, int value) {
   if (port.type() == "wheel_speeds")
     return value == 0 ? ActuatorPanel::tr("left") : ActuatorPanel::tr("right");
-  const std::array motion{ActuatorPanel::tr("ahead"), ActuatorPanel::tr("left"), ActuatorPanel::tr("turn")};
-  if (port.type() == "motion" && port.shape_size() == 1 && port.shape(0) == 3 && value < 3)
-    return motion[static_cast<std::size_t>(value)];
+  const QString ahead = ActuatorPanel::tr("ahead"), left = ActuatorPanel::tr("left"),
+                turn = ActuatorPanel::tr("turn");
+  if (port.type() == "motion" && port.shape_size() == 1) {
+    const QStringList names = port.shape(0) == 3   ? QStringList{ahead, left, turn}
+                              : port.shape(0) == 6 ? QStringList{ahead,
+                                                                 left,
+                                                                 ActuatorPanel::tr("up"),
+                                                                 ActuatorPanel::tr("roll"),
+                                                                 ActuatorPanel::tr("pitch"),
+                                                                 turn}
+                              : port.unit().ends_with(", rad")
+                                  ? QStringList{ahead, ActuatorPanel::tr("steering")}
+                                  : QStringList{left, ActuatorPanel::tr("right")};
+    if (value < names.size()) return names[value];
+  }
   return QString::number(value);
 }
 
@@ -70,26 +83,26 @@ void ActuatorPanel::show(std::vector<std::string> actuators) {
   grid_->setColumnStretch(1, 1);
   for (const std::string& path : shown_)
     if (const auto* object = model_.object(path); object != nullptr && object->has_port())
-      addActuator(object->port());
+      addActuator(*object);
   area_->setWidget(contents_);  // deletes the one before
   setVisible(!rows_.empty());
   refresh();
 }
 
-void ActuatorPanel::addActuator(const robotcontrol::WorldPort& port) {
+void ActuatorPanel::addActuator(const robotcontrol::WorldObject& object) {
   constexpr int kMaxValues = 16;
-  int values = 1;
-  for (const int size : port.shape()) values = std::clamp(values * size, 1, kMaxValues);
-  for (int i = 0; i < values; ++i) addRow(port, i, values);
+  const int values = std::clamp(numberCount(object.port()), 1, kMaxValues);
+  for (int i = 0; i < values; ++i) addRow(object, i, values);
 }
 
-void ActuatorPanel::addRow(const robotcontrol::WorldPort& port, int value, int values) {
-  const bool isKnown = port.maximum() > port.minimum();
-  Row row{port.path(), port.robot(), value, isKnown ? port.minimum() : -kUnknownRange,
-          isKnown ? port.maximum() : kUnknownRange};
+void ActuatorPanel::addRow(const robotcontrol::WorldObject& object, int value, int values) {
+  const robotcontrol::WorldPort& port = object.port();
+  const PortNumber number = portNumber(object, value);
+  Row row{port.path(), port.robot(), value, number.hasRange() ? number.minimum : -kUnknownRange,
+          number.hasRange() ? number.maximum : kUnknownRange};
   const QString path = QString::fromStdString(port.path());
   const QString name = values == 1 ? path : QStringLiteral("%1 [%2]").arg(path, valueName(port, value));
-  const QString unit = QString::fromStdString(port.unit());
+  const QString unit = QString::fromStdString(number.unit);
   const QByteArray suffix = (path + QLatin1Char('-') + QString::number(value)).toUtf8();
   row.slider = new QSlider(Qt::Horizontal, contents_);
   row.slider->setRange(0, kActuatorSteps);
@@ -111,6 +124,17 @@ void ActuatorPanel::addRow(const robotcontrol::WorldPort& port, int value, int v
   grid_->addWidget(new QLabel(name, contents_), line, 0);
   grid_->addWidget(row.slider, line, 1);
   grid_->addWidget(row.field, line, 2);
+  if (value == 0) {
+    row.blocked = new QLabel(tr("blocked"), contents_);
+    describe(*row.blocked,
+             {QByteArray("actuatorBlocked-" + path.toUtf8()).constData(), tr("Blocked: %1").arg(path),
+              tr("What it moves has met an obstacle since its last command")});
+    QSizePolicy kept = row.blocked->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    row.blocked->setSizePolicy(kept);
+    row.blocked->hide();
+    grid_->addWidget(row.blocked, line, 3);
+  }
   connect(row.slider, &QSlider::valueChanged, this, [this, row](int step) {
     if (isRefreshing_) return;
     const QSignalBlocker blocker(row.field);
@@ -144,11 +168,19 @@ int ActuatorPanel::stepOf(const Row& row, double value) {
   return static_cast<int>(std::lround(kActuatorSteps * (value - row.minimum) / (row.maximum - row.minimum)));
 }
 
+bool ActuatorPanel::isBlocked(const std::string& port) const {
+  const auto* state = model_.reading(port);
+  // Whether the command was reached, and whether nothing was in the way.
+  return state != nullptr && state->values_size() == 2 && state->values(1) == 0;
+}
+
 void ActuatorPanel::refresh() {
+  if (isVisible()) subscription_.want(session_, shown_);
   isRefreshing_ = true;
   bool isAnyHeld = false;
   for (const Row& row : rows_) {
-    const auto* held = model_.reading(row.port);
+    const auto* held = model_.held(row.port);
+    if (row.blocked != nullptr) row.blocked->setVisible(isBlocked(row.port));
     isAnyHeld = isAnyHeld || held != nullptr;
     QFont font = row.field->font();
     font.setBold(held != nullptr);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "widgets/ports/PortSubscription.h"
+
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
@@ -15,7 +17,7 @@ class QSlider;
 
 namespace robotcontrol {
 class Request;
-class WorldPort;
+class WorldObject;
 }  // namespace robotcontrol
 namespace robotlink {
 class Session;
@@ -54,9 +56,13 @@ class ActuatorPanel final : public QWidget {
     double minimum = 0, maximum = 1;
     QSlider* slider = nullptr;
     QDoubleSpinBox* field = nullptr;
+    /// Shown if the actuator is blocked; only in the first row of one.
+    QLabel* blocked = nullptr;
   };
-  void addActuator(const robotcontrol::WorldPort& port);
-  void addRow(const robotcontrol::WorldPort& port, int value, int values);
+  void addActuator(const robotcontrol::WorldObject& object);
+  void addRow(const robotcontrol::WorldObject& object, int value, int values);
+  /// Whether what an actuator moves has met an obstacle since its last command.
+  bool isBlocked(const std::string& port) const;
   /// Holds an actuator at what its sliders say.
   void hold(const std::string& port);
   void send(const std::string& robot, robotcontrol::Request request);
@@ -66,6 +72,8 @@ class ActuatorPanel final : public QWidget {
 
   robotlink::Session& session_;
   const SceneTreeModel& model_;
+  /// Asks for what becomes of the commands of what is shown.
+  PortSubscription subscription_;
   std::vector<std::string> shown_;
   std::vector<Row> rows_;
   QScrollArea* area_ = nullptr;

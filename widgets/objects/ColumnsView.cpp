@@ -15,6 +15,7 @@
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
+#include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/expressions/FieldPath.h"
 #include "robotlink/session/Session.h"
@@ -71,6 +72,15 @@ void ColumnsView::createViews() {
 
 robotlink::Result<void> ColumnsView::showSource(const std::string& source) {
   if (source.empty()) return robotlink::failure("columns.show", "no list is named whose values are shown");
+  listPorts();
+  if (isMissing(source)) {
+    std::vector<std::string> known;
+    for (int i = 0; i < source_->count(); ++i) known.push_back(source_->itemText(i).toStdString());
+    return robotlink::failure(
+        "columns.show",
+        "there is no sensor " + source + " in this scene" + robotlink::suggestion(source, known), {},
+        {source});
+  }
   source_->setEditText(QString::fromStdString(source));
   freeze_->setChecked(false);
   return {};
@@ -101,6 +111,10 @@ const robotcontrol::WorldPort* ColumnsView::port(const std::string& path) const 
     return object.has_port() && object.port().path() == path;
   });
   return found == objects->objects().end() ? nullptr : &found->port();
+}
+
+bool ColumnsView::isMissing(const std::string& source) const {
+  return objects_ != nullptr && source.find(": ") == std::string::npos && port(source) == nullptr;
 }
 
 std::optional<ColumnGraph> ColumnsView::graphOfPort(const robotcontrol::WorldPort& port) const {
@@ -158,6 +172,8 @@ void ColumnsView::tick() {
   hint_->setHint(now ? QString()
                  : source.isEmpty()
                      ? tr("Choose a sensor of the scene above, or type a stream and a list of its messages.")
+                 : isMissing(source.trimmed().toStdString())
+                     ? tr("There is no sensor %1 in this scene. Choose another one above.").arg(source)
                      : tr("There are no values of %1 yet.").arg(source));
   canvas_->show(now.value_or(ColumnGraph()));
   showPointed(pointed_);
@@ -189,7 +205,7 @@ std::optional<QString> ColumnsView::numbers() {
 
 robotlink::Result<void> ColumnsView::saveTo(const QString& file) {
   const std::string path = file.toStdString(), suffix = robotlink::fileSuffix(path);
-  if (suffix != ".csv" && suffix != ".txt") return View::saveTo(file);
+  if (suffix != ".csv" && suffix != ".txt" && suffix != ".tsv") return View::saveTo(file);
   return robotlink::writeFileAtomically(path,
                                         table(QLatin1Char(suffix == ".csv" ? ',' : '\t')).toStdString());
 }

@@ -36,7 +36,8 @@ class ColumnsView final : public View {
   ~ColumnsView() override;
 
   void tick() override;
-  /// Shows a list from now on, also one that is not there yet. Fails if the text is empty.
+  /// Shows a list from now on, also one that is not there yet. Fails if the text
+  /// is empty, or a sensor that the scene does not have.
   robotlink::Result<void> showSource(const std::string& source);
   /// A line for each value: its index, a tab, the value.
   std::optional<QString> numbers() override;
@@ -50,6 +51,8 @@ class ColumnsView final : public View {
   void listPorts();
   /// The sensor with this path; null: there is none.
   const robotcontrol::WorldPort* port(const std::string& path) const;
+  /// Whether it names a sensor that the scene does not have.
+  bool isMissing(const std::string& source) const;
   /// The values of the source at the shown instant; unset: not known.
   std::optional<ColumnGraph> graph();
   std::optional<ColumnGraph> graphOfPort(const robotcontrol::WorldPort& port) const;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/objects/SceneTreeModel.h"
 
+#include <algorithm>
+
 #include "robotcontrol/World.pb.h"
 #include "widgets/Counted.h"
+#include "widgets/ports/PortNumber.h"
 
 namespace widgets {
 
@@ -11,6 +14,8 @@ using robotcontrol::WorldObject;
 namespace {
 
 constexpr int kMaxShownValues = 4;
+/// No port has more numbers that differ.
+constexpr int kMaxShownRanges = 16;
 
 }  // namespace
 
@@ -57,14 +62,19 @@ void SceneTreeModel::build() {
 void SceneTreeModel::setReadings(std::shared_ptr<const robotcontrol::PortReadings> readings) {
   if (readings == readings_) return;
   std::set<std::string> changed;
-  for (const auto& [port, reading] : byPort_) changed.insert(port);
+  const auto noteChanged = [&] {
+    for (const Readings* all : {&byPort_, &heldByPort_})
+      for (const auto& [port, reading] : *all) changed.insert(port);
+  };
+  noteChanged();
   readings_ = std::move(readings);
   byPort_.clear();
+  heldByPort_.clear();
   if (readings_) {
     for (const auto& reading : readings_->readings()) byPort_[reading.port()] = &reading;
-    for (const auto& reading : readings_->held()) byPort_[reading.port()] = &reading;
+    for (const auto& reading : readings_->held()) heldByPort_[reading.port()] = &reading;
   }
-  for (const auto& [port, reading] : byPort_) changed.insert(port);
+  noteChanged();
   announceValues(changed);
 }
 
@@ -116,6 +126,11 @@ const robotcontrol::PortReading* SceneTreeModel::reading(const std::string& port
   return found == byPort_.end() ? nullptr : found->second;
 }
 
+const robotcontrol::PortReading* SceneTreeModel::held(const std::string& port) const {
+  const auto found = heldByPort_.find(port);
+  return found == heldByPort_.end() ? nullptr : found->second;
+}
+
 QString SceneTreeModel::kindText(const WorldObject& object) {
   switch (object.kind()) {
     case WorldObject::ROBOT:
@@ -159,12 +174,11 @@ QString SceneTreeModel::valuesText(const robotcontrol::PortReading& reading, con
 QString SceneTreeModel::valueText(const WorldObject& object) const {
   if (!object.has_port()) return {};
   const robotcontrol::WorldPort& port = object.port();
-  const auto* known = reading(port.path());
-  if (known != nullptr) {
-    const QString text = valuesText(*known, port.unit());
-    return port.is_actuator() ? tr("%1, held").arg(text) : text;
+  if (port.is_actuator()) {
+    const auto* values = held(port.path());
+    return values == nullptr ? QString() : tr("%1, held").arg(valuesText(*values, port.unit()));
   }
-  if (port.is_actuator()) return {};
+  if (const auto* values = reading(port.path())) return valuesText(*values, port.unit());
   if (!port.image_stream().empty() && port.shape_size() >= 2)
     return QStringLiteral("%1 × %2").arg(port.shape(1)).arg(port.shape(0));
   return QStringLiteral("–");
@@ -175,10 +189,19 @@ QString SceneTreeModel::toolTip(const WorldObject& object) const {
   if (!object.has_port()) return text;
   const robotcontrol::WorldPort& port = object.port();
   text += QStringLiteral("\n") + QString::fromStdString(port.type());
-  if (port.maximum() > port.minimum())
-    text += QStringLiteral(", %1 … %2").arg(port.minimum(), 0, 'g', 4).arg(port.maximum(), 0, 'g', 4);
-  if (!port.unit().empty()) text += QLatin1Char(' ') + QString::fromStdString(port.unit());
-  return text;
+  // Many numbers have one range.
+  QStringList ranges;
+  for (int i = 0; i < std::min(numberCount(port), kMaxShownRanges); ++i) {
+    const PortNumber number = portNumber(object, i);
+    QString range = QString::fromStdString(number.unit);
+    if (number.hasRange())
+      range = QStringLiteral("%1 … %2 %3")
+                  .arg(number.minimum, 0, 'g', 4)
+                  .arg(number.maximum, 0, 'g', 4)
+                  .arg(range);
+    if (!range.isEmpty() && (ranges.isEmpty() || ranges.last() != range)) ranges << range.trimmed();
+  }
+  return ranges.isEmpty() ? text : text + QStringLiteral(": ") + ranges.join(QStringLiteral("; "));
 }
 
 QModelIndex SceneTreeModel::index(int row, int column, const QModelIndex& parent) const {

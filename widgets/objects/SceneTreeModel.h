@@ -46,8 +46,10 @@ class SceneTreeModel final : public QAbstractItemModel {
   QModelIndex indexOf(const std::string& path) const;
   /// The actuators among an object and all that are below it.
   std::vector<const robotcontrol::WorldObject*> actuatorsOf(const QModelIndex& index) const;
-  /// The values of a sensor, or at which an actuator is held; null: not known, or not held.
+  /// The values of a sensor, or what became of an actuator's last command; null: not known.
   const robotcontrol::PortReading* reading(const std::string& port) const;
+  /// The values at which an actuator is held; null: it is not.
+  const robotcontrol::PortReading* held(const std::string& port) const;
 
   /// How a kind of object is called.
   static QString kindText(const robotcontrol::WorldObject& object);
@@ -80,7 +82,8 @@ class SceneTreeModel final : public QAbstractItemModel {
   std::vector<Node> nodes_;
   std::map<std::string, int> byPath_;
   /// Of readings_, by port.
-  std::map<std::string, const robotcontrol::PortReading*> byPort_;
+  using Readings = std::map<std::string, const robotcontrol::PortReading*>;
+  Readings byPort_, heldByPort_;
 };
 
 }  // namespace widgets

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
@@ -23,6 +24,7 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/objects/ActuatorPanel.h"
+#include "widgets/ports/PortNumber.h"
 #include "widgets/world/SceneSelection.h"
 
 namespace widgets {
@@ -34,17 +36,12 @@ const ViewRegistration kSceneTreeRegistration{
          "View", "All objects of a simulated scene, with the values of sensors and sliders for actuators"),
      "layers", false, create<SceneTreeView>}};
 
-/// More values of one sensor are not plotted one by one.
+/// So many values of one sensor are plotted, the first ones.
 constexpr int kMaxCurves = 12;
 
 /// How many values a port has; images count as none.
 int valueCount(const robotcontrol::WorldPort& port) {
-  if (port.type() == "image") return 0;
-  int values = 1;
-  constexpr int kMaxValues = 1 << 20;
-  for (const int size : port.shape())
-    values = std::clamp(values * std::clamp(size, 0, kMaxValues), 0, kMaxValues);
-  return values;
+  return port.type() == "image" ? 0 : numberCount(port);
 }
 
 bool isSensor(const robotcontrol::WorldObject* object) {
@@ -58,6 +55,7 @@ SceneTreeView::SceneTreeView(ViewContext& context, QWidget* parent)
   setObjectName(QStringLiteral("sceneTreeView"));
   createActions();
   createSceneActions();
+  createEditActions();
   createViews();
   connectSignals();
   keep("search", search_);
@@ -83,7 +81,8 @@ SceneTreeView::~SceneTreeView() = default;
 void SceneTreeView::createActions() {
   plot_ = makeAction(
       this, "plots",
-      {"sceneTreePlot", tr("Plot"), tr("Adds the values of the sensor to the view Plots"), tr("Ctrl+Alt+L")});
+      {"sceneTreePlot", tr("Plot"),
+       tr("Adds the values of the sensor to the view Plots, the first twelve of many"), tr("Ctrl+Alt+L")});
   columns_ = makeAction(this, "samples",
                         {"sceneTreeColumns", tr("Column graph"),
                          tr("Shows the values of the sensor as columns"), tr("Ctrl+Alt+G")});
@@ -101,6 +100,35 @@ void SceneTreeView::createActions() {
   copyPath_ = makeAction(
       this, "copy",
       {"sceneTreeCopyPath", tr("Copy path"), tr("Copies the path of the object"), QKeySequence::Copy});
+}
+
+void SceneTreeView::createEditActions() {
+  goToText_ = makeAction(
+      this, "labels",
+      {"sceneTreeGoToText", tr("Go to its text"), tr("Shows the object in the scene editor"), tr("Ctrl+G")});
+  duplicate_ = makeAction(this, "copy",
+                          {"sceneTreeDuplicate", tr("Duplicate"),
+                           tr("Adds another one beside it to the scene's text"), tr("Ctrl+D")});
+  erase_ = makeAction(
+      this, "remove",
+      {"sceneTreeErase", tr("Delete"), tr("Removes the object from the scene's text"), QKeySequence::Delete});
+  rename_ = makeAction(
+      this, "edit",
+      {"sceneTreeRename", tr("Rename…"), tr("Renames the object in the scene's text"), Qt::Key_F2});
+  connect(goToText_, &QAction::triggered, this, [this] { runForObject("scene.edit", {}); });
+  connect(duplicate_, &QAction::triggered, this, [this] { runForObject("scene.copy", {}); });
+  connect(erase_, &QAction::triggered, this, [this] { runForObject("scene.erase", {}); });
+  connect(rename_, &QAction::triggered, this, &SceneTreeView::rename);
+}
+
+void SceneTreeView::rename() {
+  const auto* object = selected();
+  if (object == nullptr) return;
+  const QString before = QString::fromStdString(object->name());
+  bool accepted = false;
+  const QString name = QInputDialog::getText(this, tr("Rename"), tr("New name of %1:").arg(before),
+                                             QLineEdit::Normal, before, &accepted);
+  if (accepted && name != before) runForObject("scene.rename", {name.toStdString()});
 }
 
 void SceneTreeView::createSceneActions() {
@@ -295,13 +323,16 @@ void SceneTreeView::showSelected() {
   const auto* object = selected();
   const bool hasImages = isSensor(object) && !object->port().image_stream().empty();
   const bool hasValues = isSensor(object) && !hasImages && valueCount(object->port()) > 0;
-  plot_->setEnabled(hasValues && valueCount(object->port()) <= kMaxCurves);
+  plot_->setEnabled(hasValues);
   columns_->setEnabled(hasValues);
   for (QAction* action : {image_, gray_}) action->setEnabled(hasImages);
   stereogram_->setEnabled(hasImages && object->port().type() == "depth");
-  for (QAction* action : {alone_, around_, hide_, showAgain_, follow_, turnWith_, lookOut_, properties_})
+  for (QAction* action :
+       {alone_, around_, hide_, showAgain_, follow_, turnWith_, lookOut_, goToText_, properties_, copyPath_})
     action->setEnabled(object != nullptr);
-  copyPath_->setEnabled(object != nullptr);
+  // What belongs to something else is changed in its text.
+  const bool isWhole = object != nullptr && object->parent().empty();
+  for (QAction* action : {duplicate_, erase_, rename_}) action->setEnabled(isWhole);
   std::vector<std::string> actuators;
   for (const auto* actuator :
        model_.actuatorsOf(filtered_->mapToSource(tree_->currentIndex()).siblingAtColumn(0)))
@@ -316,7 +347,9 @@ void SceneTreeView::showMenu(const QPoint& at) {
   menu.addSeparator();
   if (selected() != nullptr) addSceneEntries(menu);
   menu.addSeparator();
-  menu.addActions({properties_, copyPath_});
+  menu.addActions({duplicate_, erase_, rename_});
+  menu.addSeparator();
+  menu.addActions({goToText_, properties_, copyPath_});
   menu.exec(tree_->viewport()->mapToGlobal(at));
 }
 
@@ -325,7 +358,7 @@ void SceneTreeView::plot() {
   if (!isSensor(object)) return;
   const robotcontrol::WorldPort port = object->port();
   subscription_.want(session(), {port.path()});
-  for (int i = 0; i < valueCount(port); ++i)
+  for (int i = 0; i < std::min(valueCount(port), kMaxCurves); ++i)
     if (!run("plots.add", {std::string(robotlink::streams::kPorts) + ": " + portField(port.path(), i)}))
       return;
 }

@@ -54,6 +54,10 @@ class SceneTreeView final : public View {
   void showColumns();
   void showImage(const char* mode);
   void createSceneActions();
+  /// Creates what changes the text of the scene, with the keys of the view of the scene.
+  void createEditActions();
+  /// Asks for another name of the selected object.
+  void rename();
   /// Adds to a menu how views of the scene show the object.
   void addSceneEntries(QMenu& menu);
   /// Runs a command with the path of the selected object and more words.
@@ -76,6 +80,7 @@ class SceneTreeView final : public View {
   QAction *alone_ = nullptr, *around_ = nullptr, *hide_ = nullptr, *showAgain_ = nullptr;
   QAction *follow_ = nullptr, *turnWith_ = nullptr, *lookOut_ = nullptr;
   QAction *stereogram_ = nullptr, *properties_ = nullptr, *copyPath_ = nullptr;
+  QAction *goToText_ = nullptr, *duplicate_ = nullptr, *erase_ = nullptr, *rename_ = nullptr;
   QLineEdit* search_ = nullptr;
   QTreeView* tree_ = nullptr;
   ActuatorPanel* actuators_ = nullptr;

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::string_view kPortSelector = "port=\"";
 
-const robotcontrol::WorldPort* sensorAt(const robotcontrol::WorldObjects& objects, const std::string& path) {
+const robotcontrol::WorldPort* portAt(const robotcontrol::WorldObjects& objects, const std::string& path) {
   const auto found = std::ranges::find_if(objects.objects(), [&](const robotcontrol::WorldObject& object) {
-    return object.has_port() && object.port().path() == path && !object.port().is_actuator();
+    return object.has_port() && object.port().path() == path;
   });
   return found == objects.objects().end() ? nullptr : &found->port();
 }
@@ -44,12 +44,12 @@ void PortSubscription::want(robotlink::Session& session, const std::vector<std::
   std::map<std::string, robotcontrol::Request> requests;  // by robot
   for (const std::string& port : ports) {
     if (!isNew(port)) continue;
-    const robotcontrol::WorldPort* sensor = sensorAt(*objects, port);
-    (sensor == nullptr ? unknown_ : asked_).insert(port);
-    if (sensor == nullptr) continue;
+    const robotcontrol::WorldPort* known = portAt(*objects, port);
+    (known == nullptr ? unknown_ : asked_).insert(port);
+    if (known == nullptr) continue;
     const auto& robots = session.robots();
-    const bool isRobot = std::ranges::find(robots, sensor->robot()) != robots.end();
-    requests[isRobot ? sensor->robot() : std::string()].mutable_read_ports()->add_ports(port);
+    const bool isRobot = std::ranges::find(robots, known->robot()) != robots.end();
+    requests[isRobot ? known->robot() : std::string()].mutable_read_ports()->add_ports(port);
   }
   // Where nothing is simulated, such as in a log, the user need not know that nobody reads them.
   for (auto& [robot, request] : requests)

@@ -16,8 +16,9 @@ class Session;
 namespace widgets {
 
 /// Asks a simulation to publish the readings of ports that a view shows: of sensors on the stream "ports", of
-/// cameras as images. A port is asked for once, as soon as the world's objects name it as a sensor, and again
-/// after another platform was opened. Other ports are never asked for. GUI thread.
+/// cameras as images, of actuators what became of their last command. A port is asked for once, as soon as
+/// the world's objects name it, and again after another platform was opened. Others are never asked for. GUI
+/// thread.
 class PortSubscription {
  public:
   /// Called in each tick with the paths of the ports that are shown now. Costs next to nothing while nothing

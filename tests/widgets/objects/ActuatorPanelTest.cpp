@@ -127,6 +127,53 @@ class ActuatorPanelTest : public QObject {
     QCOMPARE(name("actuator-red1/other-1"), QStringLiteral("red1/other [1]"));
   }
 
+  void eachValueHasItsOwnRangeAndUnit() {
+    ActuatorBench bench;
+    bench.add("car/drive", "motion", {2}, "car").set_unit("m/s, rad");
+    auto& object = *bench.objects.mutable_objects()->rbegin();
+    for (const auto& [name, sign] : {std::pair("minimum", -1), std::pair("maximum", 1)}) {
+      auto& limits = *object.add_properties();
+      limits.set_name(name);
+      limits.add_values(3 * sign);
+      limits.add_values(0.7 * sign);
+    }
+    bench.add("drone/motion", "motion", {6}, "drone").set_unit("m/s, rad/s");
+    bench.show();
+    const auto& speed = bench.field("actuatorValue-car/drive-0");
+    const auto& steering = bench.field("actuatorValue-car/drive-1");
+    QCOMPARE(speed.suffix(), QStringLiteral(" m/s"));
+    QCOMPARE(speed.maximum(), 3.0);
+    QCOMPARE(steering.suffix(), QStringLiteral(" rad"));
+    QCOMPARE(steering.minimum(), -0.7);
+    QCOMPARE(bench.slider("actuator-car/drive-1").accessibleName(), QStringLiteral("car/drive [steering]"));
+    QCOMPARE(bench.field("actuatorValue-drone/motion-2").suffix(), QStringLiteral(" m/s"));
+    QCOMPARE(bench.field("actuatorValue-drone/motion-3").suffix(), QStringLiteral(" rad/s"));
+  }
+
+  void anActuatorThatMetAnObstacleIsMarked() {
+    ActuatorBench bench;
+    bench.add("red1/pan/request", "angle");
+    bench.show();
+    bench.push("objects", bench.objects, 1);
+    bench.session.tick();
+    bench.panel.refresh();
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests.back().read_ports().ports(0), std::string("red1/pan/request"));
+    const auto& blocked = child<QLabel>(bench.panel, "actuatorBlocked-red1/pan/request");
+    QVERIFY(!blocked.isVisible());
+    for (const double isFree : {0.0, 1.0}) {
+      auto readings = std::make_shared<robotcontrol::PortReadings>();
+      auto& state = *readings->add_readings();
+      state.set_port("red1/pan/request");
+      state.add_values(1);
+      state.add_values(isFree);
+      bench.model.setReadings(readings);
+      bench.panel.refresh();
+      QCOMPARE(blocked.isVisible(), isFree == 0);
+      QVERIFY2(!bench.field("actuatorValue-red1/pan/request-0").font().bold(), "it is not held");
+    }
+  }
+
   void anActuatorWithoutARangeHasAWideOne() {
     ActuatorBench bench;
     bench.add("red1/force", "force");

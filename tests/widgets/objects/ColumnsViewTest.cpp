@@ -30,6 +30,22 @@ class ColumnsViewTest : public QObject {
     keepPicture(*view, "columns");
   }
 
+  void aSensorThatTheSceneDoesNotHaveIsNamed() {
+    ObjectsBench bench;
+    auto view = bench.open<ColumnsView>();
+    const auto refused = view->showSource("red1/lasr");
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().text,
+             std::string("there is no sensor red1/lasr in this scene; did you mean 'red1/laser'?"));
+    QVERIFY(view->showSource("red1/laser"));
+    for (auto& object : *bench.objects.mutable_objects())
+      if (object.path() == "red1/laser") object.mutable_port()->set_path("red1/other");
+    bench.push("objects", bench.objects, 2);
+    bench.tick(*view);
+    QCOMPARE(child<QLabel>(*view, "emptyHint").text(),
+             QStringLiteral("There is no sensor red1/laser in this scene. Choose another one above."));
+  }
+
   void aListOfAnyStreamIsShown() {
     Bench bench;
     foxglove::LaserScan scan;

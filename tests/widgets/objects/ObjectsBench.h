@@ -48,9 +48,9 @@ struct ObjectsBench : Bench {
     camera.set_image_stream("red1/cam/image");
     add(Kind::LIGHT, "light 1", "");
     push("objects", objects, 1);
-    for (const char* name :
-         {"plots.add", "columns.show", "image.stream", "image.show", "view.show", "scene.open", "scene.hide",
-          "scene.show", "scene.draw", "scene.opacity", "scene.follow"})
+    for (const char* name : {"plots.add", "columns.show", "image.stream", "image.show", "view.show",
+                             "scene.open", "scene.hide", "scene.show", "scene.draw", "scene.opacity",
+                             "scene.follow", "scene.edit", "scene.copy", "scene.erase", "scene.rename"})
       addCommand(name);
   }
 
@@ -76,7 +76,8 @@ struct ObjectsBench : Bench {
     using Type = robotlink::CommandTable::Type;
     robotlink::CommandTable::Command command{name, "Notes its words", {{"first", Type::kText, ""}}};
     if (name.starts_with("image")) command.arguments.push_back({"second", Type::kText, ""});
-    if (name.starts_with("scene."))
+    const bool hasOne = name == "scene.edit" || name == "scene.copy" || name == "scene.erase";
+    if (name.starts_with("scene.") && !hasOne)
       command.arguments.push_back({"second", name == "scene.opacity" ? Type::kNumber : Type::kText, "",
                                    name == "scene.opacity" ? robotlink::CommandTable::Value(1.0)
                                                            : robotlink::CommandTable::Value(std::string())});

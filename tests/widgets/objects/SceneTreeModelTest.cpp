@@ -188,11 +188,41 @@ TEST_F(SceneTreeModelTest, toolTipsSayTypeRangeAndUnitOfAPort) {
   const auto tip = [this](const char* path) {
     return model.indexOf(path).data(Qt::ToolTipRole).toString().toStdString();
   };
-  EXPECT_EQ(tip("red1/motor"), "red1/motor (actuator)\nangle, -1.5 … 0.25 rad");
+  EXPECT_EQ(tip("red1/motor"), "red1/motor (actuator)\nangle: -1.5 … 0.25 rad");
   EXPECT_EQ(tip("red1/touch"), "red1/touch (sensor)\ncontact") << "both 0: the range is not known";
   EXPECT_EQ(tip("box"), "box (model)");
   EXPECT_EQ(model.indexOf("red1/touch").data(SceneTreeModel::kFilterRole).toString(),
             QStringLiteral("red1/touch contact sensor"));
+}
+
+TEST_F(SceneTreeModelTest, numbersThatDifferHaveTheirOwnRangesAndUnits) {
+  auto& port = addPort("car/drive", true);
+  port.set_type("motion");
+  port.set_minimum(-3);
+  port.set_maximum(3);
+  port.set_unit("m/s, rad");
+  port.add_shape(2);
+  auto& object = *objects.mutable_objects()->rbegin();
+  for (const auto& [name, sign] : {std::pair("minimum", -1), std::pair("maximum", 1)}) {
+    auto& limits = *object.add_properties();
+    limits.set_name(name);
+    limits.add_values(3 * sign);
+    limits.add_values(0.7 * sign);
+  }
+  show();
+  EXPECT_EQ(model.indexOf("car/drive").data(Qt::ToolTipRole).toString(),
+            QStringLiteral("car/drive (actuator)\nmotion: -3 … 3 m/s; -0.7 … 0.7 rad"));
+}
+
+TEST_F(SceneTreeModelTest, whatBecameOfACommandIsNotWhatIsHeld) {
+  addPort("red1/motor", true);
+  show();
+  read(*readings.add_readings(), "red1/motor", {1, 0});
+  showReadings();
+  EXPECT_EQ(value("red1/motor"), "");
+  EXPECT_EQ(model.held("red1/motor"), nullptr);
+  ASSERT_NE(model.reading("red1/motor"), nullptr);
+  EXPECT_EQ(model.reading("red1/motor")->values(1), 0);
 }
 
 TEST_F(SceneTreeModelTest, theSameMessageKeepsTheTreeAndNoneEmptiesIt) {

@@ -4,6 +4,7 @@
 #include <QAbstractItemModelTester>
 #include <QAction>
 #include <QDoubleSpinBox>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -176,6 +177,44 @@ class SceneTreeViewTest : public QObject {
     QCOMPARE(bench.lines.at(bench.lines.size() - 2), std::string("image.stream image red1/cam/image"));
     QCOMPARE(bench.lines.back(), std::string("image.show image stereogram"));
     QVERIFY(!child<QAction>(*view, "sceneTreePlotAction").isEnabled());
+  }
+
+  void ofManyValuesTheFirstTwelveArePlotted() {
+    ObjectsBench bench;
+    bench.addPort(robotcontrol::WorldObject::SENSOR, "red1/wide", "red1/link:body", "range").add_shape(720);
+    bench.push("objects", bench.objects, 1.5);
+    auto view = bench.open<SceneTreeView>();
+    sceneSelection(bench.context).select("red1/wide");
+    auto& plot = child<QAction>(*view, "sceneTreePlotAction");
+    QVERIFY(plot.isEnabled() && plot.toolTip().contains(QStringLiteral("first twelve")));
+    plot.trigger();
+    QCOMPARE(bench.lines.size(), std::size_t(12));
+    QCOMPARE(bench.lines.back(), std::string("plots.add ports: readings[port=\"red1/wide\"].values[11]"));
+  }
+
+  void theTextOfAnObjectIsReachedAndChangedFromHere() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    auto& tree = child<QTreeView>(*view, "sceneTree");
+    tree.expandAll();
+    clickCell(tree, find(tree, QStringLiteral("red1/laser")));
+    QTest::keyClick(&tree, Qt::Key_G, Qt::ControlModifier);
+    QVERIFY2(!child<QAction>(*view, "sceneTreeEraseAction").isEnabled(), "it is a part of red1");
+    clickCell(tree, find(tree, QStringLiteral("red1")));
+    QTest::keyClick(&tree, Qt::Key_D, Qt::ControlModifier);
+    QTest::keyClick(&tree, Qt::Key_Delete);
+    QTimer::singleShot(0, view.get(), [&] {
+      auto* dialog = view->findChild<QInputDialog*>();
+      if (dialog == nullptr) return;
+      dialog->setTextValue(QStringLiteral("redder"));
+      dialog->accept();
+    });
+    QTest::keyClick(&tree, Qt::Key_F2);
+    const std::vector<std::string> expected{"scene.edit red1/laser", "scene.copy red1", "scene.erase red1",
+                                            "scene.rename red1 redder"};
+    std::string said;
+    for (const std::string& line : bench.lines) said += line + "; ";
+    QVERIFY2(bench.lines == expected, said.c_str());
   }
 
   void whatIsUnfoldedIsKept() {
