@@ -48,8 +48,8 @@ void View::restoreState(const QJsonObject& state) {
 robotlink::Result<void> View::saveTo(const QString& file) {
   const std::string path = file.toStdString(), suffix = robotlink::fileSuffix(path);
   if (suffix == ".svg") return writeVectorPicture(*this, file);
-  if (suffix != ".csv" && suffix != ".txt") return writePicture(grab().toImage(), file);
-  auto shown = suffix == ".csv" ? shownTable(*this) : shownText(*this);
+  if (suffix != ".csv" && suffix != ".txt" && suffix != ".tsv") return writePicture(grab().toImage(), file);
+  auto shown = suffix == ".csv" ? shownTable(*this) : suffix == ".txt" ? shownText(*this) : std::nullopt;
   if (!shown) shown = numbers();
   if (!shown)
     return robotlink::failure("view.save", "this view shows no table and no text; save it as .png or .svg",

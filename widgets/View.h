@@ -102,8 +102,8 @@ class View : public QWidget {
   /// harmless.
   virtual void restoreState(const QJsonObject& state);
   /// Writes what the view shows to a file, after its suffix: .png, a picture; .svg, a picture of lines and
-  /// texts; .csv, its table or numbers; .txt, its text, or its table with tabs. Others are refused, unless
-  /// the view has more. Opens no dialog.
+  /// texts; .csv, its table or numbers; .tsv, its numbers with tabs; .txt, its text, or its table with
+  /// tabs. Others are refused, unless the view has more. Opens no dialog.
   virtual robotlink::Result<void> saveTo(const QString& file);
 
   /// What the view shows as numbers: a table with tabs between the columns and the titles first; by default

@@ -162,7 +162,7 @@ Rows viewRows() {
        "Saves what a view shows: its picture, table or text, points of plots, packets",
        {view,
         {"file", Type::kFile,
-         ".png; .csv: its table; .txt: its text; plots also .svg, packets .wire, motions .mof"}}},
+         ".png; .csv, .tsv: its table; .txt: its text; plots also .svg, packets .wire, motions .mof"}}},
       {"view.perspective", "Shows a perspective", {{"name", Type::kText, "Play, Log, or one of your own"}}},
       {"view.save-perspective",
        "Saves the arrangement of the views as a perspective",

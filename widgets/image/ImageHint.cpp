@@ -62,8 +62,14 @@ QString imageHint(const ViewContext& context, const std::string& path) {
   robotlink::Session& session = context.session;
   const bool exists = session.store().find(path) != nullptr;
   // A simulation of things without programs.
-  if (session.robots().empty() && robotPart(path).empty() &&
-      session.store().find(robotlink::streams::kObjects) != nullptr)
+  const bool isScene =
+      session.robots().empty() && session.store().find(robotlink::streams::kObjects) != nullptr;
+  if (isScene && !exists && !robotPart(path).empty())
+    return imageSentence(
+               QT_TRANSLATE_NOOP("ImageHint",
+                                 "There are no images of %1 in this scene. Choose others at the top."))
+        .arg(QString::fromStdString(path));
+  if (isScene && robotPart(path).empty())
     return imageSentence(
         QT_TRANSLATE_NOOP("ImageHint",
                           "There is no robot in this scene. Add one, or a camera, by + in the view Scene, or "

@@ -120,8 +120,9 @@ void ImageStreamView::connectSignals() {
 }
 
 void ImageStreamView::tick() {
-  const bool listed = streams_->refresh(session());
-  if (listed) Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streams_->path(session()))));
+  streams_->refresh(session());
+  if (const std::string path = streams_->path(session()); !path.empty())
+    Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(path)));
   drawings()->refresh(session(), robotOfStream());
   if (measure_->isOn()) subscription_.want(session(), robotOfStream(), {robotlink::kCameraPose.name});
   ports_.want(session(), {streams_->path(session())});

@@ -208,7 +208,7 @@ RobotCard robotCard(const ViewContext& context, const std::string& robot, Instan
   const auto described = context.robots.find(robot);
   if (described != context.robots.end() && described->second)
     card.kind = QString::fromStdString(described->second->title);
-  card.color = teamColor(robot, context.field.get());
+  card.color = teamColor(robot, teamOf(context.session.store(), robot, shown), context.field.get());
   card.isSelected = context.session.selectedRobot() == robot;
   card.state = cardState(known);
   card.behavior = cardBehavior(known);

@@ -186,7 +186,7 @@ QSize PictureView::shownPictureSize() const {
 robotlink::Result<void> PictureView::saveTo(const QString& file) {
   const std::string suffix = robotlink::fileSuffix(file.toStdString());
   if (suffix == ".svg") return writeVectorPicture(*canvas_, file);
-  if (suffix == ".csv" || suffix == ".txt") {
+  if (suffix == ".csv" || suffix == ".txt" || suffix == ".tsv") {
     const auto table = numbers();
     if (!table)
       return robotlink::failure("view.save", "this view shows no numbers; save it as .png or .svg",

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
 #include "widgets/ShownText.h"
 #include "widgets/SplitterState.h"
 #include "widgets/log/TimeMarks.h"
@@ -30,8 +31,13 @@ robotlink::Result<void> PlotsView::saveTo(const QString& file) {
       return robotlink::writeFileAtomically(path, spectrum_->csv().toStdString());
     return robotlink::failure("plots.spectrum", "no spectrum is shown: plots.spectrum on", {path, 0, 0});
   }
-  if (file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
-    return robotlink::writeFileAtomically(path, curves_.csv().toStdString());
+  const std::string suffix = robotlink::fileSuffix(path);
+  if (suffix == ".csv") return robotlink::writeFileAtomically(path, curves_.csv().toStdString());
+  if (suffix == ".txt" || suffix == ".tsv")
+    return robotlink::writeFileAtomically(path, tabsOfCsv(curves_.csv()).toStdString());
+  if (suffix != ".png" && suffix != ".svg")
+    return robotlink::failure(
+        "plots.save", "plots are written as .png or .svg, their points as .csv, .tsv or .txt", {path, 0, 0});
   if (savePlots(*area_, file)) return {};
   return robotlink::failure("plots.save", "the picture cannot be written", {path, 0, 0});
 }

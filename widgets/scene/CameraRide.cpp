@@ -27,7 +27,7 @@ void CameraRide::setMode(Mode mode) {
 }
 
 Pose2 CameraRide::wanted(const Subject& subject) const {
-  if (mode_ == Mode::kBehind) return subject.robot * Pose2{kShoulder, 0, 0};
+  if (mode_ == Mode::kBehind) return subject.robot * Pose2{subject.isObject ? 0 : kShoulder, 0, 0};
   Pose2 place = subject.robot;
   place.heading = 0;
   if (!subject.ball) return place;
@@ -39,7 +39,13 @@ Pose2 CameraRide::wanted(const Subject& subject) const {
 }
 
 SceneCamera CameraRide::boarded(const SceneCamera& camera, const Subject& subject, bool far) const {
-  if (mode_ == Mode::kBehind) return SceneCamera::behind(subject.robot, subject.distance);
+  if (mode_ == Mode::kBehind) {
+    SceneCamera behind = SceneCamera::behind(subject.robot, subject.distance);
+    if (!subject.isObject) return behind;
+    behind.target.head<2>() = subject.robot.translation();
+    behind.distance = subject.distance;
+    return behind;
+  }
   const Pose2 place = wanted(subject);
   SceneCamera near = camera;
   if (far) near = SceneCamera::beside(subject.distance);

@@ -26,6 +26,8 @@ class CameraRide {
     std::optional<double> height = {};
     /// Distance of the camera from which the robot is seen well, m.
     double distance = 2.4;
+    /// It is any object, which is seen as a whole from its middle, not one over whose shoulder one looks.
+    bool isObject = false;
   };
 
   Mode mode() const { return mode_; }

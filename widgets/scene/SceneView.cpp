@@ -258,8 +258,11 @@ void SceneView::tick() {
   const bool log = session().store().find(robotlink::streams::kReplay) != nullptr;
   canvas_->setHint(
       log ? tr("This log holds no scene; the field view shows the estimated poses of its robots.")
-      : !parts_.only().empty() ? tr("%1 has no shape to be shown.").arg(QString::fromStdString(parts_.only()))
-                               : tr("No scene yet: start a simulation, or open a log."));
+      : parts_.only().empty() || parts_.objects().all() == nullptr
+          ? tr("No scene yet: start a simulation, or open a log.")
+      : parts_.objects().find(parts_.only()) == nullptr
+          ? tr("There is no '%1' in this scene.").arg(QString::fromStdString(parts_.only()))
+          : tr("%1 has no shape to be shown.").arg(QString::fromStdString(parts_.only())));
   canvas_->setMovable(scene_.models(), move_->isChecked());
   follow();
   VisibleScene visible = contents(beliefs_);

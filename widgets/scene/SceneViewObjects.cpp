@@ -146,6 +146,7 @@ std::optional<CameraRide::Subject> SceneView::subject() {
     extent = extent_.value_or(extent);
     const robotlink::Vector3 middle = *pose * extent.middle;
     CameraRide::Subject subject{robotlink::groundPose(*pose), {}, middle.z()};
+    subject.isObject = true;
     subject.robot.x = middle.x();
     subject.robot.y = middle.y();
     subject.distance = std::clamp(kRadiiAway * extent.radius, 2 * SceneCamera::kMinDistance, 100.0);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/world/RobotBeliefs.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
@@ -32,8 +35,9 @@ void addEstimates(RobotBelief& belief, const robotlink::StreamStore& store, robo
 }
 
 QColor colorByNumber(const std::string& robot) {
-  static constexpr QRgb kColors[] = {0xffd8432f, 0xff2f78d6, 0xff2e9e4f, 0xffe39a16,
-                                     0xff8e4fc6, 0xff17a2a4, 0xffc7448f, 0xff8a6b3d};
+  // None that could be taken for a team's.
+  static constexpr QRgb kColors[] = {0xff2e9e4f, 0xffe39a16, 0xff8e4fc6, 0xff17a2a4,
+                                     0xffc7448f, 0xff8a6b3d, 0xff97a82a, 0xff5f7186};
   const std::size_t digits = robot.find_last_not_of("0123456789") + 1;
   unsigned number = 0;
   const auto read = std::from_chars(robot.data() + digits, robot.data() + robot.size(), number);
@@ -43,12 +47,23 @@ QColor colorByNumber(const std::string& robot) {
 
 }  // namespace
 
-QColor teamColor(const std::string& robot, const robotlink::FieldDescription* field) {
+std::optional<std::string> teamOf(const robotlink::StreamStore& store, const std::string& robot,
+                                  robotlink::Instant shown) {
+  const auto* objects = store.latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects, shown);
+  if (objects == nullptr) return std::nullopt;
+  const auto object = std::ranges::find(objects->objects(), robot, &robotcontrol::WorldObject::path);
+  if (object == objects->objects().end()) return std::nullopt;
+  const auto team = std::ranges::find(object->properties(), "team", &robotcontrol::WorldProperty::name);
+  return team == object->properties().end() ? std::nullopt : std::optional(team->text());
+}
+
+QColor teamColor(const std::string& robot, const std::optional<std::string>& team,
+                 const robotlink::FieldDescription* field) {
   QColor color = colorByNumber(robot);
   std::size_t longest = 0;
   if (field == nullptr) return color;
   for (const auto& entry : field->palette) {
-    if (!robot.starts_with(entry.name) || entry.name.size() <= longest) continue;
+    if (team ? *team != entry.name : !robot.starts_with(entry.name) || entry.name.size() <= longest) continue;
     longest = entry.name.size();
     color = QColor(entry.rgb.r, entry.rgb.g, entry.rgb.b);
   }
@@ -61,7 +76,7 @@ std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneSt
   for (const std::string& robot : session.robots()) {
     RobotBelief belief;
     belief.robot = robot;
-    belief.team = teamColor(robot, field);
+    belief.team = teamColor(robot, teamOf(session.store(), robot, shown), field);
     belief.selected = robot == session.selectedRobot();
     if (const auto truth = scene.framePose(robot)) belief.truth = robotlink::groundPose(*truth);
     addEstimates(belief, session.store(), shown);

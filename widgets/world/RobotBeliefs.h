@@ -61,8 +61,13 @@ std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneSt
 /// Sets where the robots' own drawings are placed, by one of the choices in DrawingPose.h.
 void placeDrawings(std::vector<RobotBelief>& beliefs, const robotlink::StreamStore& store,
                    const std::string& choice, robotlink::Instant shown);
-/// The color of a robot's team, whose name begins the robot's ("red1"), from the field's palette. Robots
-/// without a team ("p3at2") have colors by their number, or gray without one. `field` may be null.
-QColor teamColor(const std::string& robot, const robotlink::FieldDescription* field);
+/// The team of a robot as the scene says, empty if it has none; unset: not known, as in old logs.
+std::optional<std::string> teamOf(const robotlink::StreamStore& store, const std::string& robot,
+                                  robotlink::Instant shown);
+/// The color of a robot's team from the field's palette. If the team is not known, it is the one with whose
+/// name that of the robot begins ("red1"). Robots without a team ("p3at2") have colors by their number, or
+/// gray without one. `field` may be null.
+QColor teamColor(const std::string& robot, const std::optional<std::string>& team,
+                 const robotlink::FieldDescription* field);
 
 }  // namespace widgets

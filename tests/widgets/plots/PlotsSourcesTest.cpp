@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QTreeView>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "foxglove/Robot.pb.h"
@@ -157,6 +158,13 @@ class PlotsSourcesTest : public QObject {
     QVERIFY(view->saveTo(QString::fromStdString((folder / "points.csv").string())));
     const auto csv = robotlink::readFile(folder / "points.csv");
     QVERIFY(csv && csv->find("\"false\"") != std::string::npos);
+    for (const char* name : {"points.tsv", "points.txt"}) {
+      QVERIFY(view->saveTo(QString::fromStdString((folder / name).string())));
+      const auto tabs = robotlink::readFile(folder / name);
+      QVERIFY(tabs && tabs->starts_with("time_s\t"));
+    }
+    QVERIFY(!view->saveTo(QString::fromStdString((folder / "points.xyz").string())));
+    QVERIFY(!std::filesystem::exists(folder / "points.xyz"));
   }
 
   void aCurveIsDrawnOverAnotherOne() {

@@ -310,6 +310,23 @@ class SceneModesTest : public QObject {
     QVERIFY(!s.canvas->camera().eyeInField && s.red() > 500);
   }
 
+  void anObjectIsFollowedFromWhereItIsSeenAsAWhole() {
+    ModesScene s;
+    QVERIFY(s.view.followObject("crate", SceneView::Following::kHeading));
+    QVERIFY(s.rest());
+    const SceneCamera& camera = s.canvas->camera();
+    QVERIFY((camera.target - robotlink::Vector3(0, 0, 0.3)).norm() < 0.02);
+    QVERIFY2(camera.distance > 1.5 && camera.distance < 2.5, qPrintable(QString::number(camera.distance)));
+  }
+
+  void anObjectThatIsGoneIsNamed() {
+    ModesScene s;
+    QVERIFY(s.view.showOnly("crate", true));
+    s.world.push("objects", std::make_shared<robotcontrol::WorldObjects>());
+    QVERIFY(s.step());
+    QCOMPARE(s.canvas->hint(), QStringLiteral("There is no 'crate' in this scene."));
+  }
+
   void aViewShowsOneObjectAlone() {
     ModesScene s;
     QSignalSpy titles(&s.view, &View::titleChanged);

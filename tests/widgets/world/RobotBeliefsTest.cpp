@@ -5,6 +5,7 @@
 
 #include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/session/Session.h"
 #include "tests/widgets/streams/StoredMessages.h"
@@ -114,20 +115,43 @@ TEST_F(RobotBeliefsTest, drawingsAreWhereTheUserPlacesThem) {
 TEST(TeamColor, theTeamWithTheLongestNameGivesItsColor) {
   robotlink::FieldDescription field;
   field.palette = {{"red", {200, 0, 0}}, {"redder", {250, 0, 0}}, {"blue", {0, 0, 200}}};
-  EXPECT_EQ(teamColor("red1", &field), QColor(200, 0, 0));
-  EXPECT_EQ(teamColor("redder1", &field), QColor(250, 0, 0));
-  EXPECT_EQ(teamColor("blue4", &field), QColor(0, 0, 200));
+  EXPECT_EQ(teamColor("red1", {}, &field), QColor(200, 0, 0));
+  EXPECT_EQ(teamColor("redder1", {}, &field), QColor(250, 0, 0));
+  EXPECT_EQ(teamColor("blue4", {}, &field), QColor(0, 0, 200));
+}
+
+TEST(TeamColor, theTeamThatTheSceneNamesCountsNotTheName) {
+  robotlink::FieldDescription field;
+  field.palette = {{"red", {200, 0, 0}}, {"blue", {0, 0, 200}}};
+  EXPECT_EQ(teamColor("blueberry", "red", &field), QColor(200, 0, 0));
+  EXPECT_EQ(teamColor("red1", "", &field), teamColor("p3at1", "", &field)) << "it plays in no team";
+}
+
+TEST_F(RobotBeliefsTest, theTeamIsWhatTheSceneSays) {
+  EXPECT_FALSE(teamOf(session.store(), "red1", atSeconds(10))) << "old logs do not say it";
+  robotcontrol::WorldObjects objects;
+  for (const auto& [name, team] : {std::pair("red1", "blue"), std::pair("blue1", "")}) {
+    auto& robot = *objects.add_objects();
+    robot.set_path(name);
+    auto& property = *robot.add_properties();
+    property.set_name("team");
+    property.set_text(team);
+  }
+  push("objects", objects);
+  EXPECT_EQ(teamOf(session.store(), "red1", atSeconds(10)), "blue");
+  EXPECT_EQ(teamOf(session.store(), "blue1", atSeconds(10)), "");
+  EXPECT_FALSE(teamOf(session.store(), "red2", atSeconds(10)));
 }
 
 TEST(TeamColor, robotsWithoutATeamHaveColorsByTheirNumber) {
   const robotlink::FieldDescription field;
   const QColor gray(128, 128, 128);
-  EXPECT_NE(teamColor("p3at1", &field), teamColor("p3at2", &field));
-  EXPECT_EQ(teamColor("p3at1", nullptr), teamColor("burger1", nullptr));
-  EXPECT_EQ(teamColor("p3at1", nullptr), teamColor("p3at9", nullptr)) << "there are eight";
+  EXPECT_NE(teamColor("p3at1", {}, &field), teamColor("p3at2", {}, &field));
+  EXPECT_EQ(teamColor("p3at1", {}, nullptr), teamColor("burger1", {}, nullptr));
+  EXPECT_EQ(teamColor("p3at1", {}, nullptr), teamColor("p3at9", {}, nullptr)) << "there are eight";
   for (const char* robot : {"", "rover", "rover0", "rover99999999999999999999"})
-    EXPECT_EQ(teamColor(robot, nullptr), gray) << robot;
-  EXPECT_NE(teamColor("7", nullptr), gray) << "a number is a name, too";
+    EXPECT_EQ(teamColor(robot, {}, nullptr), gray) << robot;
+  EXPECT_NE(teamColor("7", {}, nullptr), gray) << "a number is a name, too";
 }
 
 }  // namespace
