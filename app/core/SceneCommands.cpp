@@ -91,12 +91,14 @@ Result<void> setActuator(OpenPlatform& open, robotcontrol::SetActuator set) {
 Result<void> hold(OpenPlatform& open, const Values& values) {
   robotcontrol::SetActuator set;
   set.set_port(text(values, 0));
-  set.add_values(number(values, 1));
+  std::size_t count = 1;
   if (const auto* all = objects(open)) {
     const auto object = std::ranges::find(all->objects(), set.port(), &robotcontrol::WorldObject::path);
-    const bool hasTwo = object != all->objects().end() && object->port().shape_size() > 0;
-    if (hasTwo) set.add_values(number(values, 2));
+    if (object != all->objects().end() && object->port().shape_size() == 1)
+      count = static_cast<std::size_t>(std::max(1, object->port().shape(0)));
   }
+  // Programs set actuators with more values.
+  for (std::size_t i = 0; i < std::min(count, values.size() - 1); ++i) set.add_values(number(values, i + 1));
   return setActuator(open, std::move(set));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/SimulationCommands.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/core/CommandValues.h"
@@ -8,6 +9,7 @@
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
+#include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 
@@ -123,7 +125,23 @@ void sendEvent(OpenPlatform& open, const robotcontrol::ViewEvent& event) {
   open.ask(std::move(request));
 }
 
+/// Whether a text is a single character in UTF-8.
+bool isCharacter(const std::string& text) {
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  return !text.empty() && std::ranges::count_if(text, continues) == std::ssize(text) - 1 &&
+         !continues(text[0]);
+}
+
+/// Keys are named as the Scene view does.
 Result<void> pressKey(OpenPlatform& open, const std::string& key) {
+  static const std::vector<std::string> kKeys{"Space",     "Left",  "Right", "Up",   "Down",
+                                              "Return",    "Enter", "Tab",   "Home", "End",
+                                              "Backspace", "Del",   "Ins",   "PgUp", "PgDown"};
+  if (!isCharacter(key) && std::ranges::find(kKeys, key) == kKeys.end())
+    return robotlink::failure("simulation.key",
+                              "there is no key '" + key + "'" + robotlink::suggestion(key, kKeys) +
+                                  "; others are named by their character, such as A or 1",
+                              {}, {key});
   robotcontrol::ViewEvent event;
   event.set_view("command");
   event.set_key(key);

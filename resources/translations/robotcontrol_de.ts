@@ -834,10 +834,6 @@
         <translation>Kopiert, was eine Ansicht zeigt, in die Zwischenablage</translation>
     </message>
     <message>
-        <source>Holds an actuator of the simulation at a value, whatever the robot&apos;s program asks for</source>
-        <translation>Hält einen Aktor der Simulation auf einem Wert, was das Programm des Roboters auch verlangt</translation>
-    </message>
-    <message>
         <source>Lets programs set an actuator again</source>
         <translation>Lässt Programme einen Aktor wieder stellen</translation>
     </message>
@@ -1041,6 +1037,10 @@
         <source>Runs a solution beside the one that is used for its task, or ends that; what it publishes is below shadow/</source>
         <translation>Führt eine Lösung neben der aus, die für ihre Aufgabe benutzt wird, oder beendet das; was sie veröffentlicht, steht unter shadow/</translation>
     </message>
+    <message>
+        <source>Holds an actuator of the simulation at a value, whatever the robot&apos;s program asks for; of one with several values those that are left out are 0</source>
+        <translation>Hält einen Aktor der Simulation auf einem Wert, was das Programm des Roboters auch verlangt; bei mehreren Werten sind weggelassene 0</translation>
+    </message>
 </context>
 <context>
     <name>Data</name>
@@ -1194,6 +1194,10 @@
     <message>
         <source>There is no robot in this scene. Add one, or a camera, by + in the view Scene, or choose other images at the top.</source>
         <translation>In dieser Szene ist kein Roboter. Fügen Sie mit + in der Ansicht Szene einen Roboter oder eine Kamera hinzu, oder wählen Sie oben andere Bilder.</translation>
+    </message>
+    <message>
+        <source>There are no images of %1 in this scene. Choose others at the top.</source>
+        <translation>In dieser Szene gibt es keine Bilder von %1. Wählen Sie oben andere.</translation>
     </message>
 </context>
 <context>
@@ -5956,6 +5960,34 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <source>turn</source>
         <translation>Drehung</translation>
     </message>
+    <message>
+        <source>up</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>steering</source>
+        <translation>Lenkung</translation>
+    </message>
+    <message>
+        <source>blocked</source>
+        <translation>blockiert</translation>
+    </message>
+    <message>
+        <source>Blocked: %1</source>
+        <translation>Blockiert: %1</translation>
+    </message>
+    <message>
+        <source>What it moves has met an obstacle since its last command</source>
+        <translation>Was er bewegt, ist seit seinem letzten Kommando auf ein Hindernis gestoßen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::BaseStateView</name>
@@ -8252,6 +8284,10 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     <message>
         <source>value</source>
         <translation>Wert</translation>
+    </message>
+    <message>
+        <source>There is no sensor %1 in this scene. Choose another one above.</source>
+        <translation>In dieser Szene gibt es keinen Sensor %1. Wählen Sie oben einen anderen.</translation>
     </message>
 </context>
 <context>
@@ -13291,6 +13327,18 @@ Verzeichnung %8</translation>
         <source>opening angle</source>
         <translation>Öffnungswinkel</translation>
     </message>
+    <message>
+        <source>maximum of each value</source>
+        <translation>Maximum jedes Werts</translation>
+    </message>
+    <message>
+        <source>minimum of each value</source>
+        <translation>Minimum jedes Werts</translation>
+    </message>
+    <message>
+        <source>team</source>
+        <translation>Team</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PropertiesView</name>
@@ -14570,10 +14618,6 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>Adds the values of the sensor to the view Plots</source>
-        <translation>Fügt die Werte des Sensors der Ansicht Kurven hinzu</translation>
-    </message>
-    <message>
         <source>Ctrl+Alt+L</source>
         <translation>Ctrl+Alt+L</translation>
     </message>
@@ -14764,6 +14808,58 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Adds the values of the sensor to the view Plots, the first twelve of many</source>
+        <translation>Fügt die Werte des Sensors der Ansicht Kurven hinzu, von vielen die ersten zwölf</translation>
+    </message>
+    <message>
+        <source>Go to its text</source>
+        <translation>Zu seinem Text</translation>
+    </message>
+    <message>
+        <source>Shows the object in the scene editor</source>
+        <translation>Zeigt das Objekt im Szenen-Editor</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Adds another one beside it to the scene&apos;s text</source>
+        <translation>Fügt dem Text der Szene ein weiteres daneben hinzu</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Removes the object from the scene&apos;s text</source>
+        <translation>Entfernt das Objekt aus dem Text der Szene</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Renames the object in the scene&apos;s text</source>
+        <translation>Benennt das Objekt im Text der Szene um</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Neuer Name von %1:</translation>
     </message>
 </context>
 <context>
@@ -14967,6 +15063,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>%1 has no shape to be shown.</source>
         <translation>%1 hat keine Form, die gezeigt werden könnte.</translation>
+    </message>
+    <message>
+        <source>There is no &apos;%1&apos; in this scene.</source>
+        <translation>In dieser Szene gibt es kein „%1“.</translation>
     </message>
 </context>
 <context>

@@ -83,10 +83,15 @@ Rows simulationRows() {
 Rows sceneRows() {
   return {
       {"scene.hold",
-       "Holds an actuator of the simulation at a value, whatever the robot's program asks for",
+       "Holds an actuator of the simulation at a value, whatever the robot's program asks for; of one with "
+       "several values those that are left out are 0",
        {{"actuator", Type::kText, "its port, as in the view Scene tree: red1/headPan/request"},
         {"value", Type::kNumber, "rad, or m/s of the left wheels"},
-        {"second", Type::kNumber, "of actuators with two: m/s of the right wheels", 0.0}}},
+        {"second", Type::kNumber, "of actuators with two: m/s of the right wheels", 0.0},
+        {"third", Type::kNumber, "of actuators with three: rad/s", 0.0},
+        {"fourth", Type::kNumber, "of actuators with six, in m/s and rad/s", 0.0},
+        {"fifth", Type::kNumber, "of actuators with six", 0.0},
+        {"sixth", Type::kNumber, "of actuators with six", 0.0}}},
       {"scene.release",
        "Lets programs set an actuator again",
        {{"actuator", Type::kText, "its port; '': all", std::string()}}},

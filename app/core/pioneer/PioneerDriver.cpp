@@ -149,7 +149,7 @@ void PioneerDriver::configurationCame(const arcos::Configuration& configuration)
 void PioneerDriver::stateCame(const arcos::StandardInformation& information, Instant now) {
   meter_.cycle(now);
   state_ = packages_.state(client_.state(), information, now);
-  if (hasGripper_) gripper_ = gripperPackage(client_.state(), now);
+  if (hasGripper_ == true) gripper_ = gripperPackage(client_.state(), now);
   if (auto sonars = packages_.sonars(information, client_.type().range, now)) sonars_ = std::move(sonars);
 }
 
@@ -248,6 +248,11 @@ robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive&
     if (!found) return tl::unexpected(found.error());
     packets.insert(packets.end(), found->begin(), found->end());
   }
+  const auto moves = [](const arcos::Packet& packet) {
+    return packet.id == static_cast<std::uint8_t>(CommandId::kGripper);
+  };
+  if (hasGripper_ == false && std::ranges::any_of(packets, moves))
+    return robotlink::failure("drive.no-gripper", "the robot has no gripper");
   if (details.has_motors()) {
     if (details.motors() && held_)
       return robotlink::failure("drive.stopped", "STOP is engaged; release it first");

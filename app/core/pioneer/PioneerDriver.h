@@ -152,8 +152,8 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   std::shared_ptr<const robotcontrol::SonarReadings> sonars_;
   std::shared_ptr<const foxglove::LaserScan> laser_;
   std::shared_ptr<const robotcontrol::GripperState> gripper_;
-  /// Whether the robot says in its configuration that it has a gripper.
-  bool hasGripper_ = false;
+  /// Whether the robot says in its configuration that it has a gripper; unset: it has not sent it yet.
+  std::optional<bool> hasGripper_;
   robotlink::Sender<robotcontrol::DriveState> stateSender_;
   robotlink::Sender<robotcontrol::SonarReadings> sonarSender_;
   robotlink::Sender<foxglove::LaserScan> laserSender_;

@@ -46,6 +46,7 @@ class SceneCommandsTest : public testing::Test {
     addPort("red1/wheels", "red1", true)->add_shape(2);
     addPort("red1/headPan/position", "red1", false);
     addPort("crane/hook", "crane", true);
+    addPort("drone/motion", "drone", true)->add_shape(6);
     desk_.publish("objects", all);
   }
   std::string run(const std::string& line) { return desk_.run(line); }
@@ -102,6 +103,12 @@ TEST_F(SceneCommandsTest, anActuatorIsHeldAtAsManyValuesAsItHas) {
             "robot: \"red1\" set_actuator { port: \"red1/headPan/request\" values: 0.25 }");
   EXPECT_EQ(run("scene.hold red1/wheels 0.5 --second -0.5"),
             "robot: \"red1\" set_actuator { port: \"red1/wheels\" values: 0.5 values: -0.5 }");
+  EXPECT_EQ(
+      run("scene.hold drone/motion 1 2 3 4 5 6"),
+      "set_actuator { port: \"drone/motion\" values: 1 values: 2 values: 3 values: 4 values: 5 values: 6 }");
+  EXPECT_EQ(
+      run("scene.hold drone/motion 1"),
+      "set_actuator { port: \"drone/motion\" values: 1 values: 0 values: 0 values: 0 values: 0 values: 0 }");
   EXPECT_EQ(run("scene.hold crane/hook 1"), "set_actuator { port: \"crane/hook\" values: 1 }")
       << "one of the world, not of a robot";
 }
@@ -114,8 +121,9 @@ TEST_F(SceneCommandsTest, onlyActuatorsAreHeld) {
             "'red1/headPan/request'?");
   EXPECT_EQ(run("scene.release red1/headPan/position"),
             "scene.actuator: there is no actuator red1/headPan/position; there are red1/headPan/request, "
-            "red1/wheels, crane/hook");
-  EXPECT_THAT(offered("scene.hold"), ElementsAre("red1/headPan/request", "red1/wheels", "crane/hook"));
+            "red1/wheels, crane/hook, drone/motion");
+  EXPECT_THAT(offered("scene.hold"),
+              ElementsAre("red1/headPan/request", "red1/wheels", "crane/hook", "drone/motion"));
 }
 
 TEST_F(SceneCommandsTest, oneActuatorIsReleasedOrAllAre) {

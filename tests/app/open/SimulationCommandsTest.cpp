@@ -77,6 +77,18 @@ TEST_F(SimulationCommandsTest, aKeyIsPressedAndReleased) {
             "send_event { kind: KEY_RELEASED view: \"command\" key: \"Space\" }");
 }
 
+TEST_F(SimulationCommandsTest, aKeyThatNoKeyboardHasIsRefused) {
+  EXPECT_THAT(desk_.run("simulation.key Spce"), testing::HasSubstr("did you mean 'Space'?"));
+  EXPECT_THAT(desk_.run("simulation.key blah"),
+              testing::StartsWith("simulation.key: there is no key 'blah'"));
+  EXPECT_THAT(desk_.asked, IsEmpty());
+  for (const char* key : {"A", "7", "ä", "Left"}) {
+    desk_.asked.clear();
+    desk_.run("simulation.key " + std::string(key));
+    EXPECT_EQ(desk_.asked.size(), 2U) << key;
+  }
+}
+
 TEST_F(SimulationCommandsTest, aClickGoesAlongARay) {
   desk_.run("simulation.click 1 2 3 1 2 0.5");
   ASSERT_EQ(desk_.asked.size(), 2U);

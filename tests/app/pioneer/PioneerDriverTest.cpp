@@ -234,6 +234,21 @@ TEST_F(PioneerDriverTest, packetsThatAPersonSendsMustBeWhole) {
   EXPECT_EQ(refused.error().id, "drive.packet");
 }
 
+TEST_F(PioneerDriverTest, aGripperThatTheRobotDoesNotHaveIsNotMoved) {
+  play(2);
+  const auto open = arcos::encode(arcos::toPacket(arcos::command(arcos::CommandId::kGripper, 1)));
+  robotcontrol::ControlDrive details;
+  details.add_packets(std::string(open.begin(), open.end()));
+  arcos::Configuration configuration;
+  driver_.take(arcos::toPacket(configuration), clock_.now());
+  const auto refused = driver_.control(details, clock_.now());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().id, "drive.no-gripper");
+  configuration.gripper = 2;
+  driver_.take(arcos::toPacket(configuration), clock_.now());
+  EXPECT_TRUE(driver_.control(details, clock_.now()));
+}
+
 TEST_F(PioneerDriverTest, whileSomebodyElseDrivesItListensOnly) {
   play(2);
   driver_.setOtherClient("127.0.0.1:4711", clock_.now());
