@@ -74,6 +74,18 @@ TEST_F(WorldPortsTest, portsLieBelowWhatTheyBelongTo) {
   EXPECT_EQ(camera->port().image_stream(), "red1/camera/image");
 }
 
+TEST_F(WorldPortsTest, aRobotHasItsTeamAsTheSceneSays) {
+  const auto all = worldObjects(simulation());
+  const WorldObject* robot = object(*all, "red1");
+  ASSERT_NE(robot, nullptr);
+  const auto team = std::ranges::find(robot->properties(), "team", &robotcontrol::WorldProperty::name);
+  ASSERT_NE(team, robot->properties().end());
+  EXPECT_EQ(team->text(), "red");
+  const WorldObject* ball = object(*all, "ball");
+  ASSERT_NE(ball, nullptr);
+  EXPECT_EQ(std::ranges::count(ball->properties(), "team", &robotcontrol::WorldProperty::name), 0);
+}
+
 TEST_F(WorldPortsTest, whatAFileSaysIsLocatedThere) {
   const auto all = worldObjects(simulation());
   const WorldObject* ball = object(*all, "ball");
