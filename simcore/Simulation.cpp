@@ -44,7 +44,7 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
                                                                   SimulationOptions options) {
   std::unique_ptr<Simulation> simulation(new Simulation);
   simulation->implementation_ = std::make_unique<Implementation>(std::move(scene), options);
-  if (auto fits = simulation->implementation_->checkStart(); !fits) return tl::unexpected(fits.error());
+  if (auto fits = simulation->implementation_->checkPlaces(); !fits) return tl::unexpected(fits.error());
   simulation->startControllers();
   return simulation;
 }
@@ -186,9 +186,7 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
   const int index = i.modelIndex(model);
   if (index < 0)
     return robotlink::failure("simulation.unknown-model", "there is no '" + model + "' here", {}, {model});
-  if (i.world.models[static_cast<std::size_t>(index)].type->isStatic) {
-    return robotlink::failure("simulation.static-model", "'" + model + "' is fixed", {}, {model});
-  }
+  if (auto free = i.checkFree(index); !free) return free;
   if (!isPlace(pose, posture)) {
     return robotlink::failure("simulation.place", "that place is too far away", {}, {model});
   }

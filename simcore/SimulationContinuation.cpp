@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a simulation starts, and goes on in another scene: checkStart() and takeOver() of SimulationState.h,
+// How a simulation starts, and goes on in another scene: checkPlaces() and takeOver() of SimulationState.h,
 // continueIn() and continueFrom() of Simulation.h.
 #include <algorithm>
 #include <utility>
@@ -92,17 +92,23 @@ std::vector<std::string> changedPorts(const SimulationState& before, const Simul
 
 }  // namespace
 
-robotlink::Result<void> SimulationState::checkStart() {
+bool SimulationState::wasFree(int model, const SimulationState& before) const {
+  const int was = before.modelIndex(world.models[static_cast<std::size_t>(model)].name);
+  return was < 0 || before.physics->overlappedModel(was, kMaxOverlap) < 0;
+}
+
+robotlink::Result<void> SimulationState::checkPlaces(const SimulationState* before) {
   const auto isOurs = [](const ModelInstance& model) {
     return !model.type->robot.empty() || model.type->isBall;
   };
+  const std::string verb = before != nullptr ? "' would stand inside '" : "' starts inside '";
   std::size_t pairs = 0;  // each is counted by both of its models
   for (std::size_t i = 0; i < world.models.size(); ++i) {
-    const int other = physics->overlappedModel(static_cast<int>(i), kMaxOverlap, &pairs);
-    if (other < 0) continue;
+    const int index = static_cast<int>(i), other = physics->overlappedModel(index, kMaxOverlap, &pairs);
+    if (other < 0 || (before != nullptr && !wasFree(index, *before))) continue;
     const ModelInstance& model = world.models[i];
     const ModelInstance& otherModel = world.models[static_cast<std::size_t>(other)];
-    const std::string text = "'" + model.name + "' starts inside '" + otherModel.name + "'";
+    const std::string text = "'" + model.name + verb + otherModel.name + "'";
     if (isOurs(model) || isOurs(otherModel)) {
       return robotlink::failure("scene.overlap", text + ": move one of them", model.where,
                                 {model.name, otherModel.name});
@@ -118,29 +124,35 @@ robotlink::Result<void> SimulationState::checkStart() {
   return {};
 }
 
-robotlink::Result<void> SimulationState::beginNewModels(const SimulationState& before,
-                                                        const Continuation& how) {
-  const auto isNew = [&](std::size_t i) { return before.modelIndex(world.models[i].name) < 0; };
+robotlink::Result<void> SimulationState::checkFits(const SimulationState& before) const {
+  const auto goesOn = [&](int index) {
+    const ModelInstance& model = world.models[static_cast<std::size_t>(index)];
+    const int was = before.modelIndex(model.name);
+    return was >= 0 && goesOnAs(before.world.models[static_cast<std::size_t>(was)], model);
+  };
   for (std::size_t i = 0; i < world.models.size(); ++i) {
-    const auto motion = how.motions.find(world.models[i].name);
-    if (!isNew(i) || motion == how.motions.end() || !motion->second) continue;
-    const int model = static_cast<int>(i);
-    if (physics->motionOf(model).size() == motion->second->bodies.size())
-      physics->setMotion(model, motion->second->bodies);
-  }
-  if (!how.fitsNow) return {};
-  for (std::size_t i = 0; i < world.models.size(); ++i) {
-    const int other = physics->overlappedModel(static_cast<int>(i), kMaxOverlap);
-    if (other < 0 || !(isNew(i) || isNew(static_cast<std::size_t>(other)))) continue;
-    const bool first = isNew(i);
-    const std::string& added = world.models[first ? i : static_cast<std::size_t>(other)].name;
-    const std::string& standing = world.models[first ? static_cast<std::size_t>(other) : i].name;
+    const int model = static_cast<int>(i), other = physics->overlappedModel(model, kMaxOverlap);
+    if (other < 0 || !wasFree(model, before)) continue;
+    // What goes on as it was is not what does not fit.
+    const bool isOther = goesOn(model) && !goesOn(other);
+    const std::string& added = world.models[static_cast<std::size_t>(isOther ? other : model)].name;
+    const std::string& standing = world.models[static_cast<std::size_t>(isOther ? model : other)].name;
     return robotlink::failure("scene.no-room",
                               "there is no room for '" + added + "': it would stand inside '" + standing +
                                   "'; choose another place",
                               {}, {added, standing});
   }
   return {};
+}
+
+void SimulationState::beginNewModels(const SimulationState& before, const Continuation& how) {
+  for (std::size_t i = 0; i < world.models.size(); ++i) {
+    const ModelInstance& model = world.models[i];
+    const auto motion = how.motions.find(model.name);
+    if (before.modelIndex(model.name) >= 0 || motion == how.motions.end() || !motion->second) continue;
+    if (goesOnAs(motion->second->model, model))
+      physics->setMotion(static_cast<int>(i), motion->second->bodies);
+  }
 }
 
 robotlink::Result<std::vector<std::string>> SimulationState::takeOverModels(const SimulationState& before,
@@ -159,12 +171,13 @@ robotlink::Result<std::vector<std::string>> SimulationState::takeOverModels(cons
     starts.emplace_back(now, physics->motionOf(now));
     physics->setMotion(now, before.physics->motionOf(was));
   }
-  if (auto begun = beginNewModels(before, how); !begun) return tl::unexpected(begun.error());
+  beginNewModels(before, how);
+  if (how.fitsNow) {
+    if (auto fits = checkFits(before); !fits) return tl::unexpected(fits.error());
+  }
   // A model that overlapped before, such as in a hard collision, may go on so.
   const auto isInside = [&](int model) {
-    const int was = before.modelIndex(world.models[static_cast<std::size_t>(model)].name);
-    return physics->overlappedModel(model, kMaxOverlap) >= 0 &&
-           before.physics->overlappedModel(was, kMaxOverlap) < 0;
+    return physics->overlappedModel(model, kMaxOverlap) >= 0 && wasFree(model, before);
   };
   // Each turn puts one back; with all of them back it is the start.
   while (true) {
@@ -252,13 +265,11 @@ std::map<std::string, SensorErrors> SimulationState::errorsByPath() const {
 robotlink::Result<SceneChange> Simulation::continueIn(std::shared_ptr<const Scene> scene,
                                                       const Continuation& how) {
   auto next = std::make_unique<Implementation>(std::move(scene), implementation_->options);
-  if (!how.fitsNow) {
-    if (auto fits = next->checkStart(); !fits) return tl::unexpected(fits.error());
-  }
   const bool same = PortComparison(implementation_->ports, next->ports).areSame();
   if (!same && !how.otherPorts) return SceneChange{};
   auto putBack = next->takeOver(*implementation_, how);
   if (!putBack) return tl::unexpected(putBack.error());
+  if (auto fits = next->checkPlaces(implementation_.get()); !fits) return tl::unexpected(fits.error());
   std::vector<std::string> changed;
   if (!same) changed = changedPorts(*implementation_, *next);
   next->readsForces = implementation_->readsForces;
@@ -284,9 +295,11 @@ void Simulation::goBack() {
 
 std::shared_ptr<const ModelMotion> Simulation::motionOf(const std::string& model) const {
   const int index = implementation_->modelIndex(model);
-  if (index < 0 || implementation_->world.models[static_cast<std::size_t>(index)].type->isStatic)
-    return nullptr;
-  return std::make_shared<const ModelMotion>(ModelMotion{implementation_->physics->motionOf(index)});
+  if (index < 0) return nullptr;
+  const ModelInstance& instance = implementation_->world.models[static_cast<std::size_t>(index)];
+  if (instance.type->isStatic) return nullptr;
+  return std::make_shared<const ModelMotion>(
+      ModelMotion{instance, implementation_->physics->motionOf(index)});
 }
 
 std::vector<std::string> Simulation::continueFrom(const Simulation& before) {

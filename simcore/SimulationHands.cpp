@@ -22,6 +22,10 @@ auto unusable(const std::string& path) {
   return failure("simulation.hand", "the numbers for '" + path + "' are too large", {}, {path});
 }
 
+robotlink::Error fixedModel(const std::string& name) {
+  return {"simulation.static-model", "'" + name + "' is fixed to the world", {name}, {}};
+}
+
 /// The part of a path before the first slash, and the name of the link behind it; see WorldObject.path.
 std::pair<std::string, std::string> splitPath(const std::string& path) {
   const auto slash = path.find('/');
@@ -34,6 +38,13 @@ std::pair<std::string, std::string> splitPath(const std::string& path) {
 
 }  // namespace
 
+robotlink::Result<void> SimulationState::checkFree(int model) const {
+  const ModelInstance& instance = world.models[static_cast<std::size_t>(model)];
+  if (instance.type->isStatic || instance.type->isFixedToWorld())
+    return tl::unexpected(fixedModel(instance.name));
+  return {};
+}
+
 robotlink::Result<int> SimulationState::movableModel(const std::string& name) const {
   const int index = modelIndex(name);
   if (index < 0) {
@@ -42,8 +53,7 @@ robotlink::Result<int> SimulationState::movableModel(const std::string& name) co
     return failure("simulation.unknown-model",
                    "there is no '" + name + "' here" + robotlink::suggestion(name, all), {}, {name});
   }
-  if (world.models[static_cast<std::size_t>(index)].type->isStatic)
-    return failure("simulation.static-model", "'" + name + "' is fixed", {}, {name});
+  if (world.models[static_cast<std::size_t>(index)].type->isStatic) return tl::unexpected(fixedModel(name));
   if (!physics->isMovedByForces(index)) {
     return failure("simulation.kinematic-model",
                    "'" + name + "' follows its odometry, so that forces do not move it; it can be placed", {},
@@ -83,8 +93,8 @@ robotlink::Result<void> Simulation::turnModel(const std::string& model, double h
                                               double pitch) {
   Implementation& i = *implementation_;
   const int index = i.modelIndex(model);
-  if (index < 0 || i.world.models[static_cast<std::size_t>(index)].type->isStatic)
-    return tl::unexpected(i.movableModel(model).error());
+  if (index < 0) return tl::unexpected(i.movableModel(model).error());
+  if (auto free = i.checkFree(index); !free) return free;
   if (!isUsable({heading, roll, pitch})) return unusable(model);
   i.note(CommandKind::kTurn, 0, {heading, roll, pitch}, model);
   const Eigen::Translation3d origin(i.physics->modelInWorld(index).translation());
@@ -98,6 +108,7 @@ robotlink::Result<void> Simulation::throwModel(const std::string& model, const V
   Implementation& i = *implementation_;
   const auto index = i.movableModel(model);
   if (!index) return tl::unexpected(index.error());
+  if (auto free = i.checkFree(*index); !free) return free;
   if (!isUsable(velocity) || !isUsable(spin)) return unusable(model);
   i.note(CommandKind::kThrow, 0, {velocity.x(), velocity.y(), velocity.z(), spin.x(), spin.y(), spin.z()},
          model);

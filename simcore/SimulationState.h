@@ -77,6 +77,8 @@ struct TimedSensor {
 };
 
 struct ModelMotion {
+  /// The model that moves so.
+  ModelInstance model;
   std::vector<Physics::BodyMotion> bodies;
 };
 
@@ -307,6 +309,8 @@ struct SimulationState {
   mutable std::optional<std::uint64_t> knownFingerprint;
   /// Moves a model unless it does not fit there; then nothing has changed.
   robotlink::Result<void> tryMove(int model, const Pose3& transform);
+  /// Fails if a model is fixed to the world, so that it cannot be put elsewhere.
+  robotlink::Result<void> checkFree(int model) const;
   /// The body of a link by its path, or the first body of a model by its name; fails unless forces move it.
   robotlink::Result<std::size_t> movableBody(const std::string& path) const;
   /// The index of a model that forces move.
@@ -327,8 +331,13 @@ struct SimulationState {
   /// The past is that of another world.
   void beginRewindAnew();
 
-  /// Fails if a robot or a ball starts inside another model; notes other overlaps.
-  robotlink::Result<void> checkStart();
+  /// Fails if a robot or a ball is inside another model at its start or, if it goes on from `before`, where
+  /// it is now; notes other overlaps. What was inside before may go on so.
+  robotlink::Result<void> checkPlaces(const SimulationState* before = nullptr);
+  /// Fails if a model is inside another one and was not before.
+  robotlink::Result<void> checkFits(const SimulationState& before) const;
+  /// Whether a model overlaps none in `before`, or is not there.
+  bool wasFree(int model, const SimulationState& before) const;
   /// Takes over how models, servos and drives stand and move from another world; see
   /// Simulation::continueIn().
   robotlink::Result<std::vector<std::string>> takeOver(const SimulationState& before,
@@ -336,8 +345,8 @@ struct SimulationState {
   /// Returns the models that stay at their start; adds the others to `kept`.
   robotlink::Result<std::vector<std::string>> takeOverModels(const SimulationState& before,
                                                              const Continuation& how, std::vector<int>& kept);
-  /// Moves new models as they are to begin. Fails if they have to fit now, and one does not.
-  robotlink::Result<void> beginNewModels(const SimulationState& before, const Continuation& how);
+  /// Moves new models as they are to begin.
+  void beginNewModels(const SimulationState& before, const Continuation& how);
   /// The errors of sensors that somebody chose, by the paths of their ports.
   std::map<std::string, SensorErrors> errorsByPath() const;
   void takeOverPorts(const SimulationState& before, const std::vector<int>& kept);

@@ -42,7 +42,7 @@ PlatformThread::LoadHandler OpenPlatform::outcomeOf(Change change, std::shared_p
   if (change == Change::kPlatform) {
     if (const auto kept = keepKeys(); !kept) report({kept.error()});
   }
-  return [this, change](const auto& loaded) { outcomes_.push({change, loaded}); };
+  return [this, change](const auto& loaded) { outcomes_.push({.change = change, .loaded = loaded}); };
 }
 
 void OpenPlatform::open(PlatformOpening opening) {
@@ -90,13 +90,31 @@ void OpenPlatform::close() {
 }
 
 void OpenPlatform::reloadScene(const FileTexts& texts) {
+  goOnIn(texts, false, {});
+}
+
+void OpenPlatform::readSceneAgain() {
+  reloadScene();
+  if (onSceneRead_) onSceneRead_();
+}
+
+void OpenPlatform::fitScene(const FileTexts& texts, std::function<void(const robotlink::Errors&)> refused) {
+  goOnIn(texts, true, std::move(refused));
+}
+
+void OpenPlatform::goOnIn(const FileTexts& texts, bool mustFit,
+                          std::function<void(const robotlink::Errors&)> refused) {
   const auto anew = [texts](const LoadedPlatform& loaded) {
     return SimulationFeed::opening(loaded.sources.front(),
                                    [texts](RunOptions& options) { options.texts = texts; });
   };
   if (const auto kept = keepKeys(); !kept) report({kept.error()});
-  platform_.reload(texts, anew, outcomeOf(Change::kScene), [this](const auto& loaded) {
-    outcomes_.push({Change::kPlatform, loaded});
+  openings_.push_back(nullptr);
+  const auto inPlace = [this, refused = std::move(refused)](const auto& loaded) {
+    outcomes_.push({.change = Change::kScene, .loaded = loaded, .refused = refused});
+  };
+  platform_.reload(texts, mustFit, anew, inPlace, [this](const auto& loaded) {
+    outcomes_.push({.change = Change::kPlatform, .loaded = loaded});
   });
 }
 
@@ -235,6 +253,7 @@ void OpenPlatform::apply(Outcome outcome) {
   if (outcome.change != Change::kRobots) openings_.pop_front();
   if (!outcome.loaded) {
     const robotlink::Errors& errors = outcome.loaded.error();
+    if (outcome.refused) return outcome.refused(errors);
     if (bodyQuestion_.ask(errors)) return;
     openingErrors_ = errors;
     const bool wanted =

@@ -59,6 +59,13 @@ class OpenPlatform {
   /// Reads the scene of the simulation again, which was edited, and goes on in it; if its robots are others
   /// now, it is opened from the start. `texts` count instead of files until it is loaded again.
   void reloadScene(const FileTexts& texts = {});
+  /// reloadScene() with the files as they are saved, whoever edits them.
+  void readSceneAgain();
+  /// Called by readSceneAgain().
+  void onSceneRead(std::function<void()> handler) { onSceneRead_ = std::move(handler); }
+  /// The same as reloadScene() if everything fits between what is there now; otherwise tick() calls `refused`
+  /// with all reasons, which onErrors() does not get then.
+  void fitScene(const FileTexts& texts, std::function<void(const robotlink::Errors&)> refused);
   /// Restarts the robots' programs in another layout; with a name only those of that robot or team of a
   /// simulation.
   void setLayout(const std::filesystem::path& file, const std::string& name = {});
@@ -140,11 +147,15 @@ class OpenPlatform {
   struct Outcome {
     Change change;
     tl::expected<LoadedPlatform, robotlink::Errors> loaded;
+    /// Empty: errors are reported.
+    std::function<void(const robotlink::Errors&)> refused = {};
   };
   /// The function that updates an opening.
   static logplayer::LogFile::Progress progressOf(std::shared_ptr<Opening> opening);
   /// Returns a handler that enqueues the result for tick(), after `opening` was added to openings_.
   PlatformThread::LoadHandler outcomeOf(Change change, std::shared_ptr<Opening> opening = nullptr);
+  /// See reloadScene() and fitScene().
+  void goOnIn(const FileTexts& texts, bool mustFit, std::function<void(const robotlink::Errors&)> refused);
   /// Applies a result from the platform's thread.
   void apply(Outcome outcome);
   /// Tells the session of the robots of the platform and of those elsewhere.
@@ -171,6 +182,7 @@ class OpenPlatform {
   /// handlers of the answers, which count down.
   std::map<std::string, std::shared_ptr<int>> keysToSwitchOn_;
   std::function<void(const LoadedPlatform&)> onLoaded_;
+  std::function<void()> onSceneRead_;
   std::function<void()> onRemoteRobots_;
   std::function<void(const robotlink::Errors&)> onErrors_;
   /// What the results to come are about, in their order; null where no file is read.

@@ -59,7 +59,7 @@ class PlatformThread {
   void setLayout(std::filesystem::path file, LoadHandler handler, std::string name = {});
   /// Reads the file of what runs again and goes on in it, see PlatformFeed::reload(); where that is
   /// impossible what `anew` returns is opened instead, as open() does. One of the handlers is called.
-  void reload(FileTexts texts, std::function<PlatformOpening(const LoadedPlatform&)> anew,
+  void reload(FileTexts texts, bool mustFit, std::function<PlatformOpening(const LoadedPlatform&)> anew,
               LoadHandler inPlace, LoadHandler opened);
   /// Ends the platform, as the destructor does; none runs then.
   void close(LoadHandler handler);

@@ -32,9 +32,24 @@ std::vector<std::string> models(OpenPlatform& open) {
   return {status->models().begin(), status->models().end()};
 }
 
+const robotcontrol::WorldObjects* objects(OpenPlatform& open) {
+  return open.session().store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
+                                                                     open.session().timeline().newest());
+}
+
+/// Whether there is a model of this name.
+bool isModel(OpenPlatform& open, const std::string& name) {
+  const auto* all = objects(open);
+  return all != nullptr && std::ranges::any_of(all->objects(), [&](const robotcontrol::WorldObject& object) {
+           return object.path() == name && object.model() == name;
+         });
+}
+
 Result<void> place(OpenPlatform& open, const Values& values) {
   const std::string& model = text(values, 0);
   const auto known = models(open);
+  if (std::ranges::find(known, model) == known.end() && isModel(open, model))
+    return failure("scene.model", "'" + model + "' is fixed to the world", {}, {model});
   if (known.empty())
     return failure("scene.none", "there is no simulation in which something could be placed; open a scene");
   if (std::ranges::find(known, model) == known.end()) {
@@ -54,11 +69,6 @@ Result<void> place(OpenPlatform& open, const Values& values) {
   details.set_pitch(number(values, 6));
   open.ask(std::move(request));
   return {};
-}
-
-const robotcontrol::WorldObjects* objects(OpenPlatform& open) {
-  return open.session().store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
-                                                                     open.session().timeline().newest());
 }
 
 /// The ports of all actuators; empty without a simulation.
@@ -261,7 +271,7 @@ std::vector<std::string> addable(OpenPlatform& open) {
 
 Result<void> reload(OpenPlatform& open) {
   if (auto simulated = whetherSimulated(open); !simulated) return simulated;
-  open.reloadScene();
+  open.readSceneAgain();
   return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -176,6 +177,11 @@ struct ModelDescription {
   MotionMode motion = MotionMode::kUnset;
   std::vector<HomeDescription> homes;
   std::vector<ControllerDescription> controllers;
+  /// Whether a joint holds it at the world, so that it cannot be elsewhere, whatever its links do: a
+  /// pendulum, a door with its frame.
+  bool isFixedToWorld() const {
+    return std::ranges::any_of(joints, [](const JointDescription& joint) { return joint.parent < 0; });
+  }
 };
 
 /// A model in the world.

@@ -178,6 +178,48 @@ TEST_F(SceneChangeTest, aModelThatIsAddedHasToFitBetweenThoseThatAreThereNow) {
   EXPECT_NEAR(position("other").x(), 1, 1e-9);
 }
 
+TEST_F(SceneChangeTest, whereSomethingStartedIsNotInTheWayWhenItHasMoved) {
+  std::string stone = ball("stone", "0 0 0.05 0 0 0");
+  stone.insert(stone.find("<pose>"), "<robotcontrol:ball>true</robotcontrol:ball>");
+  start(stone);
+  run(10);
+  const auto crate = sceneOf(stone + box("crate", "0 0 0.2 0 0 0"));
+  EXPECT_FALSE(simulation_->continueIn(crate, {.fitsNow = true}).has_value()) << "it is still there";
+  ASSERT_TRUE(simulation_->placeModel("stone", {2, 0, 0}).has_value());
+  run(10);
+  const auto change = simulation_->continueIn(crate, {.fitsNow = true});
+  ASSERT_TRUE(change.has_value()) << change.error().text;
+  EXPECT_THAT(change->putBack, IsEmpty());
+  EXPECT_NEAR(position("stone").x(), 2, 1e-3);
+}
+
+TEST_F(SceneChangeTest, whatIsMovedHasToFitBetweenThoseThatAreThereNow) {
+  const std::string stone = ball("stone", "0 0 0.05 0 0 0");
+  start(stone + box("crate", "2 0 0.2 0 0 0"));
+  run(10);
+  const auto refused =
+      simulation_->continueIn(sceneOf(stone + box("crate", "0.1 0 0.2 0 0 0")), {.fitsNow = true});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().text,
+            "there is no room for 'crate': it would stand inside 'stone'; choose another place");
+  EXPECT_NEAR(position("crate").x(), 2, 1e-9);
+}
+
+TEST_F(SceneChangeTest, aMotionIsOnlyThatOfTheSameModel) {
+  const std::string stone = ball("stone", "0 0 1 0 0 0");
+  start(stone);
+  run(20);
+  const auto motion = simulation_->motionOf("stone");
+  const double height = position("stone").z();
+  ASSERT_TRUE(simulation_->continueIn(sceneOf("")).has_value());
+  ASSERT_TRUE(
+      simulation_->continueIn(sceneOf(ball("stone", "1 0 1 0 0 0")), {.motions = {{"stone", motion}}}));
+  EXPECT_NEAR(position("stone").z(), 1, 1e-9) << "its file puts it elsewhere";
+  ASSERT_TRUE(simulation_->continueIn(sceneOf("")).has_value());
+  ASSERT_TRUE(simulation_->continueIn(sceneOf(stone), {.motions = {{"stone", motion}}}));
+  EXPECT_NEAR(position("stone").z(), height, 1e-9);
+}
+
 TEST_F(SceneChangeTest, aChangeCanBeTakenBackBeforeTheNextStep) {
   start(ball("stone", "0 0 1 0 0 0") + ball("other", "1 0 1 0 0 0"));
   run(20);

@@ -103,6 +103,22 @@ TEST(SimulationHands, objectsThatForcesDoNotMoveAreRefused) {
   EXPECT_FALSE(simulation->push("box", {1, 0, 0}, {0, 0, 0}, -1));
 }
 
+TEST(SimulationHands, whatAJointHoldsAtTheWorldStaysThere) {
+  const auto simulation = cartWith("", "", R"(<model name="pendulum"><pose>0 2 1 0 0 0</pose><link name="bob">
+      <inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial></link>
+      <joint name="pivot" type="revolute"><parent>world</parent><child>bob</child><axis><xyz>1 0 0</xyz></axis>
+      </joint></model>)");
+  ASSERT_TRUE(simulation);
+  for (const auto& done :
+       {simulation->placeModel("pendulum", {3, 3, 0}), simulation->turnModel("pendulum", 1, 0, 0),
+        simulation->throwModel("pendulum", {0, 1, 0}, {0, 0, 0})}) {
+    ASSERT_FALSE(done.has_value());
+    EXPECT_EQ(done.error().text, "'pendulum' is fixed to the world");
+  }
+  EXPECT_EQ(centerOf(*simulation, "pendulum"), Vector3(0, 2, 1));
+  EXPECT_TRUE(simulation->push("pendulum", {0, 1, 0}, {0, 0, 0}, 1).has_value()) << "it can swing";
+}
+
 TEST(SimulationHands, contactForcesCarryTheWeight) {
   const auto simulation = withBox();
   ASSERT_TRUE(simulation);

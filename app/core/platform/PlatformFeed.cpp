@@ -52,7 +52,7 @@ robotlink::Errors PlatformFeed::setLayoutOf(const std::string& name, const std::
        {}}};
 }
 
-tl::expected<bool, robotlink::Errors> PlatformFeed::reload(FileTexts) {
+tl::expected<bool, robotlink::Errors> PlatformFeed::reload(FileTexts, bool) {
   return tl::unexpected(
       robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
 }

@@ -121,8 +121,9 @@ class PlatformFeed {
   virtual robotlink::Errors setLayoutOf(const std::string& name, const std::filesystem::path& file);
   /// Reads the file of what runs again, which was edited, and goes on in it as far as that is possible.
   /// False: it has to be opened instead. Only simulations can do it. If it fails, everything continues as
-  /// before. `texts` count instead of files, until it is loaded again.
-  virtual tl::expected<bool, robotlink::Errors> reload(FileTexts texts);
+  /// before. `texts` count instead of files, until it is loaded again. If it `mustFit`, it fails if something
+  /// would stand inside what is there now, which is put back otherwise.
+  virtual tl::expected<bool, robotlink::Errors> reload(FileTexts texts, bool mustFit);
   /// Whether describe() tells of other robots since this was called last, because a request was fulfilled.
   virtual bool takeDescriptionChange() { return false; }
   /// Describes what runs now.

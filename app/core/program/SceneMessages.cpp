@@ -145,10 +145,14 @@ std::vector<std::string> movableModels(const simcore::Simulation& simulation) {
   for (const auto& robot : simulation.scene().robots()) models.push_back(robot.name);
   const auto& balls = simulation.scene().balls();
   models.insert(models.end(), balls.begin(), balls.end());
-  for (const simcore::SceneModel& model : simulation.scene().models()) {
-    if (!model.isStatic && std::ranges::find(models, model.name) == models.end())
-      models.push_back(model.name);
+  const auto& all = simulation.scene().world().models;
+  for (const simcore::ModelInstance& model : all) {
+    if (std::ranges::find(models, model.name) == models.end()) models.push_back(model.name);
   }
+  std::erase_if(models, [&](const std::string& name) {
+    const auto model = std::ranges::find(all, name, &simcore::ModelInstance::name);
+    return model == all.end() || model->type->isStatic || model->type->isFixedToWorld();
+  });
   return models;
 }
 

@@ -55,7 +55,7 @@ std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::Groun
 std::shared_ptr<const robotcontrol::WorldForces> forcesMessage(const simcore::Simulation& simulation,
                                                                robotlink::Instant at);
 
-/// The names of the models that the user may move: all robots and balls.
+/// The names of the models that the user may move: robots and balls first; not what is fixed to the world.
 std::vector<std::string> movableModels(const simcore::Simulation& simulation);
 
 }  // namespace app

@@ -13,6 +13,7 @@
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace app {
 
@@ -26,15 +27,15 @@ bool containsName(const std::vector<std::string>& names, const std::string& name
 
 }  // namespace
 
-tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::reload(simcore::SceneTexts texts) {
+tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::reload(simcore::SceneTexts texts, bool mustFit) {
   std::swap(options_.texts, texts);
-  auto done = goOn();
+  auto done = goOn(mustFit);
   // What cannot be run must not be met again by the next one that reads the scene.
   if (!done) std::swap(options_.texts, texts);
   return done;
 }
 
-tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn() {
+tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn(bool mustFit) {
   auto scene = readScene();
   if (!scene) return tl::unexpected(std::move(scene.error()));
   const simcore::Scene& before = world_->simulation().scene();
@@ -44,8 +45,19 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn() {
   if (isOther) return Reloaded{};
   // Controllers are made anew, and may fail again.
   endedControllers_.clear();
-  auto done = goOnIn(withEdits(*scene), {});
-  if (done) read_ = *scene;
+  const auto next = withEdits(*scene);
+  const auto isThere = [&](const std::string& name) {
+    return std::ranges::find(next->world().models, name, &simcore::ModelInstance::name) !=
+           next->world().models.end();
+  };
+  auto motions = goneMotions_;
+  for (const auto& model : before.world().models) {
+    if (!isThere(model.name)) motions[model.name] = world_->simulation().motionOf(model.name);
+  }
+  auto done = goOnIn(next, {.fitsNow = mustFit, .motions = goneMotions_});
+  if (!done) return done;
+  read_ = *scene;
+  goneMotions_ = std::move(motions);
   return done;
 }
 

@@ -364,6 +364,7 @@ Errors SimulatedRun::restart(std::uint64_t seed, const std::map<std::string, Pro
   // Their processes must not read a clock that jumps.
   stopPrograms();
   world_->reset(seed);
+  goneMotions_.clear();
   programTime_ = {};
   for (const auto& robot : robots_) {
     if (overrides != nullptr && overrides->contains(robot->name())) {

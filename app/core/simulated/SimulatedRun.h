@@ -213,9 +213,10 @@ class SimulatedRun {
   };
   /// Reads the scene's files again, with texts that count instead of them, and goes on in it: time, poses,
   /// joint angles and velocities of models that have not changed stay, and so do the programs with all that
-  /// they know. What was added, removed or duplicated since it was opened is so in it, too. Fails with all
-  /// errors of the file; then everything continues as before.
-  tl::expected<Reloaded, robotlink::Errors> reload(simcore::SceneTexts texts = {});
+  /// they know. What was added, removed or duplicated since it was opened is so in it, too. A model that was
+  /// in it before stands and moves again as it did. Fails with all errors of the file, and if something does
+  /// not fit that must; then everything continues as before.
+  tl::expected<Reloaded, robotlink::Errors> reload(simcore::SceneTexts texts = {}, bool mustFit = false);
 
   // Changes of the models that there are, between two steps; the file of the scene stays as it is. The
   // program of a robot starts and ends with it, all others go on. The same change at the same step gives the
@@ -356,7 +357,7 @@ class SimulatedRun {
   /// Reads the scene of the options, with the robots that are added to it.
   tl::expected<std::shared_ptr<const simcore::Scene>, robotlink::Errors> readScene();
   /// reload() with the texts of the options.
-  tl::expected<Reloaded, robotlink::Errors> goOn();
+  tl::expected<Reloaded, robotlink::Errors> goOn(bool mustFit);
   /// Goes on in another scene with the same field and map, with the robots that it has.
   tl::expected<Reloaded, robotlink::Errors> goOnIn(std::shared_ptr<const simcore::Scene> scene,
                                                    simcore::Continuation how);
@@ -423,6 +424,8 @@ class SimulatedRun {
   std::unique_ptr<SimulatedWorld> world_;
   /// The scene as its file described it when it was read last.
   std::shared_ptr<const simcore::Scene> read_;
+  /// How models moved, by name, that are in the scene no more after its file was edited.
+  std::map<std::string, std::shared_ptr<const simcore::ModelMotion>> goneMotions_;
   /// The newest last.
   std::vector<Edit> edits_;
   /// Null if there are none.

@@ -372,8 +372,8 @@ robotlink::Result<void> SimulationFeed::controlSimulation(const robotcontrol::Re
   return {};
 }
 
-tl::expected<bool, robotlink::Errors> SimulationFeed::reload(FileTexts texts) {
-  auto done = run_->reload(std::move(texts));
+tl::expected<bool, robotlink::Errors> SimulationFeed::reload(FileTexts texts, bool mustFit) {
+  auto done = run_->reload(std::move(texts), mustFit);
   if (!done) return tl::unexpected(std::move(done.error()));
   if (!done->inPlace) return false;
   useWorld();

@@ -59,7 +59,7 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   robotlink::Errors setLayoutOf(const std::string& name, const std::filesystem::path& file) override;
   /// Also publishes the scene, and which models could not keep their state.
-  tl::expected<bool, robotlink::Errors> reload(FileTexts texts) override;
+  tl::expected<bool, robotlink::Errors> reload(FileTexts texts, bool mustFit) override;
   bool takeDescriptionChange() override { return std::exchange(descriptionChanged_, false); }
   LoadedPlatform describe() const override;
   void publishStatus() override;

@@ -73,7 +73,7 @@ class FakeFeed final : public PlatformFeed {
     loaded_.layout = file;
     return {};
   }
-  tl::expected<bool, robotlink::Errors> reload(FileTexts) override {
+  tl::expected<bool, robotlink::Errors> reload(FileTexts, bool) override {
     if (notes_->reload == FeedNotes::Reload::kFails)
       return tl::unexpected(robotlink::Errors{{"scene.bad", "the scene is bad", {}, {}}});
     return notes_->reload == FeedNotes::Reload::kInPlace;

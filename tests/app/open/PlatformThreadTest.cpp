@@ -252,7 +252,7 @@ TEST_F(PlatformThreadTest, aSceneIsReadAgainInPlaceOrOpenedOrNeither) {
     const auto promised = std::make_shared<std::promise<std::pair<std::string, Loaded>>>();
     auto result = promised->get_future();
     thread_->reload(
-        {},
+        {}, false,
         [this](const LoadedPlatform& loaded) {
           return fakeOpening(fakePlatform(loaded.title + " anew"), notes_);
         },
