@@ -12,6 +12,7 @@
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneDialogs.h"
 #include "widgets/sceneedit/SceneEdits.h"
+#include "widgets/sceneedit/SceneFile.h"
 
 namespace app {
 namespace {
@@ -30,11 +31,17 @@ void MainWindow::createScenes(const std::filesystem::path& userFolder) {
     if (!bad) forgetErrors("scene.failed");
   });
   widgets::sceneEdits(context_).setHost(
-      [this](const widgets::SceneEdits::Texts& unsaved) -> robotlink::Result<void> {
+      [this](const widgets::SceneEdits::Texts& unsaved,
+             const widgets::SceneEdits::Refused& refused) -> robotlink::Result<void> {
         const LoadedPlatform* loaded = workbench_.loaded();
         if (loaded == nullptr || !loaded->isSimulated() || loaded->sources.empty())
           return robotlink::failure("scene.file", "no scene is open here that could go on");
-        workbench_.reloadScene(unsaved);
+        if (!refused) {
+          workbench_.reloadScene(unsaved);
+        } else {
+          workbench_.fitScene(
+              unsaved, [refused](const robotlink::Errors& errors) { refused(robotlink::describe(errors)); });
+        }
         return {};
       },
       [this](const std::filesystem::path& file) {
@@ -42,6 +49,19 @@ void MainWindow::createScenes(const std::filesystem::path& userFolder) {
         return loaded != nullptr && loaded->isSimulated() && !loaded->sources.empty() &&
                isFileOfScene(file, loaded->sources.front(), robotlink::resource("scenes/models"));
       });
+  workbench_.onSceneRead([this, &bench] {
+    QStringList names;
+    for (const widgets::SceneFile* file : bench.files()) {
+      if (file->isChanged() && bench.isRunning(*file)) names << file->name();
+    }
+    if (names.isEmpty()) return;
+    const QString all = names.join(QStringLiteral(", "));
+    statusBar()->showMessage(
+        tr("The simulation goes on with what is saved. The editor keeps unsaved changes: %1; "
+           "scene.apply has it go on with them.")
+            .arg(all),
+        kSceneMessageShownMs);
+  });
   bench.startRecovery(userFolder / "scenes");
 }
 

@@ -41,8 +41,12 @@ std::optional<widgets::SceneElement> SceneSpecification::element(const Path& pat
 std::vector<widgets::SceneProblem> SceneSpecification::check(const std::string& text,
                                                              const std::filesystem::path& file) const {
   std::vector<widgets::SceneProblem> problems;
-  for (const SceneTextFinding& one : checkSceneText(text, file, folders_()))
-    problems.push_back({one.isWarning, one.error.text, one.error.where.file, one.error.where.line});
+  for (const SceneTextFinding& one : checkSceneText(text, file, folders_())) {
+    const robotlink::Error& error = one.error;
+    const bool isOverlap = error.id == "scene.overlap";
+    problems.push_back({one.isWarning, error.text, error.where.file, error.where.line,
+                        isOverlap ? error.arguments : std::vector<std::string>()});
+  }
   return problems;
 }
 

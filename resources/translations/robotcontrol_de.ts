@@ -3651,6 +3651,10 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <source>Starts a room with walls, light, and a robot in the scene editor</source>
         <translation>Beginnt im Szeneneditor einen Raum mit Wänden, Licht und einem Roboter</translation>
     </message>
+    <message>
+        <source>The simulation goes on with what is saved. The editor keeps unsaved changes: %1; scene.apply has it go on with them.</source>
+        <translation>Die Simulation geht mit dem weiter, was gespeichert ist. Der Editor behält nicht gespeicherte Änderungen: %1; mit scene.apply geht sie mit ihnen weiter.</translation>
+    </message>
 </context>
 <context>
     <name>app::ManualWindow</name>
@@ -13862,6 +13866,14 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>The program ended without saving last time. Unsaved scene files were restored in the scene editor; save them to keep them.</source>
         <translation>Das Programm endete letztes Mal ohne zu speichern. Nicht gespeicherte Szenendateien wurden im Szeneneditor wiederhergestellt; speichern Sie sie, um sie zu behalten.</translation>
     </message>
+    <message>
+        <source>%1 was changed by another program, and has unsaved changes here: saving it asks which of them to keep</source>
+        <translation>%1 wurde von einem anderen Programm geändert und hat hier nicht gespeicherte Änderungen: Beim Speichern wird gefragt, welche davon bleiben sollen</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and was read again</source>
+        <translation>%1 wurde von einem anderen Programm geändert und neu gelesen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SceneCanvas</name>
@@ -13923,6 +13935,22 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>Scene files were changed and not saved: %1</source>
         <translation>Szenendateien wurden geändert und nicht gespeichert: %1</translation>
     </message>
+    <message>
+        <source>The file %1 was changed by another program since it was read here.</source>
+        <translation>Die Datei %1 wurde von einem anderen Programm geändert, seit sie hier gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Overwrite it with the text of the editor, or read it again? Undo brings the text of the editor back.</source>
+        <translation>Soll sie mit dem Text des Editors überschrieben oder neu gelesen werden? Rückgängig bringt den Text des Editors zurück.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Neu lesen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SceneEditorView</name>
@@ -13961,10 +13989,6 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>Discard changes</source>
         <translation>Änderungen verwerfen</translation>
-    </message>
-    <message>
-        <source>Reads the file from the disk again</source>
-        <translation>Liest die Datei erneut von der Platte</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -14126,6 +14150,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>There is no object around the cursor</source>
         <translation>Um die Schreibmarke ist kein Objekt</translation>
     </message>
+    <message>
+        <source>Goes back to what is saved, also in the simulation; undo brings the changes back</source>
+        <translation>Geht zu dem zurück, was gespeichert ist, auch in der Simulation; Rückgängig bringt die Änderungen zurück</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SceneEdits</name>
@@ -14148,6 +14176,14 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>Write the pose of %1</source>
         <translation>Pose von %1 schreiben</translation>
+    </message>
+    <message>
+        <source>Discard changes of %1</source>
+        <translation>Änderungen von %1 verwerfen</translation>
+    </message>
+    <message>
+        <source>The simulation goes on, but the scene cannot be opened as it begins: %1, or write where it is now into the scene (Ctrl+Shift+W)</source>
+        <translation>Die Simulation geht weiter, aber die Szene lässt sich so nicht öffnen: %1, oder schreiben Sie in die Szene, wo es jetzt ist (Strg+Umschalt+W)</translation>
     </message>
 </context>
 <context>

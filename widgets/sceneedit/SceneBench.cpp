@@ -22,6 +22,8 @@ namespace {
 
 /// Half a second.
 constexpr int kTicksUntilChecked = 15;
+/// How often files are looked at: once a second.
+constexpr int kTicksUntilLook = 30;
 /// How many files may include each other on the way to an object.
 constexpr int kMaxIncludes = 8;
 
@@ -99,6 +101,7 @@ std::filesystem::path SceneBench::folder() const {
 Result<SceneFile*> SceneBench::open(const std::filesystem::path& path) {
   const auto whole = wholePath(path);
   if (SceneFile* known = find(whole)) {
+    known->follow(true);
     setCurrent(known);
     return known;
   }
@@ -117,10 +120,7 @@ Result<SceneFile*> SceneBench::ensure(const std::filesystem::path& path) {
   SceneFile* const before = current_;
   const auto whole = wholePath(path);
   if (SceneFile* known = find(whole); known != nullptr && !known->isChanged()) {
-    const auto text = robotlink::readFile(whole, SceneFile::kMaxBytes);
-    const bool isOther = text && QString::fromStdString(*text).remove(QLatin1Char('\r')) != known->text();
-    if (const auto read = isOther ? known->read(whole) : Result<void>(); !read)
-      return tl::unexpected(read.error());
+    known->follow(true);
     return known;
   }
   auto opened = open(path);
@@ -184,16 +184,6 @@ Result<void> SceneBench::saveAs(const std::filesystem::path& path) {
   return {};
 }
 
-Result<void> SceneBench::discardChanges() {
-  if (current_ == nullptr) return noFile();
-  std::error_code unknown;
-  if (current_->path().empty() || !std::filesystem::exists(current_->path(), unknown)) {
-    close(*current_);
-    return {};
-  }
-  return current_->read(current_->path());
-}
-
 bool SceneBench::hasUnsaved() const {
   return std::ranges::any_of(files_, &SceneFile::isChanged);
 }
@@ -211,11 +201,16 @@ Result<void> SceneBench::saveAll() {
 
 // ---- The running scene
 
-std::filesystem::path SceneBench::runningScene() const {
+std::string SceneBench::runningName() const {
   const auto* status = context_.session.store().latestAs<robotcontrol::SimulationStatus>(
       robotlink::streams::kSimulation, context_.session.timeline().newest());
-  if (status == nullptr || status->scene().empty()) return {};
-  const auto whole = wholePath(status->scene());
+  return status == nullptr ? std::string() : status->scene();
+}
+
+std::filesystem::path SceneBench::runningScene() const {
+  const std::string name = runningName();
+  if (name.empty()) return {};
+  const auto whole = wholePath(name);
   std::error_code unknown;
   return std::filesystem::exists(whole, unknown) ? whole : std::filesystem::path();
 }
@@ -328,7 +323,25 @@ void SceneBench::tickChecks() {
     due_.erase(next);
 }
 
+void SceneBench::tickFiles() {
+  if (--ticksUntilLook_ > 0) return;
+  ticksUntilLook_ = kTicksUntilLook;
+  for (SceneFile* file : files_) {
+    if (!file->follow(false)) continue;
+    if (file->isChanged()) {
+      Q_EMIT reported(
+          tr("%1 was changed by another program, and has unsaved changes here: saving it asks which "
+             "of them to keep")
+              .arg(file->name()),
+          true);
+    } else {
+      Q_EMIT reported(tr("%1 was changed by another program, and was read again").arg(file->name()), false);
+    }
+  }
+}
+
 void SceneBench::tick() {
+  tickFiles();
   tickChecks();
   Q_EMIT ticked();
   tickRecovery();

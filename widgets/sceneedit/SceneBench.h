@@ -38,6 +38,8 @@ class SceneBench final : public QObject {
   /// Null: none is open.
   SceneFile* current() const { return current_; }
   void setCurrent(SceneFile* file);
+  /// The scene that is simulated as its platform names it; empty: none is.
+  std::string runningName() const;
   /// The file of the scene that is simulated; empty: none is, or it is not on this computer.
   std::filesystem::path runningScene() const;
   /// Whether a simulation runs that has read this file: it is its scene, or a model that its scene includes.
@@ -62,8 +64,6 @@ class SceneBench final : public QObject {
   /// Saves the current file; fails if there is none or it has no path.
   robotlink::Result<void> save();
   robotlink::Result<void> saveAs(const std::filesystem::path& path);
-  /// Reads the current file from the disk again; unsaved changes are lost.
-  robotlink::Result<void> discardChanges();
   bool hasUnsaved() const;
   /// Saves all changed files that have a path; fails at the first that cannot be saved.
   robotlink::Result<void> saveAll();
@@ -122,6 +122,8 @@ class SceneBench final : public QObject {
   robotlink::Result<void> goWithin(const QString& object, int depth);
   /// Begins the next check that is due, and takes the results of the last one.
   void tickChecks();
+  /// Reads files again that other programs have changed.
+  void tickFiles();
   void tickRecovery();
   robotlink::Result<void> restore(const std::filesystem::path& file);
 
@@ -134,6 +136,7 @@ class SceneBench final : public QObject {
   /// By file.
   std::map<SceneFile*, int> numbers_;
   int lastNumber_ = 0;
+  int ticksUntilLook_ = 0;
   /// Null before startRecovery().
   std::unique_ptr<RecoveryFile> recovery_;
   /// Ticks since the first change that is not in the recovery file; 0: there is none.

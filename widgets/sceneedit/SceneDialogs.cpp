@@ -9,6 +9,7 @@
 
 #include "widgets/sceneedit/NewSceneDialog.h"
 #include "widgets/sceneedit/SceneBench.h"
+#include "widgets/sceneedit/SceneEdits.h"
 
 namespace widgets {
 namespace {
@@ -56,6 +57,8 @@ bool newScene(SceneBench& bench, QWidget* parent) {
   NewSceneDialog dialog(*language, bench.folder() / "room.sdf", parent);
   if (dialog.exec() != QDialog::Accepted) return false;
   bench.startAnew(dialog.text(), {}, dialog.name() + QStringLiteral(".sdf"));
+  // Who asked for it goes on in the text.
+  Q_EMIT bench.lineWanted(1);
   return true;
 }
 
@@ -70,8 +73,9 @@ bool openScene(SceneBench& bench, QWidget* parent) {
 }
 
 bool saveScene(SceneBench& bench, QWidget* parent) {
-  const SceneFile* file = bench.current();
+  SceneFile* file = bench.current();
   if (file != nullptr && file->path().empty()) return saveSceneAs(bench, parent);
+  if (file != nullptr && !mayOverwriteScene(bench, *file, parent)) return false;
   return wasDone(bench, bench.save());
 }
 
@@ -92,11 +96,47 @@ bool saveSceneAs(SceneBench& bench, QWidget* parent) {
 bool saveAllScenes(SceneBench& bench, QWidget* parent) {
   const auto files = bench.files();
   for (SceneFile* file : files) {
-    if (!file->isChanged() || !file->path().empty()) continue;
+    if (!file->isChanged()) continue;
+    if (!file->path().empty()) {
+      if (!mayOverwriteScene(bench, *file, parent)) return false;
+      continue;
+    }
     bench.setCurrent(file);
     if (!saveSceneAs(bench, parent)) return false;
   }
   return wasDone(bench, bench.saveAll());
+}
+
+bool mayOverwriteScene(SceneBench& bench, SceneFile& file, QWidget* parent) {
+  if (!file.isChangedOutside()) return true;
+  QMessageBox box(QMessageBox::Warning, SceneDialogText::tr("Scene"),
+                  SceneDialogText::tr("The file %1 was changed by another program since it was read here.")
+                      .arg(file.name()),
+                  QMessageBox::Cancel, parent);
+  box.setObjectName(QStringLiteral("sceneChangedOutside"));
+  box.setInformativeText(
+      SceneDialogText::tr("Overwrite it with the text of the editor, or read it again? Undo "
+                          "brings the text of the editor back."));
+  const auto* overwrite = box.addButton(SceneDialogText::tr("Overwrite"), QMessageBox::DestructiveRole);
+  const auto* again = box.addButton(SceneDialogText::tr("Read again"), QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  if (box.clickedButton() == overwrite) {
+    // From now on it is what is replaced.
+    return wasDone(bench, file.readAgain().map([](const QString&) {}));
+  }
+  return box.clickedButton() == again && wasDone(bench, sceneEdits(bench.context()).discard(file));
+}
+
+bool discardScene(SceneBench& bench, QWidget* parent) {
+  SceneFile* file = bench.current();
+  if (file == nullptr) return false;
+  std::error_code unknown;
+  if (!file->path().empty() && std::filesystem::exists(file->path(), unknown))
+    return wasDone(bench, sceneEdits(bench.context()).discard(*file));
+  if (!mayLoseScene(bench, parent)) return false;
+  if (file->isChanged()) bench.close(*file);
+  return true;
 }
 
 bool mayLoseScene(SceneBench& bench, QWidget* parent) {

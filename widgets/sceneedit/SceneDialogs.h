@@ -6,6 +6,7 @@ class QWidget;
 namespace widgets {
 
 class SceneBench;
+class SceneFile;
 
 // Dialogs about scene files. Each returns whether it was done; what fails is reported by the bench.
 
@@ -14,6 +15,11 @@ bool newScene(SceneBench& bench, QWidget* parent);
 bool openScene(SceneBench& bench, QWidget* parent);
 /// Saves the current file, and asks for a name if it has none.
 bool saveScene(SceneBench& bench, QWidget* parent);
+/// Asks whether a file that another program has changed is to be overwritten, or read again, if so it is;
+/// true: it may be saved.
+bool mayOverwriteScene(SceneBench& bench, SceneFile& file, QWidget* parent);
+/// Goes back to what is saved, which can be undone; asks before it closes a text that has no file.
+bool discardScene(SceneBench& bench, QWidget* parent);
 bool saveSceneAs(SceneBench& bench, QWidget* parent);
 /// Saves all changed files, and asks for the names that are missing.
 bool saveAllScenes(SceneBench& bench, QWidget* parent);

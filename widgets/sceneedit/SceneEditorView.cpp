@@ -80,8 +80,10 @@ void SceneEditorView::createFileActions() {
   open_ = makeAction(this, "open", {"sceneOpen", tr("Open…"), tr("Opens a scene, a model or a map")});
   save_ = makeAction(this, "save", {"sceneSave", tr("Save"), tr("Saves the file"), QKeySequence::Save});
   saveAs_ = makeAction(this, "save", {"sceneSaveAs", tr("Save as…"), tr("Saves the text to another file")});
-  discard_ = makeAction(this, "reset",
-                        {"sceneDiscard", tr("Discard changes"), tr("Reads the file from the disk again")});
+  discard_ =
+      makeAction(this, "reset",
+                 {"sceneDiscard", tr("Discard changes"),
+                  tr("Goes back to what is saved, also in the simulation; undo brings the changes back")});
 }
 
 void SceneEditorView::createEditActions() {
@@ -188,7 +190,7 @@ void SceneEditorView::connectActions() {
   connect(open_, &QAction::triggered, this, [this] { openScene(bench_, this); });
   connect(save_, &QAction::triggered, this, [this] { saveScene(bench_, this); });
   connect(saveAs_, &QAction::triggered, this, [this] { saveSceneAs(bench_, this); });
-  connect(discard_, &QAction::triggered, this, [this] { showFailure(bench_.discardChanges()); });
+  connect(discard_, &QAction::triggered, this, [this] { discardScene(bench_, this); });
   connect(undo_, &QAction::triggered, text_, &QPlainTextEdit::undo);
   connect(redo_, &QAction::triggered, text_, &QPlainTextEdit::redo);
   connect(find_, &QAction::triggered, findBar_, &FindBar::open);
@@ -372,8 +374,9 @@ void SceneEditorView::addInclude(const QString& uri, const QString& name) {
 }
 
 void SceneEditorView::saveAndRun() {
-  const SceneFile* file = bench_.current();
+  SceneFile* file = bench_.current();
   if (file == nullptr || (file->path().empty() && !saveSceneAs(bench_, this))) return;
+  if (!mayOverwriteScene(bench_, *file, this)) return;
   showFailure(bench_.run());
 }
 

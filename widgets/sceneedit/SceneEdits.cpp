@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/sceneedit/SceneEdits.h"
 
-#include <QPointer>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 
-#include "robotcontrol/Debugging.pb.h"
-#include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/session/Session.h"
 #include "widgets/View.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneFile.h"
 #include "widgets/sceneedit/SceneLanguage.h"
 #include "widgets/sceneedit/SceneObjects.h"
+#include "widgets/world/ObjectPose.h"
 
 namespace widgets {
 
@@ -69,8 +69,7 @@ SceneEdits::SceneEdits(SceneBench& bench) : QObject(&bench), bench_(bench) {
 }
 SceneEdits::~SceneEdits() = default;
 
-void SceneEdits::setHost(std::function<Done(const Texts&)> goOn,
-                         std::function<bool(const std::filesystem::path&)> mayWrite) {
+void SceneEdits::setHost(GoOn goOn, std::function<bool(const std::filesystem::path&)> mayWrite) {
   goOn_ = std::move(goOn);
   mayWrite_ = std::move(mayWrite);
 }
@@ -85,18 +84,31 @@ bool SceneEdits::canChange() const {
 
 SceneEdits::Checked SceneEdits::check(const SceneLanguage& language, const Job& job) {
   Checked checked{job.number, job.before, job.make(language, job.before)};
-  if (!checked.made) return checked;
+  const auto refuse = [&](const SceneProblem& wrong) {
+    checked.made = failure("scene.refused", wrong.text, {wrong.file, wrong.line, 0});
+    return checked;
+  };
+  if (!checked.made) {
+    // In a text that is broken nothing can be found; then that is to be said.
+    for (const auto& [file, text] : job.before) {
+      const auto problems = language.check(text, file);
+      if (const SceneProblem* wrong = findWrong(problems)) return refuse(*wrong);
+    }
+    return checked;
+  }
   for (const auto& [file, text] : checked.made->texts) {
     if (text == job.before.at(file)) continue;
     auto problems = language.check(text, file);
-    const auto wrong = std::ranges::find(problems, false, &SceneProblem::isWarning);
-    if (wrong != problems.end()) {
-      checked.made = failure("scene.refused", wrong->text, {wrong->file, wrong->line, 0});
-      return checked;
-    }
+    if (const SceneProblem* wrong = findWrong(problems)) return refuse(*wrong);
     checked.problems[file] = std::move(problems);
   }
   return checked;
+}
+
+const SceneProblem* SceneEdits::findWrong(const std::vector<SceneProblem>& problems) {
+  const auto wrong = std::ranges::find_if(
+      problems, [](const SceneProblem& one) { return !one.isWarning && one.inside.empty(); });
+  return wrong == problems.end() ? nullptr : &*wrong;
 }
 
 void SceneEdits::drop(const Change& change) {
@@ -105,11 +117,16 @@ void SceneEdits::drop(const Change& change) {
 
 void SceneEdits::begin(Change change) {
   if (!canChange()) {
+    const bool isMap = bench_.runningScene().extension() == ".map";
     if (change.told)
       change.told(
-          failure("scene.file", "no scene of a file is simulated here, so there is no text to change"));
+          failure("scene.file",
+                  isMap ? "a map has no text of a scene in which objects could be added or changed; open a "
+                          "scene (.sdf)"
+                        : "no scene of a file is simulated here, so there is no text to change"));
     return;
   }
+  change.scene = bench_.runningName();
   const auto isReplaced = [&](const Change& other) {
     return !other.place.empty() && other.place == change.place;
   };
@@ -151,7 +168,24 @@ void SceneEdits::checkNext() {
   }
 }
 
+void SceneEdits::followScene() {
+  std::string scene = bench_.runningName();
+  if (scene == scene_) return;
+  scene_ = std::move(scene);
+  std::vector<Change> dropped;
+  const auto isOther = [this](const Change& change) { return change.scene != scene_; };
+  if (checking_ && isOther(*checking_)) {
+    dropped.push_back(*std::move(checking_));
+    checking_.reset();
+  }
+  std::ranges::copy_if(waiting_, std::back_inserter(dropped), isOther);
+  std::erase_if(waiting_, isOther);
+  std::ranges::for_each(dropped, &SceneEdits::drop);
+  Q_EMIT historyChanged();
+}
+
 void SceneEdits::tick() {
+  followScene();
   if (worker_ != nullptr) {
     if (auto checked = worker_->take(); checked && checking_ && checked->number == number_)
       take(*std::move(checked));
@@ -170,7 +204,9 @@ void SceneEdits::take(Checked checked) {
     }
   }
   if (checked.made) {
-    if (const auto done = put(checked, change.title); !done) checked.made = tl::unexpected(done.error());
+    auto done = checkStarts(checked);
+    if (done) done = put(checked, change.title);
+    if (!done) checked.made = tl::unexpected(done.error());
   }
   Q_EMIT historyChanged();
   if (change.told) change.told(checked.made.map([](const Made& made) { return made.object; }));
@@ -184,11 +220,49 @@ SceneEdits::Done SceneEdits::put(const Checked& checked, const QString& title) {
     after[path] = text;
   }
   if (after.empty()) return {};
-  if (auto done = exchange(before, after); !done) return done;
+  Step step{++lastStep_, title, checked.made->object, std::move(before), std::move(after)};
+  if (auto done = act(step, Way::kForth); !done) return done;
+  reportStarts(checked);
   for (const auto& [path, problems] : checked.problems) bench_.noteChecked(path, problems);
-  add({title, [this, before, after] { return exchange(after, before); },
-       [this, before, after] { return exchange(before, after); }});
+  add(std::move(step));
   return {};
+}
+
+SceneEdits::Done SceneEdits::checkStarts(const Checked& checked) const {
+  const auto objectOf = [this](const std::string& name) {
+    return worldObject(bench_.context().session, name);
+  };
+  for (const auto& [path, problems] : checked.problems) {
+    for (const SceneProblem& problem : problems) {
+      if (problem.inside.size() < 2) continue;
+      const auto mayHaveMoved = [&](const std::string& name) {
+        const auto* object = objectOf(name);
+        return object != nullptr && object->is_movable();
+      };
+      if (std::ranges::any_of(problem.inside, mayHaveMoved)) continue;
+      const std::size_t added = objectOf(problem.inside[0]) == nullptr ? 0 : 1;
+      return failure("scene.no-room",
+                     "there is no room for '" + problem.inside[added] + "': it would stand inside '" +
+                         problem.inside[1 - added] + "'; choose another place",
+                     {}, {problem.inside[added], problem.inside[1 - added]});
+    }
+  }
+  return {};
+}
+
+void SceneEdits::reportStarts(const Checked& checked) {
+  for (const auto& [path, problems] : checked.problems) {
+    const auto file = bench_.ensure(path);
+    for (const SceneProblem& problem : problems) {
+      if (problem.inside.empty() || !file ||
+          std::ranges::count((*file)->problems(), problem.inside, &SceneProblem::inside) > 0)
+        continue;
+      Q_EMIT bench_.reported(tr("The simulation goes on, but the scene cannot be opened as it begins: %1, or "
+                                "write where it is now into the scene (Ctrl+Shift+W)")
+                                 .arg(QString::fromStdString(problem.text)),
+                             true);
+    }
+  }
 }
 
 void SceneEdits::finish() {
@@ -199,32 +273,17 @@ void SceneEdits::finish() {
   }
 }
 
-SceneEdits::Done SceneEdits::exchange(const Texts& from, const Texts& to) {
-  std::map<std::filesystem::path, SceneFile*> files;
-  for (const auto& [path, text] : from) {
-    const auto file = bench_.ensure(path);
-    if (!file) return tl::unexpected(file.error());
-    if ((*file)->text().toStdString() != text)
-      return failure("scene.history",
-                     "the text was edited by hand since; undo that in the scene editor first",
-                     {path.string(), 0, 0});
-    files[path] = *file;
-  }
-  for (const auto& [path, text] : to) files[path]->replaceText(QString::fromStdString(text));
-  return apply();
-}
-
 SceneEdits::Done SceneEdits::apply() {
   if (!goOn_) return failure("scene.file", "no scene of a file is simulated here");
-  return goOn_(bench_.unsavedTexts());
+  return goOn_(bench_.unsavedTexts(), {});
 }
 
 void SceneEdits::beginInScene(const QString& title, Make make, Told told, std::string place) {
-  begin({title, {bench_.runningScene()}, std::move(make), std::move(told), std::move(place)});
+  begin({title, {}, {bench_.runningScene()}, std::move(make), std::move(told), std::move(place)});
 }
 
 void SceneEdits::change(const std::vector<SceneFileEdit>& edits, const QString& title, Told told) {
-  Change change{title, {}, {}, std::move(told)};
+  Change change{title, {}, {}, {}, std::move(told)};
   std::vector<SceneFileEdit> whole = edits;
   for (SceneFileEdit& edit : whole) {
     const bool mayWrite = mayWrite_ && mayWrite_(edit.file);
@@ -272,7 +331,7 @@ void SceneEdits::copy(const std::string& object, const std::array<double, 6>& po
     const QString present = QString::fromStdString(text);
     auto own = ownObject(present, object);
     if (!own) return tl::unexpected(own.error());
-    own->name = freeObjectName(present, own->name);
+    own->name = copiedObjectName(present, own->name);
     const QString element = renamedObject(withIndent(present, *own), own->name);
     const auto placed =
         language.withElement(element.toStdString(), file.string(), {stepTo(*own), "pose"}, poseText(pose));
@@ -332,65 +391,10 @@ bool SceneEdits::isOwn(const std::string& object) const {
   return file && ownObject((*file)->text(), object).has_value();
 }
 
-// ---- History
-
-void SceneEdits::add(Step step) {
-  redo_.clear();
-  undo_.push_back(std::move(step));
-  if (undo_.size() > kMaxSteps) undo_.pop_front();
-  Q_EMIT historyChanged();
-}
-
-std::function<SceneEdits::Done()> SceneEdits::requesting(const robotcontrol::Request& request) {
-  return [this, what = std::make_shared<const robotcontrol::Request>(request)]() -> Done {
-    // The answer may come after the window is closed.
-    const QPointer<SceneBench> bench = &bench_;
-    bench_.context().session.request(*what, [bench](const robotcontrol::RequestResult& result) {
-      if (bench && !result.accepted()) Q_EMIT bench->reported(QString::fromStdString(result.reason()), true);
-    });
-    return {};
-  };
-}
-
-void SceneEdits::addRequests(const QString& title, const robotcontrol::Request& undo,
-                             const robotcontrol::Request& redo) {
-  add({title, requesting(undo), requesting(redo)});
-}
-
-SceneEdits::Done SceneEdits::walk(std::deque<Step>& from, std::deque<Step>& to,
-                                  std::function<Done()> Step::*act) {
-  if (from.empty()) return failure("scene.history", "there is nothing of the scene to undo or redo");
-  Step step = std::move(from.back());
-  from.pop_back();
-  auto done = (step.*act)();
-  (done ? to : from).push_back(std::move(step));
-  Q_EMIT historyChanged();
-  return done;
-}
-
 SceneEdits& sceneEdits(ViewContext& context) {
   SceneBench& bench = sceneBench(context);
   auto* edits = bench.findChild<SceneEdits*>(QString(), Qt::FindDirectChildrenOnly);
   return edits != nullptr ? *edits : *new SceneEdits(bench);
-}
-
-QString SceneEdits::undoTitle() const {
-  if (!waiting_.empty()) return waiting_.back().title;
-  if (checking_) return checking_->title;
-  return undo_.empty() ? QString() : undo_.back().title;
-}
-
-SceneEdits::Done SceneEdits::undo() {
-  if (!isBusy()) return walk(undo_, redo_, &Step::undo);
-  const Change dropped = waiting_.empty() ? *std::move(checking_) : std::move(waiting_.back());
-  waiting_.empty() ? checking_.reset() : waiting_.pop_back();
-  drop(dropped);
-  Q_EMIT historyChanged();
-  return {};
-}
-
-SceneEdits::Done SceneEdits::redo() {
-  return walk(redo_, undo_, &Step::redo);
 }
 
 }  // namespace widgets

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <array>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -58,10 +59,13 @@ class SceneEdits final : public QObject {
   /// Waits for the check in progress.
   ~SceneEdits() override;
 
-  /// `goOn` has the simulation go on with texts that count instead of files; `mayWrite` says whether a file
-  /// is one of the open scene. Without them no text can be changed.
-  void setHost(std::function<Done(const Texts& unsaved)> goOn,
-               std::function<bool(const std::filesystem::path& file)> mayWrite);
+  /// Called in the GUI thread, later, if something of a scene does not fit between what is there now.
+  using Refused = std::function<void(const std::string& reason)>;
+  /// `goOn` has the simulation go on with texts that count instead of files; without a Refused what is in the
+  /// way of something is put back. `mayWrite` says whether a file is one of the open scene. Without them no
+  /// text can be changed.
+  using GoOn = std::function<Done(const Texts& unsaved, const Refused& refused)>;
+  void setHost(GoOn goOn, std::function<bool(const std::filesystem::path& file)> mayWrite);
   /// Whether the running scene has a text that can be changed.
   bool canChange() const;
 
@@ -79,6 +83,9 @@ class SceneEdits final : public QObject {
   bool isOwn(const std::string& object) const;
   /// Has the simulation go on in the texts as they are in the editor.
   Done apply();
+  /// Goes back to what a file has on the disk, also in the simulation if it is of its scene, which can be
+  /// undone.
+  Done discard(SceneFile& file);
 
   /// Whether a change is not made yet.
   bool isBusy() const { return checking_.has_value() || !waiting_.empty(); }
@@ -89,11 +96,12 @@ class SceneEdits final : public QObject {
   /// is refused then is reported by the bench.
   void addRequests(const QString& title, const robotcontrol::Request& undo,
                    const robotcontrol::Request& redo);
-  bool canUndo() const { return isBusy() || !undo_.empty(); }
-  bool canRedo() const { return !redo_.empty(); }
+  /// The history is that of the scene that is simulated; each scene has its own.
+  bool canUndo() const { return isBusy() || last(&History::undo) != nullptr; }
+  bool canRedo() const { return last(&History::redo) != nullptr; }
   /// What undo() and redo() would be about; empty: nothing.
   QString undoTitle() const;
-  QString redoTitle() const { return redo_.empty() ? QString() : redo_.back().title; }
+  QString redoTitle() const;
   /// Drops the last change that is not made yet; else takes back the last one that was. Fails if there is
   /// nothing, or if the text was edited by hand since; then the history stays as it is.
   Done undo();
@@ -105,10 +113,19 @@ class SceneEdits final : public QObject {
   void historyChanged();
 
  private:
+  /// Something that was done: texts of files that were replaced by others, or a request.
   struct Step {
+    int number = 0;
     QString title;
-    std::function<Done()> undo, redo;
+    /// The object that is selected when it is there again; empty: none.
+    std::string object;
+    Texts before, after;
+    std::shared_ptr<const robotcontrol::Request> undo = nullptr, redo = nullptr;
   };
+  struct History {
+    std::deque<Step> undo, redo;
+  };
+  enum class Way : std::uint8_t { kBack, kForth };
   /// Texts as a change makes them of others, and the object that it is about.
   struct Made {
     std::string object;
@@ -117,6 +134,8 @@ class SceneEdits final : public QObject {
   using Make = std::function<robotlink::Result<Made>(const SceneLanguage& language, const Texts& before)>;
   struct Change {
     QString title;
+    /// SceneBench::runningName() when it was begun.
+    std::string scene;
     /// The files whose texts it makes others of.
     std::vector<std::filesystem::path> files;
     /// Called in the worker's thread.
@@ -136,6 +155,7 @@ class SceneEdits final : public QObject {
     robotlink::Result<Made> made;
     std::map<std::filesystem::path, std::vector<SceneProblem>> problems = {};
   };
+  static const SceneProblem* findWrong(const std::vector<SceneProblem>& problems);
   static Checked check(const SceneLanguage& language, const Job& job);
   void begin(Change change);
   /// Begins a change of the text of the running scene.
@@ -144,19 +164,33 @@ class SceneEdits final : public QObject {
   /// Has the first change checked that waits, unless one is being checked.
   void checkNext();
   void take(Checked checked);
+  /// Drops changes of a scene that is simulated no more.
+  void followScene();
+  /// Fails if an object starts inside what cannot have moved away.
+  Done checkStarts(const Checked& checked) const;
+  /// Reports those that start inside each other now, and did not before.
+  void reportStarts(const Checked& checked);
   /// Has a change that was checked take effect.
   Done put(const Checked& checked, const QString& title);
   static void drop(const Change& change);
+  const Step* last(std::deque<Step> History::*side) const;
   void add(Step step);
-  std::function<Done()> requesting(const robotcontrol::Request& request);
+  void request(const std::shared_ptr<const robotcontrol::Request>& request);
   /// Puts texts in place of others if these are still there.
   Done exchange(const Texts& from, const Texts& to);
-  Done walk(std::deque<Step>& from, std::deque<Step>& to, std::function<Done()> Step::*act);
+  /// Exchanges the texts of a step, and has the simulation go on in them.
+  Done act(const Step& step, Way way);
+  /// The simulation did not go on with a step, so neither do the texts.
+  void takeBack(const std::string& scene, int number, Way way, const std::string& reason);
+  Done walk(Way way);
 
   SceneBench& bench_;
-  std::function<Done(const Texts&)> goOn_;
+  GoOn goOn_;
   std::function<bool(const std::filesystem::path&)> mayWrite_;
-  std::deque<Step> undo_, redo_;
+  /// By SceneBench::runningName().
+  std::map<std::string, History> histories_;
+  int lastStep_ = 0;
+  std::string scene_;
   /// Changes that are not checked yet, and the one that is.
   std::deque<Change> waiting_;
   std::optional<Change> checking_;

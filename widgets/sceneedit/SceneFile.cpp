@@ -14,6 +14,28 @@ namespace widgets {
 using robotlink::failure;
 using robotlink::Result;
 
+namespace {
+
+Result<QString> textOfFile(const std::filesystem::path& path) {
+  const auto bytes = robotlink::readFile(path, SceneFile::kMaxBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const QByteArray read(bytes->data(), static_cast<int>(bytes->size()));
+  QString text = QString::fromUtf8(read);
+  if (text.toUtf8() != read)
+    return failure("scene.encoding", "the file is no text in UTF-8, so it cannot be edited here",
+                   {path.string(), 0, 0});
+  text.remove(QLatin1Char('\r'));
+  return text;
+}
+
+std::optional<std::filesystem::file_time_type> timeOfFile(const std::filesystem::path& path) {
+  std::error_code unknown;
+  const auto time = std::filesystem::last_write_time(path, unknown);
+  return unknown ? std::nullopt : std::optional(time);
+}
+
+}  // namespace
+
 SceneFile::SceneFile(QObject* parent) : QObject(parent), document_(new QTextDocument(this)) {
   document_->setDocumentLayout(new QPlainTextDocumentLayout(document_));
   connect(document_, &QTextDocument::contentsChange, this, [this](int, int removed, int added) {
@@ -52,18 +74,42 @@ void SceneFile::setText(const QString& text, bool changed) {
 }
 
 Result<void> SceneFile::read(const std::filesystem::path& path) {
-  auto bytes = robotlink::readFile(path, kMaxBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const QByteArray read(bytes->data(), static_cast<int>(bytes->size()));
-  QString text = QString::fromUtf8(read);
-  if (text.toUtf8() != read)
-    return failure("scene.encoding", "the file is no text in UTF-8, so it cannot be edited here",
-                   {path.string(), 0, 0});
-  text.remove(QLatin1Char('\r'));
+  const auto text = textOfFile(path);
+  if (!text) return tl::unexpected(text.error());
   path_ = path;
-  saved_ = text;
-  setText(text, false);
+  noteSaved(*text);
+  setText(*text, false);
   return {};
+}
+
+void SceneFile::noteSaved(const QString& text) {
+  saved_ = text;
+  savedTime_ = timeOfFile(path_);
+}
+
+Result<QString> SceneFile::readAgain() {
+  auto text = textOfFile(path_);
+  if (text) noteSaved(*text);
+  return text;
+}
+
+bool SceneFile::isChangedOutside() const {
+  if (saved_.isNull() || !timeOfFile(path_)) return false;
+  const auto text = textOfFile(path_);
+  return !text || *text != saved_;
+}
+
+bool SceneFile::follow(bool looks) {
+  const auto time = timeOfFile(path_);
+  if (saved_.isNull() || !time || (!looks && time == savedTime_)) return false;
+  savedTime_ = time;
+  const auto text = textOfFile(path_);
+  if (!text || *text == saved_) return false;
+  if (!isChanged()) {
+    saved_ = *text;
+    replaceText(*text);
+  }
+  return true;
 }
 
 void SceneFile::setUnsaved(const QString& text, const std::filesystem::path& path, const QString& name) {
@@ -73,11 +119,16 @@ void SceneFile::setUnsaved(const QString& text, const std::filesystem::path& pat
 }
 
 Result<void> SceneFile::write(const std::filesystem::path& path) {
+  if (path == path_ && isChangedOutside())
+    return failure("scene.changed-outside",
+                   "the file was changed by another program since it was read here; save under another name "
+                   "(scene.save FILE), or discard the changes, which reads it again",
+                   {path.string(), 0, 0});
   const QByteArray bytes = text().toUtf8();
   const std::string_view contents(bytes.constData(), static_cast<std::size_t>(bytes.size()));
   if (const auto done = robotlink::writeFileAtomically(path, contents); !done) return done;
   path_ = path;
-  saved_ = text();
+  noteSaved(text());
   document_->setModified(false);
   Q_EMIT titleChanged();
   return {};

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,17 @@ class SceneFile final : public QObject {
   robotlink::Result<void> read(const std::filesystem::path& path);
   /// A text that is not in the file. `name`: what a text without a path is called.
   void setUnsaved(const QString& text, const std::filesystem::path& path, const QString& name = {});
-  /// Writes the text as a whole or not at all; it is the file's from then on.
+  /// Writes the text as a whole or not at all; it is the file's from then on. Fails if another program has
+  /// changed the file since it was read, which would be lost.
   robotlink::Result<void> write(const std::filesystem::path& path);
+  /// Whether another program has changed the file since it was read or written here.
+  bool isChangedOutside() const;
+  /// Reads the file again if another program has changed it and the text has no unsaved changes, as one step
+  /// of the history; `looks` also if its time is the same. Returns whether it was changed since the last
+  /// call.
+  bool follow(bool looks);
+  /// The text that the file has now, which write() replaces from then on.
+  robotlink::Result<QString> readAgain();
 
   /// Replaces the text as one step of the history of the document; only the part that differs is touched.
   void replaceText(const QString& text);
@@ -69,12 +79,15 @@ class SceneFile final : public QObject {
 
  private:
   void setText(const QString& text, bool changed);
+  void noteSaved(const QString& text);
 
   QTextDocument* document_;
   std::filesystem::path path_;
   QString name_, instance_;
   /// The text as it is in the file; null: there is none yet.
   QString saved_;
+  /// When the file was written, as far as that is known.
+  std::optional<std::filesystem::file_time_type> savedTime_;
   std::vector<SceneProblem> problems_;
   TextPlace place_;
   int revision_ = 0, checkedRevision_ = -1;

@@ -35,6 +35,9 @@ struct SceneProblem {
   std::string file;
   /// From 1; 0: it is about the whole file.
   int line = 0;
+  /// The names of two models of which one starts inside the other: the scene cannot be opened so, but can be
+  /// gone on in where they are elsewhere now. Empty: it is about something else.
+  std::vector<std::string> inside = {};
   bool operator==(const SceneProblem&) const = default;
 };
 

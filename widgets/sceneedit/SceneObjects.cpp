@@ -217,14 +217,29 @@ QString renamedObject(const QString& element, const QString& name) {
          element.mid(match.capturedEnd(2));
 }
 
-QString freeObjectName(const QString& text, const QString& name) {
+namespace {
+
+/// The first name that is not taken, of one with numbers behind it.
+QString numberedObjectName(const QString& text, const QString& name, int number) {
   QStringList taken;
   for (const SceneObject& object : sceneObjects(text)) taken << object.path;
-  if (!taken.contains(name)) return name;
-  for (int number = 2;; ++number) {
-    const QString numbered = name + QString::number(number);
-    if (!taken.contains(numbered)) return numbered;
-  }
+  while (taken.contains(name + QString::number(number))) ++number;
+  return name + QString::number(number);
+}
+
+}  // namespace
+
+QString freeObjectName(const QString& text, const QString& name) {
+  const auto objects = sceneObjects(text);
+  const bool isTaken = std::ranges::any_of(objects, [&](const SceneObject& one) { return one.path == name; });
+  return isTaken ? numberedObjectName(text, name, 2) : name;
+}
+
+QString copiedObjectName(const QString& text, const QString& name) {
+  constexpr int kMaxDigits = 8;
+  int end = name.size();
+  while (end > 0 && name.size() - end < kMaxDigits && name[end - 1].isDigit()) --end;
+  return numberedObjectName(text, name.left(end), end < name.size() ? name.midRef(end).toInt() + 1 : 2);
 }
 
 }  // namespace widgets

@@ -51,5 +51,7 @@ QString withoutObject(const QString& text, const SceneObject& object);
 QString renamedObject(const QString& element, const QString& name);
 /// `name` if no object is called so, otherwise with the first number that makes it new: p3at, p3at2.
 QString freeObjectName(const QString& text, const QString& name);
+/// The name of a copy of an object: with the next number that makes it new, p3at1: p3at2, box: box2.
+QString copiedObjectName(const QString& text, const QString& name);
 
 }  // namespace widgets

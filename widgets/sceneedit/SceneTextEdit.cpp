@@ -78,6 +78,7 @@ SceneTextEdit::~SceneTextEdit() {
 void SceneTextEdit::showDocument(QTextDocument* document, bool isXml, const std::filesystem::path& file) {
   file_ = file;
   isXml_ = isXml;
+  completedEnd_ = -1;
   setMarks({});
   // Only the document that is shown follows the font of the editor.
   document->setDefaultFont(font());
@@ -173,21 +174,72 @@ bool SceneTextEdit::typeXml(QKeyEvent& event) {
     breakLine();
     return true;
   }
+  if (!event.text().isEmpty() && typeOver(event.text())) return true;
   const bool closes = event.text() == QLatin1String(">"), ends = event.text() == QLatin1String("/");
   if (!closes && !ends) return false;
   completer_->popup()->hide();
   QTextCursor cursor = textCursor();
+  const int before = cursor.selectionStart();
+  if (ends && before > 0 && document()->characterAt(before - 1) == QLatin1Char('<')) {
+    closeElement();
+    return true;
+  }
   cursor.beginEditBlock();
   cursor.insertText(event.text());
   const int at = cursor.position();
-  const QString text = toPlainText();
-  const bool isEnd = ends && at >= 2 && text[at - 2] == QLatin1Char('<');
-  const QString added = closes ? closingTagFor(text, at) : isEnd ? closingNameFor(text, at) : QString();
-  cursor.insertText(added);
+  if (closes) cursor.insertText(closingTagFor(toPlainText(), at));
   cursor.endEditBlock();
-  if (closes) cursor.setPosition(at);
+  cursor.setPosition(at);
   setTextCursor(cursor);
   return true;
+}
+
+bool SceneTextEdit::typeOver(const QString& typed) {
+  QTextCursor cursor = textCursor();
+  const int at = cursor.position();
+  if (cursor.hasSelection()) return false;
+  if (at == completedEnd_ && completed_.startsWith(typed)) {
+    completed_.remove(0, typed.size());
+    if (completed_.isEmpty()) completedEnd_ = -1;
+    return true;
+  }
+  completedEnd_ = -1;
+  const QChar next = document()->characterAt(at);
+  const bool isQuote = next == QLatin1Char('"') || next == QLatin1Char('\'');
+  if (typed != QString(next) || !(isQuote || next == QLatin1Char('>'))) return false;
+  const QString text = toPlainText();
+  const XmlPlace place = xmlPlaceAt(text, at);
+  const bool endsValue = place.kind == XmlPlace::Kind::kAttributeValue && place.prefixBegin > 0 &&
+                         text[place.prefixBegin - 1] == next;
+  const bool endsTag = place.kind == XmlPlace::Kind::kTagName ||
+                       place.kind == XmlPlace::Kind::kAttributeName ||
+                       place.kind == XmlPlace::Kind::kClosingName;
+  if (isQuote ? !endsValue : !endsTag) return false;
+  completer_->popup()->hide();
+  cursor.setPosition(at + 1);
+  setTextCursor(cursor);
+  return true;
+}
+
+void SceneTextEdit::closeElement() {
+  QTextCursor cursor = textCursor();
+  cursor.beginEditBlock();
+  cursor.removeSelectedText();
+  cursor.deletePreviousChar();
+  const XmlClosing closing = closingAt(toPlainText(), cursor.position());
+  if (closing.end >= 0) {
+    // A line that was begun for it is not needed.
+    cursor.setPosition(closing.blankBegin);
+    cursor.setPosition(closing.blankEnd, QTextCursor::KeepAnchor);
+    cursor.removeSelectedText();
+    cursor.setPosition(closing.end - (closing.blankEnd - closing.blankBegin));
+  } else {
+    cursor.insertText(QStringLiteral("</") + closing.name);
+  }
+  cursor.endEditBlock();
+  setTextCursor(cursor);
+  completed_ = closing.name;
+  completedEnd_ = closing.name.isEmpty() ? -1 : cursor.position();
 }
 
 void SceneTextEdit::breakLine() {

@@ -54,6 +54,11 @@ class SceneTextEdit final : public MarkedTextEdit {
   void paintNumbers(QPaintEvent& event);
   /// Handles a key that does more than insert its character. False: it does not.
   bool typeXml(QKeyEvent& event);
+  /// Passes over what is written already right of the cursor, or was just completed. False: it is something
+  /// else that is typed.
+  bool typeOver(const QString& typed);
+  /// Ends the innermost element after "</" was typed: by its closing tag if that comes next, or a new one.
+  void closeElement();
   void breakLine();
   /// Moves the selected lines, or the one with the cursor, by two blanks.
   void indentLines(bool outwards);
@@ -68,6 +73,10 @@ class SceneTextEdit final : public MarkedTextEdit {
   QStandardItemModel* proposals_ = nullptr;
   /// Where the word begins that a proposal replaces.
   int wordBegin_ = 0;
+  /// What was completed left of the cursor and is not inserted again if it is typed all the same, while the
+  /// cursor stays there.
+  QString completed_;
+  int completedEnd_ = -1;
 };
 
 }  // namespace widgets

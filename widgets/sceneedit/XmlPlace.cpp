@@ -100,11 +100,22 @@ QString closingTagFor(const QString& text, int position) {
   return {};
 }
 
-QString closingNameFor(const QString& text, int position) {
+XmlClosing closingAt(const QString& text, int position) {
+  XmlClosing closing;
   const XmlPlace place = xmlPlaceAt(text, position);
-  const bool isBare = place.kind == XmlPlace::Kind::kClosingName && place.element.isEmpty();
-  if (!isBare || place.path.isEmpty()) return {};
-  return place.path.last() + QLatin1Char('>');
+  if (place.kind != XmlPlace::Kind::kText || place.path.isEmpty()) return closing;
+  closing.name = place.path.last() + QLatin1Char('>');
+  int next = position;
+  while (next < text.size() && text[next].isSpace()) ++next;
+  const QString tag = QStringLiteral("</") + closing.name;
+  if (text.midRef(next, tag.size()) != tag) return closing;
+  closing.end = next + tag.size();
+  const int line = position - indentOf(text, position).size();
+  const bool isBlank = line == 0 || text[line - 1] == QLatin1Char('\n');
+  if (!isBlank) return closing;
+  closing.blankBegin = line;
+  closing.blankEnd = std::max(line, text.lastIndexOf(QLatin1Char('\n'), next - 1) + 1);
+  return closing;
 }
 
 XmlNewLine newLineAt(const QString& text, int position) {

@@ -34,8 +34,16 @@ XmlPlace xmlPlaceAt(const QString& text, int position);
 /// What is to be inserted behind a '>' that was typed directly before the position: "</link>" if it ends the
 /// opening tag of an element that is not closed yet; otherwise nothing.
 QString closingTagFor(const QString& text, int position);
-/// What completes a "</" that was typed directly before the position: "link>"; empty if nothing is open.
-QString closingNameFor(const QString& text, int position);
+/// How the element around a position ends for whom begins its closing tag there.
+struct XmlClosing {
+  /// "link>"; empty if nothing is open.
+  QString name;
+  /// Behind the closing tag if there are only blanks before it, so that no other one is needed; otherwise -1.
+  int end = -1;
+  /// The blank lines before it from that of the position on; the same if there are none.
+  int blankBegin = 0, blankEnd = 0;
+};
+XmlClosing closingAt(const QString& text, int position);
 /// What is to be inserted for a new line at a position, with its indentation. `back`: by how many characters
 /// the cursor stands before the end of that, if a closing tag follows and gets a line of its own.
 struct XmlNewLine {

@@ -2,6 +2,7 @@
 // Objects of a simulated room, added, moved, changed and saved by hand, with the simulator.
 #include <QComboBox>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QTableView>
 
 #include "robotcontrol/World.pb.h"
@@ -11,6 +12,7 @@
 #include "widgets/objects/PropertiesModel.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneEdits.h"
+#include "widgets/sceneedit/SceneFile.h"
 #include "widgets/sceneedit/SceneLanguage.h"
 #include "widgets/world/SceneSelection.h"
 
@@ -64,6 +66,7 @@ class SceneHandsGuiTest : public WindowTest {
     QCOMPARE(desk.run("scene.insert box 1.5 1"), QString());
     QTRY_VERIFY_WITH_TIMEOUT(desk.has("box"), kWaitMs);
     QVERIFY(desk.object("box")->is_movable());
+    QVERIFY2(!desk.object("sliding_door")->is_movable(), "its frame is fixed to the world");
     QCOMPARE(desk.status()->steps(), 2U);
     QCOMPARE(desk.saved(), before);
     QCOMPARE(desk.run("scene.undo-edit"), QString());
@@ -111,6 +114,38 @@ class SceneHandsGuiTest : public WindowTest {
     QVERIFY(!desk.bench().hasUnsaved());
     QVERIFY(desk.run("scene.insert unicorn 0 0").contains(QStringLiteral("unicorn")));
     QVERIFY(!desk.run("scene.erase nobody").isEmpty());
+  }
+
+  void whatWouldStandInsideWhatIsThereNowIsTakenBack() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
+    QCOMPARE(desk.run("scene.insert box 1 1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("box"), kWaitMs);
+    const QString before = desk.bench().current()->text();
+    const QSignalSpy reported(&desk.bench(), &widgets::SceneBench::reported);
+    QCOMPARE(desk.run("scene.insert box 1 1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(!reported.isEmpty(), kWaitMs);
+    QVERIFY(reported[0][0].toString().contains(QStringLiteral("there is no room for 'box2'")));
+    QCOMPARE(desk.bench().current()->text(), before);
+    // The box has gone, and with it what was in the way.
+    QCOMPARE(desk.run("scene.place box 2 -1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.run("scene.insert box 1 1").isEmpty() && QTest::qWaitFor([&] { return desk.has("box2"); }, 300),
+        kWaitMs);
+  }
+
+  void theDoorIsMovedInTheText() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
+    QCOMPARE(desk.run("scene.insert sliding_door 0 0.1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("sliding_door"), kWaitMs);
+    widgets::sceneEdits(desk.window.context()).setPose("sliding_door", {0, 0, 0, 0, 0, 0});
+    const auto isThere = [&] {
+      const auto* door = desk.object("sliding_door");
+      return door != nullptr && std::abs(door->pose_in_frame().position().y()) < 1e-9;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isThere(), kWaitMs);
+    QVERIFY2(desk.bench().hasUnsaved(), "it is in the text");
   }
 
   void aPropertyIsChangedInTheRunningSceneAndSaved() {

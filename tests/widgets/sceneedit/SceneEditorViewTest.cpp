@@ -350,6 +350,7 @@ class SceneEditorViewTest : public QObject {
     });
     click(*bench.view, "sceneNew");
     QVERIFY(answer.asked());
+    QVERIFY2(bench.view->window()->focusWidget() == &bench.text(), "one goes on in the text");
     QVERIFY(bench.shown().find("<world name=\"hall\">") != std::string::npos);
     QVERIFY(bench.shown().find("rover") != std::string::npos);
     QCOMPARE(bench.tabs().tabText(0), QStringLiteral("hall.sdf*"));
@@ -402,6 +403,73 @@ class SceneEditorViewTest : public QObject {
     bench.view = bench.open<SceneEditorView>({600, 220});
     QVERIFY(bench.text().place() == before);
     QTRY_COMPARE(bench.text().verticalScrollBar()->value(), 2);
+  }
+
+  void aFileThatAnotherProgramHasChangedIsReadAgain() {
+    RoomBench bench;
+    bench.show();
+    const std::string other = kRoom + "<!-- other -->\n";
+    bench.folder.write("room.sdf", other);
+    std::filesystem::last_write_time(bench.room,
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::hours(1));
+    for (int i = 0; i < 40; ++i) bench.tick(*bench.view);
+    QCOMPARE(bench.shown(), other);
+    QCOMPARE(bench.tabs().tabText(0), QStringLiteral("room.sdf"));
+  }
+
+  void whatAnotherProgramHasWrittenIsNotOverwrittenUnasked() {
+    RoomBench bench;
+    bench.show();
+    bench.setCursor("<sdf>");
+    QTest::keyClicks(&bench.text(), QStringLiteral(" "));
+    const std::string mine = bench.shown(), other = kRoom + "<!-- other -->\n";
+    bench.folder.write("room.sdf", other);
+    QCOMPARE(bench.refusal("scene.save"), std::string("scene.changed-outside"));
+    QCOMPARE(bench.saved(), other);
+    const auto answer = [&bench](QDialogButtonBox::ButtonRole role) {
+      DialogAnswer given([role](QDialog& dialog) { DialogAnswer::press(dialog, role); });
+      click(*bench.view, "sceneSave");
+      QVERIFY(given.asked());
+    };
+    answer(QDialogButtonBox::RejectRole);
+    QCOMPARE(bench.saved(), other);
+    QCOMPARE(bench.shown(), mine);
+    answer(QDialogButtonBox::AcceptRole);
+    QCOMPARE(bench.shown(), other);
+    bench.text().undo();
+    QCOMPARE(bench.shown(), mine);
+    bench.folder.write("room.sdf", kRoom);
+    answer(QDialogButtonBox::DestructiveRole);
+    QCOMPARE(bench.saved(), mine);
+    QCOMPARE(bench.refusal("scene.save"), std::string());
+  }
+
+  void discardedChangesComeBackByUndo() {
+    RoomBench bench;
+    bench.show();
+    bench.setCursor("<sdf>");
+    QTest::keyClicks(&bench.text(), QStringLiteral(" mine"));
+    const std::string mine = bench.shown();
+    child<QAction>(*bench.view, "sceneDiscardAction").trigger();
+    QCOMPARE(bench.shown(), kRoom);
+    QCOMPARE(bench.tabs().tabText(0), QStringLiteral("room.sdf"));
+    bench.text().undo();
+    QCOMPARE(bench.shown(), mine);
+  }
+
+  void aTextWithoutAFileIsAskedAboutBeforeItIsDiscarded() {
+    RoomBench bench;
+    bench.view = bench.open<SceneEditorView>({1000, 700});
+    bench.bench().startAnew(QStringLiteral("<sdf/>"), {});
+    const auto discard = [&bench](QDialogButtonBox::ButtonRole role) {
+      DialogAnswer answer([role](QDialog& dialog) { DialogAnswer::press(dialog, role); });
+      child<QAction>(*bench.view, "sceneDiscardAction").trigger();
+      QVERIFY(answer.asked());
+    };
+    discard(QDialogButtonBox::RejectRole);
+    QCOMPARE(bench.tabs().count(), 1);
+    discard(QDialogButtonBox::DestructiveRole);
+    QCOMPARE(bench.tabs().count(), 0);
   }
 
   void aDocumentOutlivesTheView() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/sceneedit/SceneEdits.h"
 
+#include <QSignalSpy>
 #include <array>
 #include <atomic>
 #include <functional>
@@ -8,11 +9,13 @@
 #include <string>
 
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/sceneedit/ToyLanguage.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneFile.h"
+#include "widgets/world/SceneSelection.h"
 
 namespace widgets::test {
 namespace {
@@ -50,6 +53,15 @@ class SlowLanguage final : public ToyLanguage {
   mutable std::counting_semaphore<> gate{0};
 };
 
+/// Says that what is added as a box is inside the desk at the start.
+class NarrowLanguage final : public ToyLanguage {
+ public:
+  std::vector<SceneProblem> check(const std::string& text, const std::filesystem::path& file) const override {
+    if (text.find("\"box\"") == std::string::npos) return {};
+    return {{false, "'box' starts inside 'desk'", file.string(), 3, {"box", "desk"}}};
+  }
+};
+
 /// A window in which a scene is simulated that can be changed.
 struct HallBench : Bench {
   explicit HallBench(std::shared_ptr<const SceneLanguage> language = std::make_shared<ToyLanguage>())
@@ -60,13 +72,23 @@ struct HallBench : Bench {
     push("simulation", status, 2);
     session.tick();
     edits().setHost(
-        [this](const SceneEdits::Texts& unsaved) -> robotlink::Result<void> {
+        [this](const SceneEdits::Texts& unsaved,
+               const SceneEdits::Refused& refused) -> robotlink::Result<void> {
           texts.push_back(unsaved);
+          refuse = refused;
           return {};
         },
         [this](const std::filesystem::path& path) { return path.parent_path() == file.parent_path(); });
   }
   SceneEdits& edits() { return sceneEdits(context); }
+  /// Another scene is simulated.
+  void simulate(const std::filesystem::path& scene) {
+    robotcontrol::SimulationStatus status;
+    status.set_scene(scene.string());
+    push("simulation", status, ++seconds);
+    session.tick();
+    sceneBench(context).tick();
+  }
   /// Begins a change and waits until it is made: the object, or the reason against it.
   std::string made(const std::function<void(SceneEdits::Told)>& begin) {
     std::string outcome = "nothing was told";
@@ -101,7 +123,10 @@ struct HallBench : Bench {
 
   const TestFolder folder;
   const std::filesystem::path file;
+  int seconds = 2;
   std::vector<SceneEdits::Texts> texts;
+  /// Of the last change.
+  SceneEdits::Refused refuse;
 };
 
 /// The reason; empty: it was done.
@@ -175,6 +200,117 @@ class SceneEditsTest : public QObject {
     QCOMPARE(b.requests.back().place_model().height(), 2.0);
     QVERIFY(b.edits().redo().has_value());
     QCOMPARE(b.requests.back().place_model().height(), 0.0);
+  }
+
+  void eachSceneHasItsOwnHistory() {
+    HallBench b;
+    QCOMPARE(b.setPose("desk", {2, 0, 0, 0, 0, 0}), std::string("desk"));
+    robotcontrol::Request place;
+    b.edits().addRequests(QStringLiteral("Move rover"), place, place);
+    QVERIFY(b.edits().undo().has_value());
+    b.requests.clear();
+    const auto map = b.folder.write("house.map", "");
+    const QSignalSpy changed(&b.edits(), &SceneEdits::historyChanged);
+    b.simulate(map);
+    QVERIFY2(changed.size() > 0, "buttons are switched off");
+    QVERIFY(!b.edits().canUndo() && !b.edits().canRedo() && b.edits().undoTitle().isEmpty());
+    QVERIFY(!b.edits().undo().has_value() && !b.edits().redo().has_value());
+    QCOMPARE(b.texts.size(), std::size_t{1});
+    QVERIFY(b.requests.empty());
+    QVERIFY(b.insert("box", 0, 0).find("a map has no text") != std::string::npos);
+    b.simulate(b.file);
+    QVERIFY(b.edits().redo().has_value() && b.edits().undo().has_value() && b.edits().undo().has_value());
+    QCOMPARE(sceneBench(b.context).current()->text().toStdString(), kHall);
+  }
+
+  void aChangeIsGivenUpWhenAnotherSceneIsOpened() {
+    HallBench b;
+    std::string outcome;
+    b.edits().erase("desk", HallBench::telling(outcome));
+    b.simulate(b.folder.write("other.sdf", kHall));
+    b.edits().finish();
+    QVERIFY(outcome.find("given up") != std::string::npos);
+    QVERIFY(b.texts.empty());
+  }
+
+  void whatDoesNotFitNowIsTakenBack() {
+    HallBench b;
+    const QSignalSpy reported(&sceneBench(b.context), &SceneBench::reported);
+    QCOMPARE(b.insert("box", 3, 4), std::string("box"));
+    sceneSelection(b.context).select("box");
+    b.refuse("there is no room for 'box'");
+    QCOMPARE(sceneBench(b.context).current()->text().toStdString(), kHall);
+    QVERIFY(!b.edits().canUndo() && b.edits().canRedo());
+    QVERIFY(sceneSelection(b.context).object().empty());
+    QCOMPARE(reported.last()[0].toString(), QStringLiteral("there is no room for 'box'"));
+    // What was undone is there again.
+    QCOMPARE(b.erase("desk"), std::string("desk"));
+    const std::string erased = b.running();
+    QVERIFY(b.edits().undo().has_value());
+    b.refuse("there is no room for 'desk'");
+    QCOMPARE(sceneBench(b.context).current()->text().toStdString(), erased);
+    QVERIFY(b.edits().canUndo() && !b.edits().canRedo());
+  }
+
+  void whatIsThereAgainIsSelected() {
+    HallBench b;
+    sceneSelection(b.context).select("desk");
+    QCOMPARE(b.erase("desk"), std::string("desk"));
+    sceneSelection(b.context).select({});
+    QVERIFY(b.edits().undo().has_value());
+    QCOMPARE(sceneSelection(b.context).object(), std::string("desk"));
+    QVERIFY(b.edits().redo().has_value());
+    QVERIFY(sceneSelection(b.context).object().empty());
+  }
+
+  void whatStartsInsideOthersIsRefusedUnlessTheyMayHaveMoved() {
+    HallBench b(std::make_shared<NarrowLanguage>());
+    robotcontrol::WorldObjects objects;
+    objects.add_objects()->set_path("desk");
+    b.push("objects", objects, 3);
+    b.session.tick();
+    QCOMPARE(b.insert("box", 3, 4),
+             std::string("there is no room for 'box': it would stand inside 'desk'; choose another place"));
+    QVERIFY(b.texts.empty());
+    objects.mutable_objects(0)->set_is_movable(true);
+    b.push("objects", objects, 4);
+    b.session.tick();
+    const QSignalSpy reported(&sceneBench(b.context), &SceneBench::reported);
+    QCOMPARE(b.insert("box", 3, 4), std::string("box"));
+    QCOMPARE(reported.size(), 1);
+    QVERIFY(reported[0][0].toString().contains(QStringLiteral("'box' starts inside 'desk'")));
+    QCOMPARE(b.insert("box", 5, 5), std::string("box2"));
+    QVERIFY2(reported.size() == 1, "it is known");
+  }
+
+  void aBrokenTextIsWhyNothingCanBeFound() {
+    HallBench b;
+    const auto file = sceneBench(b.context).ensure(b.file);
+    QVERIFY(file.has_value());
+    (*file)->replaceText((*file)->text() + QStringLiteral("wrong"));
+    QCOMPARE(b.setPose("nobody", {0, 0, 0, 0, 0, 0}), std::string("this is wrong"));
+    QCOMPARE(b.insert("box", 0, 0), std::string("this is wrong"));
+  }
+
+  void discardedChangesAreDiscardedInTheSimulationAndCanBeUndone() {
+    HallBench b;
+    QCOMPARE(b.setPose("desk", {2, 0, 0, 0, 0, 0}), std::string("desk"));
+    SceneFile& file = *sceneBench(b.context).current();
+    file.replaceText(file.text() + QStringLiteral("<!-- mine -->"));
+    const std::string mine = file.text().toStdString();
+    QVERIFY(b.edits().discard(file).has_value());
+    QCOMPARE(file.text().toStdString(), kHall);
+    QVERIFY(!file.isChanged() && b.texts.back().empty());
+    QVERIFY(b.edits().undo().has_value());
+    QCOMPARE(file.text().toStdString(), mine);
+    QCOMPARE(b.running(), mine);
+  }
+
+  void aCopyHasTheNextNumber() {
+    HallBench b;
+    QCOMPARE(b.copy("rover", {5, 6, 0, 0, 0, 0}), std::string("rover2"));
+    QCOMPARE(b.copy("rover2", {6, 6, 0, 0, 0, 0}), std::string("rover3"));
+    QCOMPARE(b.copy("rover", {7, 6, 0, 0, 0, 0}), std::string("rover4"));
   }
 
   void whatWasEditedByHandSinceIsNotLost() {

@@ -85,6 +85,35 @@ class SceneTextEditTest : public QObject {
     QCOMPARE(typed("a <b", ">", false), QStringLiteral("a <b>"));
   }
 
+  void whatIsTypedAsAWholeIsNotClosedTwice() {
+    const auto typed = [](const char* keys) {
+      EditedText edited("");
+      for (const char* key = keys; *key != 0; ++key) {
+        if (*key == '\n')
+          QTest::keyClick(&edited.edit, Qt::Key_Return);
+        else
+          QTest::keyClick(&edited.edit, *key);
+      }
+      return edited.text();
+    };
+    const char* const kWorld =
+        "<sdf version=\"1.9\"><world name=\"w\"><gravity>0 0 -9</gravity></world></sdf>";
+    QCOMPARE(typed(kWorld), QLatin1String(kWorld));
+    QCOMPARE(typed("<a>\n<b>1</b>\n</a>"), QStringLiteral("<a>\n  <b>1</b>\n</a>"));
+    // The names may be left out as well.
+    QCOMPARE(typed("<a><b>1</</"), QStringLiteral("<a><b>1</b></a>"));
+    QCOMPARE(typed("<a><b/></a><c>1</c>"), QStringLiteral("<a><b/></a><c>1</c>"));
+  }
+
+  void quotesAndBracketsThatAreThereArePassedOver() {
+    EditedText edited("<a name=\"\"></a>");
+    QTextCursor cursor = edited.edit.textCursor();
+    cursor.setPosition(9);
+    edited.edit.setTextCursor(cursor);
+    QTest::keyClicks(&edited.edit, QStringLiteral("b\">1"));
+    QCOMPARE(edited.text(), QStringLiteral("<a name=\"b\">1</a>"));
+  }
+
   void theCursorStandsInANewElement() {
     EditedText edited("<link");
     edited.setCursorAtEnd();

@@ -87,8 +87,22 @@ TEST(XmlTextTest, openingTagsGetTheirClosingOnes) {
   EXPECT_EQ(closingTagFor(closed.text, closed.position), QString());
   const Cursor empty("<model><link/>|</model>");
   EXPECT_EQ(closingTagFor(empty.text, empty.position), QString());
-  const Cursor end("<model><link></|");
-  EXPECT_EQ(closingNameFor(end.text, end.position), QStringLiteral("link>"));
+}
+
+TEST(XmlTextTest, anElementEndsByTheClosingTagThatComesNext) {
+  const Cursor open("<model><link>|");
+  EXPECT_EQ(closingAt(open.text, open.position).name, QStringLiteral("link>"));
+  EXPECT_EQ(closingAt(open.text, open.position).end, -1);
+  const Cursor closed("<model><link>1|</link></model>");
+  EXPECT_EQ(closingAt(closed.text, closed.position).end, 21);
+  const Cursor other("<model><link>1|</model>");
+  EXPECT_EQ(closingAt(other.text, other.position).end, -1);
+  const Cursor below("<model>\n  |\n</model>");
+  const XmlClosing closing = closingAt(below.text, below.position);
+  EXPECT_EQ(closing.end, below.text.size());
+  EXPECT_EQ(closing.blankBegin, 8);
+  EXPECT_EQ(closing.blankEnd, 11);
+  EXPECT_EQ(closingAt(QStringLiteral("a"), 1).name, QString());
 }
 
 TEST(XmlTextTest, aNewLineIsIndentedAfterWhatItIsIn) {
