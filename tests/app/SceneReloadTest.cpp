@@ -6,6 +6,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/core/simulated/SimulationFeed.h"
+#include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/AtomicFile.h"
@@ -89,6 +90,50 @@ TEST_F(SceneReloadTest, aTextThatIsNotSavedCountsUntilTheFileIsReadAgain) {
   EXPECT_TRUE(hasModel("can"));
   run("scene.reload");
   ASSERT_TRUE(waitFor([this] { return !hasModel("can"); }));
+}
+
+TEST_F(SceneReloadTest, whatIsThereAgainStandsWhereItWas) {
+  edit("</world>", kCan);
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return loads == 2 && hasModel("can"); }));
+  run("scene.place can 2.5 -2.5");
+  const auto place = [this] {
+    const auto* all = workbench.session().store().latestAs<foxglove::FrameTransforms>(
+        robotlink::streams::kTransforms, workbench.session().timeline().newest());
+    for (const auto& one : all->transforms())
+      if (one.child_frame_id() == "body:can/can") return one.translation().x();
+    return 0.0;
+  };
+  ASSERT_TRUE(waitFor([&] { return place() > 2.4; }));
+  const std::string with = text;
+  edit(kCan, "</world>");
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return loads == 3 && !hasModel("can"); }));
+  text = with;
+  folder.write("room.sdf", text);
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return loads == 4 && hasModel("can"); }));
+  run("simulation.step");
+  EXPECT_TRUE(waitFor([this] { return status()->steps() > 0; }));
+  EXPECT_NEAR(place(), 2.5, 0.01);
+}
+
+TEST_F(SceneReloadTest, whatDoesNotFitNowIsRefusedWhereItMust) {
+  const auto whole = std::filesystem::weakly_canonical(file);
+  std::string edited = text;
+  edited.replace(edited.find("</world>"), 8, kCan);
+  std::string refusal;
+  const auto refused = [&refusal](const robotlink::Errors& why) { refusal = why.front().text; };
+  workbench.fitScene({{whole, edited}}, refused);
+  ASSERT_TRUE(waitFor([this] { return loads == 2 && hasModel("can"); }));
+  std::string twice = edited;
+  std::string other = kCan;
+  twice.replace(twice.find("</world>"), 8, other.replace(other.find("can"), 3, "jar"));
+  workbench.fitScene({{whole, twice}}, refused);
+  ASSERT_TRUE(waitFor([&refusal] { return !refusal.empty(); }));
+  EXPECT_NE(refusal.find("there is no room for 'jar'"), std::string::npos) << refusal;
+  EXPECT_TRUE(errors.empty()) << "it is said once";
+  EXPECT_FALSE(hasModel("jar"));
 }
 
 TEST_F(SceneReloadTest, theSimulationGoesOnWithWhatWasAdded) {
