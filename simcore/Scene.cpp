@@ -48,10 +48,21 @@ class IncludedTypes {
   std::map<std::pair<fs::path, std::optional<bool>>, std::shared_ptr<const ModelDescription>> types_;
 };
 
+/// What robots can be in their team from the start.
+constexpr const char* kGoalieRole = "goalie";
+
 /// Sets team, layout and role that an <include> names.
 void setUse(const SceneInclude& include, const SceneFiles& files, ModelInstance& instance, Errors& errors) {
   instance.layout = include.layout;
   instance.role = include.role;
+  if (!include.role.empty() && include.role != kGoalieRole) {
+    errors.push_back({"scene.role",
+                      "'" + instance.name +
+                          "': the <robotcontrol:role> is goalie, or the team decides; not '" + include.role +
+                          "'",
+                      {instance.name},
+                      instance.where});
+  }
   if (include.team.empty()) return;
   const auto color = files.palette().find(include.team);
   instance.teamColorName = include.team;
@@ -65,10 +76,14 @@ void setMotion(const SceneInclude& include, ModelInstance& instance, Errors& err
   if (include.motion.empty()) return;
   const auto mode = motionModeOf(include.motion, include.motionAtObjects);
   instance.motion = mode.value_or(MotionMode::kUnset);
+  const bool pushes = instance.type->drive && include.motionAtObjects == "push";
   const bool fits = mode && (*mode == MotionMode::kPhysics || instance.follows() || instance.type->drive);
-  if (fits) return;
+  if (fits && !pushes) return;
   errors.push_back({"scene.motion",
-                    "'" + instance.name + "': " + (mode ? kMotionNeeds : kMotionRule),
+                    "'" + instance.name + "': " +
+                        (!mode    ? kMotionRule
+                         : pushes ? kDrivesStop
+                                  : kMotionNeeds),
                     {instance.name},
                     instance.where});
 }

@@ -42,6 +42,14 @@ std::uint8_t toByte(float value) {
   return static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.F, 255.F));
 }
 
+/// Whether a direction is one in which the lens looks: the polynomial of a strong distortion also yields
+/// places for directions beyond those that the image has, where it turns back.
+bool isInFront(const LensDistortion& lens, const Eigen::Vector2d& pinhole, const Eigen::Vector2d& seen) {
+  const double r2 = pinhole.squaredNorm();
+  const double slope = 1 + r2 * (3 * lens.k1 + r2 * (5 * lens.k2 + r2 * 7 * lens.k3));
+  return slope > 0 && pinhole.dot(seen) >= 0;
+}
+
 }  // namespace
 
 Eigen::Vector2d CameraOptics::distorted(const LensDistortion& lens, const Eigen::Vector2d& pinhole) {
@@ -88,6 +96,7 @@ void CameraOptics::prepareLens(const CameraModel& camera) {
                                  (y + 0.5 - camera.height / 2.0) / focalY);
       tangents.push_back(undistorted(camera.distortion, seen));
       const bool isThere = (distorted(camera.distortion, tangents.back()) - seen).norm() < 1e-6 &&
+                           isInFront(camera.distortion, tangents.back(), seen) &&
                            tangents.back().cwiseAbs().maxCoeff() < kWidestTangent;
       if (!isThere) tangents.back().setConstant(std::nan(""));
       if (isThere) widest = widest.cwiseMax(tangents.back().cwiseAbs());

@@ -70,7 +70,7 @@ bool hasLink(const tinyxml2::XMLDocument& document) {
 /// Reads and parses a whole file, a URDF after its conversion; returns false if it cannot be read or is not
 /// XML.
 bool readXml(const fs::path& file, const SceneFiles::Texts& texts, tinyxml2::XMLDocument& document,
-             Errors& errors) {
+             Errors& errors, LeftOuts& leftOut) {
   auto contents = contentsOf(file, texts);
   if (!contents) {
     errors.push_back(contents.error());
@@ -81,12 +81,15 @@ bool readXml(const fs::path& file, const SceneFiles::Texts& texts, tinyxml2::XML
          "this is not well-formed XML: " + problemOf(document.ErrorID()));
     return false;
   }
-  const XMLElement* root = document.RootElement();
+  XMLElement* root = document.RootElement();
   if (root == nullptr || std::string_view(root->Name()) != "robot") return true;
-  const Errors problems = problemsOfUrdf(*root, file.string());
+  UrdfParts parts;
+  const Errors problems = checkUrdf(*root, file.string(), parts, leftOut);
   errors.insert(errors.end(), problems.begin(), problems.end());
   if (!problems.empty()) return false;
-  const auto converted = sdfOfUrdf(*contents, file.string());
+  tinyxml2::XMLPrinter prepared(nullptr, true);
+  document.Print(&prepared);
+  const auto converted = sdfOfUrdf(prepared.CStr(), file.string());
   if (!converted) {
     errors.push_back(converted.error());
     return false;
@@ -100,6 +103,7 @@ bool readXml(const fs::path& file, const SceneFiles::Texts& texts, tinyxml2::XML
          "no link is left of this URDF, because links without <inertial> are left out");
     return false;
   }
+  finishUrdf(*document.RootElement(), file.string(), parts, leftOut);
   return true;
 }
 
@@ -116,19 +120,20 @@ void readPalette(const XMLElement& parent, const fs::path& file, Palette& palett
     const bool areThree = !stream.fail() && (stream >> std::ws).eof();
     const bool areBytes = std::ranges::all_of(channels, [](int c) { return c >= 0 && c <= 255; });
     if (name == nullptr || !areThree || !areBytes) {
-      fail(errors, file, color->GetLineNum(), "scene.palette",
+      fail(errors, file, sourceLine(*color), "scene.palette",
            "a color needs a name and three numbers from 0 to 255");
       continue;
     }
     const auto byte = [&](int i) { return static_cast<std::uint8_t>(channels[i]); };
-    palette[name] = {byte(0), byte(1), byte(2)};
+    // The world's colors are read first and go before those that its models bring.
+    palette.try_emplace(name, Rgb{byte(0), byte(1), byte(2)});
   }
 }
 
 /// The contents of a world's <include>, except for its file.
 SceneInclude readDetails(const XMLElement& element, const fs::path& world, Errors& errors) {
   SceneInclude include;
-  include.line = element.GetLineNum();
+  include.line = sourceLine(element);
   include.name = childText(element, "name");
   include.team = childText(element, "robotcontrol:team");
   include.layout = layoutIn(childText(element, "robotcontrol:layout"), world);
@@ -142,7 +147,7 @@ SceneInclude readDetails(const XMLElement& element, const fs::path& world, Error
   if (pose == nullptr || trimmedText(pose).empty()) return include;
   include.pose = poseIn(*pose);
   if (!include.pose) {
-    fail(errors, world, pose->GetLineNum(), "scene.pose",
+    fail(errors, world, sourceLine(*pose), "scene.pose",
          hasQuaternion(*pose) ? "a pose as a quaternion is seven numbers: x y z qx qy qz qw"
                               : "a pose is six numbers: x y z roll pitch yaw");
   }
@@ -160,6 +165,19 @@ void insertLight(const XMLElement& light, const XMLElement& include, XMLElement&
     copy->InsertEndChild(pose->DeepClone(world.GetDocument()));
   }
   world.InsertEndChild(copy);
+}
+
+/// Only one world or model of a file is read.
+void leaveOutOthers(const XMLElement& root, const XMLElement& read, const fs::path& file, LeftOuts& leftOut) {
+  for (auto* other = root.FirstChildElement(); other != nullptr; other = other->NextSiblingElement()) {
+    const std::string name = other->Name();
+    if (other == &read || name.find(':') != std::string::npos) continue;
+    leaveOut(leftOut, {{file.string(), sourceLine(*other), 0},
+                       nameOf(*other),
+                       "<" + name + ">",
+                       "of a file, one world or model is read, here <" + std::string(read.Name()) +
+                           " name=\"" + nameOf(read) + "\">"});
+  }
 }
 
 bool isWorld(const XMLElement& element) {
@@ -181,11 +199,12 @@ SceneFiles::SceneFiles(const fs::path& file, const std::vector<fs::path>& folder
   XMLElement* root = document != nullptr ? document->RootElement() : nullptr;
   if (root == nullptr) return;
   if (root->FirstChildElement("world") == nullptr && root->FirstChildElement("model") == nullptr) {
-    fail(errors, file, root->GetLineNum(), "scene.no-world",
+    fail(errors, file, sourceLine(*root), "scene.no-world",
          R"(the file must describe a world: <sdf version="1.9"><world name="...">, or a model)");
     return;
   }
   if (XMLElement* world = root->FirstChildElement("world")) {
+    leaveOutOthers(*root, *world, file, leftOut_);
     readPalette(*world, file, palette_, errors);
     readIncludes(*world, file, spec, errors);
   } else {
@@ -197,7 +216,7 @@ tinyxml2::XMLDocument* SceneFiles::read(const fs::path& file, const SdfSpec& spe
   auto& document = documents_[file];
   if (document) return document.get();
   document = std::make_unique<tinyxml2::XMLDocument>();
-  if (!readXml(file, texts_, *document, errors)) {
+  if (!readXml(file, texts_, *document, errors, leftOut_)) {
     document->Clear();
     return nullptr;
   }
@@ -238,7 +257,7 @@ void SceneFiles::readIncludes(XMLElement& parent, const fs::path& file, const Sd
 
 bool SceneFiles::readInclude(XMLElement& element, const fs::path& file, const SdfSpec& spec, Errors& errors) {
   const std::string uri = childText(element, "uri");
-  const robotlink::FilePosition where{file.string(), element.GetLineNum(), 0};
+  const robotlink::FilePosition where{file.string(), sourceLine(element), 0};
   if (isNetworkUri(uri)) {
     leaveOut(leftOut_, {where, objectPath(element), "<include> of " + uri,
                         "nothing is fetched from the network; get the model, and name its folder"});
@@ -289,6 +308,7 @@ void SceneFiles::readModel(const fs::path& file, const robotlink::FilePosition& 
     errors.push_back({"scene.unknown-model", "'" + file.string() + "' describes no model", {}, where});
     return;
   }
+  leaveOutOthers(*root, *model, file, leftOut_);
   readPalette(*model, file, palette_, errors);
   readIncludes(*model, file, spec, errors);
 }
@@ -310,6 +330,10 @@ std::optional<fs::path> SceneFiles::addModelOf(const std::string& source, const 
   const bool isName = source.find_first_of("/.") == std::string::npos;
   auto model = search_.findModel(isName ? "model://" + source : source, file_);
   if (!model && isName) model = search_.findRobot(source);
+  // As other files that commands read.
+  std::error_code unknown;
+  if (!model && fs::is_regular_file(source, unknown))
+    model = fs::absolute(source, unknown).lexically_normal();
   if (!model) {
     errors.push_back({"scene.unknown-model",
                       "there is no model '" + source +

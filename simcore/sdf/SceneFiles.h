@@ -46,8 +46,7 @@ struct SceneInclude {
 };
 
 /// The files of a scene: a world, or a model alone, and all models that they include, each read and checked
-/// once however often it is included. URDF files are converted by libsdformat; they have no line numbers
-/// then. One thread at a time.
+/// once however often it is included. URDF files are converted by libsdformat. One thread at a time.
 class SceneFiles {
  public:
   /// Texts that count instead of files, by whole paths with links resolved (simcore::SceneTexts).

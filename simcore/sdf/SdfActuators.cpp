@@ -99,8 +99,13 @@ void readDoor(const sdf::ElementPtr& element, const std::string& prefix, const M
                         "a door needs <robotcontrol:open>: the position of its joint when it is open");
   }
   DoorDescription door;
+  const std::size_t before = context.errors.size();
   door.open = ownNumber(element, "open", 0, joint.lower, joint.upper, context);
   door.closed = ownNumber(element, "closed", joint.initialAngle, joint.lower, joint.upper, context);
+  if (context.errors.size() == before && door.open == door.closed) {
+    context.fail(element, "scene.door",
+                 "<robotcontrol:open> is the position where the door is closed: it would never open");
+  }
   door.seconds = ownNumber(element, "seconds", kUsualOpen, 0, kLongestOpen, context);
   readDoorSensor(element, prefix, model, door, context);
   joint.door = door;
@@ -204,7 +209,7 @@ std::vector<SurfaceRadiation> readSurface(const sdf::ElementPtr& visual, const S
   forEachOwn(visual, "robotcontrol:surface", [&](const sdf::ElementPtr& element) {
     result.push_back({className(element, "class", context),
                       ownNumber(element, "reflects", 0, 0, kMost, context),
-                      ownNumber(element, "emits", 0, -kMost, kMost, context)});
+                      ownNumber(element, "emits", 0, 0, kMost, context)});
   });
   return result;
 }
@@ -232,6 +237,10 @@ std::vector<Emitter> readEmitters(const sdf::ElementPtr& link, const SdfContext&
     }
     emitter.attenuation = ownNumber(element, "attenuation", 0, 0, kMost, context);
     emitter.classes = readIntensities(element, context);
+    if (emitter.classes.empty()) {
+      context.fail(element, "scene.radiation",
+                   "an emitter needs a <robotcontrol:intensity class=\"...\">: what it emits");
+    }
     result.push_back(std::move(emitter));
   });
   return result;

@@ -23,6 +23,44 @@ void checkImageSize(const ImageGeometry& image, const sdf::ElementPtr& element, 
                  "an image's width times its height times its classes", element);
 }
 
+/// Whether each place of the image, except in its corners, is seen in one direction: from the center
+/// outwards, what is seen farther out is shown farther out until the edges are reached.
+bool isInvertible(const LensDistortion& lens, double horizontalAngle, double verticalAngle) {
+  if (!lens.any()) return true;
+  constexpr int kDirections = 32;
+  constexpr double kStep = 0.005, kFarthest = 100;
+  const double edge = std::tan(std::max(horizontalAngle, verticalAngle) / 2);
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * robotlink::kPi * i / kDirections, c = std::cos(angle), s = std::sin(angle);
+    double before = 0;
+    // Steps grow, so that far places are reached, too.
+    for (double r = kStep; before < edge; r += kStep * std::max(1.0, r)) {
+      const double radial = 1 + r * r * (lens.k1 + r * r * (lens.k2 + r * r * lens.k3));
+      const double tangential = 3 * r * (lens.p1 * s + lens.p2 * c);
+      const double shown = r * (radial + tangential);
+      if (!(shown > before) || r > kFarthest) return false;
+      before = shown;
+    }
+  }
+  return true;
+}
+
+/// The nearest and the farthest distance that a camera sees.
+void checkClip(const sdf::Sensor& sensor, const sdf::ElementPtr& element, const SdfContext& context) {
+  const sdf::Camera& camera = *sensor.CameraSensor();
+  const sdf::ElementPtr clip = descendant(element, {"clip"}),
+                        ofDepth = descendant(element, {"depth_camera", "clip"});
+  const auto check = [&](double near, double far, const sdf::ElementPtr& at) {
+    if (near >= 0 && near < far) return;
+    context.fail(at, "scene.range", "<near> of <clip> must be at least 0 and below its <far>");
+  };
+  if (clip) check(camera.NearClip(), camera.FarClip(), clip);
+  if (ofDepth && (camera.HasDepthNearClip() || camera.HasDepthFarClip())) {
+    check(camera.HasDepthNearClip() ? camera.DepthNearClip() : camera.NearClip(),
+          camera.HasDepthFarClip() ? camera.DepthFarClip() : camera.FarClip(), ofDepth);
+  }
+}
+
 void readLens(const sdf::Camera& camera, const sdf::ElementPtr& element, SensorDescription& result,
               const SdfContext& context) {
   const auto share = [&](const char* name) { return ownNumber(element, name, 0, 0, 1, context); };
@@ -33,6 +71,12 @@ void readLens(const sdf::Camera& camera, const sdf::ElementPtr& element, SensorD
   result.distortion = {coefficient(camera.DistortionK1(), "k1"), coefficient(camera.DistortionK2(), "k2"),
                        coefficient(camera.DistortionK3(), "k3"), coefficient(camera.DistortionP1(), "p1"),
                        coefficient(camera.DistortionP2(), "p2")};
+  if (!isInvertible(result.distortion, result.horizontalAngle, result.verticalAngle)) {
+    context.fail(
+        element, "scene.camera",
+        "no lens has this <distortion>: at the edges of the image, different directions would have the "
+        "same place");
+  }
   const ignition::math::Vector2d center = camera.DistortionCenter();
   if (result.distortion.any() && (center - ignition::math::Vector2d(0.5, 0.5)).Length() > 1e-6) {
     context.omit(element, "<center> of <distortion>", "it is the image's center");
@@ -68,6 +112,7 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
   result.errors.noise = {readNoise(camera.ImageNoise(), 100, element, context)};
   result.verticalAngle = 2 * std::atan(std::tan(result.horizontalAngle / 2) * result.height / result.width);
   result.verticalAngle = ownNumber(element, "vertical_fov", result.verticalAngle, 0.01, 3, context);
+  checkClip(sensor, element, context);
   readLens(camera, element, result, context);
   result.image.classes = ownTexts(element, "class");
   if (sensor.Type() == sdf::SensorType::DEPTH_CAMERA) becomeImage(ImageKind::kDepth, camera, result);
@@ -75,6 +120,9 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
   if (sensor.Type() == sdf::SensorType::CAMERA && !result.image.classes.empty()) {
     becomeImage(ImageKind::kRadiation, camera, result);
   }
+  const bool hidesMore = camera.NearClip() > 0.1 || camera.FarClip() < 100;
+  if (sensor.Type() == sdf::SensorType::CAMERA && hidesMore && descendant(element, {"clip"}))
+    context.omit(element->GetElement("clip"), "<clip> of a camera", "cameras of color see at any distance");
   const bool takesClasses =
       result.kind == SensorDescription::Kind::kImage && result.image.kind == ImageKind::kRadiation;
   if (!takesClasses) result.image.classes.clear();

@@ -4,16 +4,18 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <sdf/Param.hh>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "robotlink/base/Spelling.h"
 #include "simcore/sdf/SdfDescription.h"
+#include "simcore/sdf/SdfOwnElements.h"
 #include "simcore/sdf/SdfPaths.h"
 #include "simcore/sdf/SdfSpec.h"
 #include "simcore/sdf/SdfUnsupported.h"
@@ -24,134 +26,8 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr std::string_view kOwnPrefix = "robotcontrol:";
 /// As much of a wrong value is shown.
 constexpr std::size_t kMaxShown = 60;
-
-/// One of our own elements: where it is allowed, and how many numbers it contains (0: text or elements).
-struct OwnElement {
-  std::string_view name;
-  std::array<std::string_view, 6> parents;
-  int numbers = 0;
-};
-
-// Where errors of a sensor may be described.
-constexpr std::array<std::string_view, 6> kWithErrors = {
-    "sensor", "robotcontrol:speed_sensor", "robotcontrol:load_sensor", "robotcontrol:position_sensor"};
-
-constexpr OwnElement kOwnElements[] = {
-    {"robotcontrol:robot", {"model", ""}, 0},
-    {"robotcontrol:ball", {"model", ""}, 0},
-    {"robotcontrol:field", {"model", ""}, 0},
-    {"robotcontrol:home", {"model", ""}, 3},
-    {"robotcontrol:palette", {"model", "world"}, 0},
-    {"robotcontrol:color", {"visual", "robotcontrol:palette"}, 0},
-    {"robotcontrol:servo", {"joint", ""}, 0},
-    {"robotcontrol:initial_position", {"robotcontrol:servo", ""}, 1},
-    {"robotcontrol:position_noise", {"robotcontrol:servo", ""}, 1},
-    {"robotcontrol:vertical_fov", {"camera", ""}, 1},
-    {"robotcontrol:vignetting", {"camera", ""}, 1},
-    {"robotcontrol:vignetting_tint", {"camera", ""}, 1},
-    {"robotcontrol:range", {"sensor", ""}, 1},
-    {"robotcontrol:noise",
-     {"sensor", "robotcontrol:speed_sensor", "robotcontrol:load_sensor", "robotcontrol:position_sensor",
-      "robotcontrol:walk"},
-     1},
-    {"robotcontrol:mean", kWithErrors, 1},
-    {"robotcontrol:bias_mean", kWithErrors, 1},
-    {"robotcontrol:bias_stddev", kWithErrors, 1},
-    {"robotcontrol:drift_stddev", kWithErrors, 1},
-    {"robotcontrol:drift_time", kWithErrors, 1},
-    {"robotcontrol:precision", kWithErrors, 1},
-    {"robotcontrol:delay",
-     {"sensor", "robotcontrol:speed_sensor", "robotcontrol:load_sensor", "robotcontrol:position_sensor",
-      "robotcontrol:servo"},
-     1},
-    {"robotcontrol:rate", kWithErrors, 1},
-    {"robotcontrol:dropout", kWithErrors, 1},
-    {"robotcontrol:speed_sensor", {"joint"}, 0},
-    {"robotcontrol:load_sensor", {"joint"}, 0},
-    {"robotcontrol:position_sensor", {"joint"}, 0},
-    {"robotcontrol:control", {"robotcontrol:servo"}, 0},
-    {"robotcontrol:p", {"robotcontrol:servo"}, 1},
-    {"robotcontrol:i", {"robotcontrol:servo"}, 1},
-    {"robotcontrol:d", {"robotcontrol:servo"}, 1},
-    {"robotcontrol:exposure", {"camera"}, 1},
-    {"robotcontrol:readout", {"camera"}, 1},
-    {"robotcontrol:class", {"camera", "robotcontrol:facette"}, 0},
-    {"robotcontrol:whisker", {"sensor"}, 1},
-    {"robotcontrol:switch", {"sensor"}, 0},
-    {"robotcontrol:odometry", {"sensor"}, 0},
-    {"robotcontrol:battery", {"sensor"}, 0},
-    {"robotcontrol:capacity", {"robotcontrol:battery"}, 1},
-    {"robotcontrol:charge", {"robotcontrol:battery"}, 1},
-    {"robotcontrol:full_voltage", {"robotcontrol:battery"}, 1},
-    {"robotcontrol:empty_voltage", {"robotcontrol:battery"}, 1},
-    {"robotcontrol:idle_power", {"robotcontrol:battery"}, 1},
-    {"robotcontrol:efficiency", {"robotcontrol:battery"}, 1},
-    {"robotcontrol:facette", {"sensor"}, 0},
-    {"robotcontrol:azimuth", {"robotcontrol:facette"}, 3},
-    {"robotcontrol:elevation", {"robotcontrol:facette"}, 3},
-    {"robotcontrol:far", {"robotcontrol:facette"}, 1},
-    {"robotcontrol:radiation", {"world"}, 0},
-    {"robotcontrol:sleeping", {"world"}, 0},
-    {"robotcontrol:ambient", {"robotcontrol:radiation"}, 1},
-    {"robotcontrol:surface", {"visual"}, 0},
-    {"robotcontrol:reflects", {"robotcontrol:surface"}, 1},
-    {"robotcontrol:emits", {"robotcontrol:surface"}, 1},
-    {"robotcontrol:emitter", {"link"}, 0},
-    {"robotcontrol:position", {"robotcontrol:emitter"}, 3},
-    {"robotcontrol:attenuation", {"robotcontrol:emitter"}, 1},
-    {"robotcontrol:intensity", {"robotcontrol:emitter", "light"}, 1},
-    {"robotcontrol:door", {"joint"}, 0},
-    {"robotcontrol:open", {"robotcontrol:door"}, 1},
-    {"robotcontrol:closed", {"robotcontrol:door"}, 1},
-    {"robotcontrol:below", {"robotcontrol:door"}, 1},
-    {"robotcontrol:seconds", {"robotcontrol:door"}, 1},
-    {"robotcontrol:controller", {"model", "world"}, 0},
-    {"robotcontrol:parameter", {"robotcontrol:controller"}, 0},
-    {"robotcontrol:guided", {"model"}, 0},
-    {"robotcontrol:maximum_speed", {"robotcontrol:guided", "robotcontrol:walk"}, 1},
-    {"robotcontrol:maximum_rate", {"robotcontrol:guided", "robotcontrol:walk"}, 1},
-    {"robotcontrol:acceleration", {"robotcontrol:guided", "robotcontrol:vehicle"}, 1},
-    {"robotcontrol:angular_acceleration", {"robotcontrol:guided", "robotcontrol:vehicle"}, 1},
-    {"robotcontrol:wheelbase", {"robotcontrol:guided"}, 1},
-    {"robotcontrol:skid", {"robotcontrol:guided"}, 1},
-    {"robotcontrol:maximum_steering", {"robotcontrol:guided"}, 1},
-    {"robotcontrol:most_incidence", {"sensor", ""}, 1},
-    {"robotcontrol:team", {"include", ""}, 0},
-    {"robotcontrol:role", {"include"}, 0},
-    {"robotcontrol:game", {"world"}, 0},
-    {"robotcontrol:layout", {"model", "include"}, 0},
-    {"robotcontrol:drive", {"model", ""}, 0},
-    {"robotcontrol:left", {"robotcontrol:drive", ""}, 0},
-    {"robotcontrol:right", {"robotcontrol:drive", ""}, 0},
-    {"robotcontrol:track", {"robotcontrol:drive", "robotcontrol:guided", "robotcontrol:vehicle"}, 1},
-    {"robotcontrol:idle_torque", {"robotcontrol:drive", "robotcontrol:vehicle"}, 1},
-    {"robotcontrol:vehicle", {"model"}, 0},
-    {"robotcontrol:wheel", {"robotcontrol:vehicle"}, 0},
-    {"robotcontrol:free_wheel", {"robotcontrol:vehicle"}, 0},
-    {"robotcontrol:steer", {"robotcontrol:vehicle"}, 0},
-    {"robotcontrol:walk", {"model"}, 0},
-    {"robotcontrol:slip", {"robotcontrol:walk"}, 3},
-    {"robotcontrol:motion", {"model", "include"}, 0},
-};
-
-std::vector<std::string> words(const XMLElement& element) {
-  std::vector<std::string> result;
-  std::istringstream stream(element.GetText() != nullptr ? element.GetText() : "");
-  for (std::string word; stream >> word;) result.push_back(word);
-  return result;
-}
-
-bool isFiniteNumber(const std::string& word) {
-  char* end = nullptr;
-  return std::isfinite(std::strtod(word.c_str(), &end)) && end == word.c_str() + word.size();
-}
-
-bool isBool(const std::string& word) {
-  return isTrue(word) || word == "0" || word == "false" || word == "False" || word == "FALSE";
-}
 
 /// Limits may be infinite: in SDFormat this means that there is none.
 bool isLimitNumber(const std::string& word) {
@@ -168,70 +44,138 @@ constexpr ValueType kNumberTypes[] = {{"double", 1, 1},       {"float", 1, 1},  
                                       {"unsigned int", 1, 1}, {"vector3", 3, 3}, {"vector2d", 2, 2},
                                       {"color", 3, 4},        {"pose", 6, 7}};
 
+constexpr std::string_view kJointTypes[] = {"revolute", "continuous", "prismatic", "ball",     "universal",
+                                            "fixed",    "screw",      "gearbox",   "revolute2"};
+constexpr std::string_view kLightTypes[] = {"point", "directional", "spot"};
+
+std::string inLowerCase(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// Whether both say the same, as numbers if they are some.
+bool isSameValue(const std::string& type, const std::string& text, const std::string& other) {
+  if (type == "bool") return isTrue(text) == isTrue(other);
+  std::istringstream one(text), two(other);
+  std::string word, otherWord;
+  while (one >> word) {
+    if (!(two >> otherWord)) return false;
+    const bool areNumbers = isFiniteNumber(word) && isFiniteNumber(otherWord);
+    if (areNumbers ? std::atof(word.c_str()) != std::atof(otherWord.c_str()) : word != otherWord)
+      return false;
+  }
+  return !(two >> otherWord);
+}
+
+/// Whether an element, with all in it, says what would be so without it.
+bool isUsual(const XMLElement& element, const sdf::ElementPtr& description) {
+  const sdf::ParamPtr value = description->GetValue();
+  const std::string text = trimmedText(&element);
+  if (value && !text.empty() && !isSameValue(value->GetTypeName(), text, value->GetDefaultAsString()))
+    return false;
+  for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    const bool isKnown = description->HasElementDescription(child->Name());
+    if (!isKnown || !isUsual(*child, description->GetElementDescription(child->Name()))) return false;
+  }
+  return true;
+}
+
 class Checker {
  public:
   Checker(const std::string& file, robotlink::Errors& errors, LeftOuts& leftOut)
       : file_(file), errors_(errors), leftOut_(leftOut) {}
 
-  /// Checks an element of SDFormat; without a description, only our own elements below it.
-  void check(XMLElement& element, const sdf::ElementPtr& description) {
+  /// Checks an element of SDFormat; without a description, only our own elements below it. Returns whether
+  /// its value can be used.
+  bool check(XMLElement& element, const sdf::ElementPtr& description) {
+    bool isSound = true;
     if (description) {
       checkAttributes(element, description);
-      checkValue(element, description);
+      isSound = checkValue(element, description);
     }
     for (XMLElement* child = element.FirstChildElement(); child != nullptr;) {
       XMLElement* const next = child->NextSiblingElement();
       const std::string_view name = child->Name();
       if (name.starts_with(kOwnPrefix)) {
-        checkOwn(*child, element.Name());
+        checkOwn(*child);
       } else if (name.find(':') == std::string_view::npos && !checkChild(*child, element, description)) {
         element.DeleteChild(child);
       }
       child = next;
     }
+    return isSound;
   }
 
  private:
   void fail(const XMLElement& element, const char* id, const std::string& text) {
     const std::string path = objectPath(element);
     errors_.push_back(
-        {id, path.empty() ? text : path + ": " + text, {element.Name()}, {file_, element.GetLineNum(), 0}});
+        {id, path.empty() ? text : path + ": " + text, {element.Name()}, {file_, sourceLine(element), 0}});
   }
   void omit(const XMLElement& element, const std::string& what, const std::string& why) {
-    leaveOut(leftOut_, {{file_, element.GetLineNum(), 0}, objectPath(element), what, why});
+    leaveOut(leftOut_, {{file_, sourceLine(element), 0}, objectPath(element), what, why});
   }
   static std::string tag(const XMLElement& element) { return std::string("<") + element.Name() + ">"; }
 
   /// Returns whether the child stays in the tree.
   bool checkChild(XMLElement& child, const XMLElement& parent, const sdf::ElementPtr& description) {
-    const Unsupported found = unsupported(child);
+    const std::string name = child.Name();
+    sdf::ElementPtr known;
+    if (description && description->HasElementDescription(name))
+      known = description->GetElementDescription(name);
+    const bool isPlain = known && known->ReferenceSDF().empty() && isUsual(child, known);
+    const Unsupported found = unsupported(child, isPlain);
     if (found.why != nullptr) omit(child, tag(child) + " in " + tag(parent), found.why);
     if (found.removed) return false;
-    if (!description) {
-      check(child, nullptr);
-      return true;
-    }
+    if (!description) return check(child, nullptr);
     // The parameters of a plugin are arbitrary.
     if (description->GetCopyChildren()) return true;
-    // Newer than the SDFormat that libsdformat describes, and read by readSolidShapes().
-    if (std::string_view(child.Name()) == "cone" && std::string_view(parent.Name()) == "geometry") {
-      check(child, nullptr);
-      return true;
-    }
-    if (!description->HasElementDescription(child.Name())) {
+    // What is newer than the SDFormat that libsdformat describes is read by readSolidShapes(), and so is what
+    // is no shape at all.
+    if (std::string_view(parent.Name()) == "geometry" && !known) return check(child, nullptr);
+    if (!known) {
       omit(child, tag(child) + " in " + tag(parent),
-           "SDFormat 1.9 has no such element" + guess(child, description));
+           "SDFormat 1.9 has no such element" + guess(name, namesIn(description), "<", ">"));
       return false;
     }
-    const sdf::ElementPtr known = description->GetElementDescription(child.Name());
-    // A model inside a model is described by reference.
-    if (!known->ReferenceSDF().empty() && std::string_view(child.Name()) == "model") {
-      check(child, model_ ? model_ : description);
-    } else {
-      if (std::string_view(child.Name()) == "model") model_ = known;
-      check(child, known->ReferenceSDF().empty() ? known : nullptr);
+    if (!isRead(child)) {
+      if (!isPlain) omit(child, tag(child) + " in " + tag(parent), "the simulator has nothing like it");
+      return false;
     }
-    return true;
+    if (name == "sensor" && !isReadSensor(child)) return false;
+    if (name == "joint") checkType(child, kJointTypes, "fixed");
+    if (name == "light") checkType(child, kLightTypes, "point");
+    // A model inside a model is described by reference.
+    if (!known->ReferenceSDF().empty() && name == "model") return check(child, model_ ? model_ : description);
+    if (name == "model") model_ = known;
+    return check(child, known->ReferenceSDF().empty() ? known : nullptr);
+  }
+
+  /// libsdformat refuses the whole file for a sensor that it does not know.
+  bool isReadSensor(const XMLElement& sensor) {
+    const char* const type = sensor.Attribute("type");
+    if (type == nullptr) {
+      fail(sensor, "scene.missing-attribute", "<sensor> needs the attribute 'type'");
+      return false;
+    }
+    if (isKnownSensor(type)) return true;
+    omit(sensor, "sensor of type '" + std::string(type) + "'",
+         kKnownSensors + guess(type, knownSensors(), "'", "'"));
+    return false;
+  }
+
+  /// Reports an unknown type and replaces it, so that the rest is read.
+  void checkType(XMLElement& element, std::span<const std::string_view> types, const char* otherwise) {
+    const char* const type = element.Attribute("type");
+    if (type != nullptr && std::ranges::find(types, inLowerCase(type)) != types.end()) return;
+    if (type != nullptr) {
+      std::string all;
+      for (const std::string_view one : types) all += (all.empty() ? "" : ", ") + std::string(one);
+      fail(element, "scene.type",
+           "there is no " + tag(element) + " of type '" + std::string(type).substr(0, kMaxShown) + "'" +
+               guess(type, {types.begin(), types.end()}, "'", "'") + "; there are " + all);
+      element.SetAttribute("type", otherwise);
+    }
   }
 
   static std::string shortText(const XMLElement& element) {
@@ -239,12 +183,17 @@ class Checker {
     return text.size() <= kMaxShown ? text : text.substr(0, kMaxShown - 3) + "...";
   }
 
-  static std::string guess(const XMLElement& child, const sdf::ElementPtr& description) {
+  static std::vector<std::string> namesIn(const sdf::ElementPtr& description) {
     std::vector<std::string> names;
     for (unsigned i = 0; i < description->GetElementDescriptionCount(); ++i)
       names.push_back(description->GetElementDescription(i)->GetName());
-    const auto nearest = robotlink::nearest(child.Name(), names);
-    return nearest.empty() ? "" : "; is <" + nearest + "> meant?";
+    return names;
+  }
+
+  static std::string guess(const std::string& name, const std::vector<std::string>& names, const char* before,
+                           const char* after) {
+    const auto nearest = robotlink::nearest(name, names);
+    return nearest.empty() ? "" : "; is " + (before + nearest) + after + " meant?";
   }
 
   void checkAttributes(XMLElement& element, const sdf::ElementPtr& description) {
@@ -260,9 +209,13 @@ class Checker {
     }
     for (std::size_t i = 0; i < description->GetAttributeCount(); ++i) {
       const auto attribute = description->GetAttribute(static_cast<unsigned int>(i));
-      if (!attribute->GetRequired() || element.Attribute(attribute->GetKey().c_str()) != nullptr) continue;
-      fail(element, "scene.missing-attribute",
-           tag(element) + " needs the attribute '" + attribute->GetKey() + "'");
+      const std::string& key = attribute->GetKey();
+      const char* const value = element.Attribute(key.c_str());
+      const bool isName = key == "name";
+      if (!attribute->GetRequired() || (value != nullptr && !(isName && *value == '\0'))) continue;
+      fail(element, "scene.missing-attribute", tag(element) + " needs the attribute '" + key + "'");
+      // So that the rest is read.
+      if (isName) element.SetAttribute("name", ("unnamed " + std::to_string(++unnamed_)).c_str());
     }
     checkAttributeValues(element, description);
   }
@@ -286,57 +239,74 @@ class Checker {
     }
   }
 
-  void checkValue(const XMLElement& element, const sdf::ElementPtr& description) {
-    if (!description->GetValue() || element.FirstChildElement() != nullptr) return;
+  /// Returns whether the value can be used.
+  bool checkValue(const XMLElement& element, const sdf::ElementPtr& description) {
+    if (!description->GetValue() || element.FirstChildElement() != nullptr) return true;
     const std::string& type = description->GetValue()->GetTypeName();
-    const std::vector<std::string> values = words(element);
+    const std::vector<std::string> values = wordsOf(element);
     const auto known = std::ranges::find(kNumberTypes, std::string_view(type), &ValueType::name);
     if (type == "bool") {
-      if (values.size() != 1 || !isBool(values[0]))
-        fail(element, "scene.value",
-             tag(element) + " must be true or false, not '" + shortText(element) + "'");
-    } else if (known != std::end(kNumberTypes)) {
-      const bool isPose = type == "pose";
-      const std::size_t ofPose = hasQuaternion(element) ? 7 : 6;
-      checkNumbers(element, values, isPose ? ofPose : known->fewest, isPose ? ofPose : known->most);
+      if (values.size() == 1 && isBool(values[0])) return true;
+      fail(element, "scene.value", tag(element) + " must be true or false, not '" + shortText(element) + "'");
+      return false;
     }
+    if (known == std::end(kNumberTypes)) return true;
+    const bool isPose = type == "pose";
+    const std::size_t ofPose = hasQuaternion(element) ? 7 : 6;
+    if (!checkNumbers(element, values, isPose ? ofPose : known->fewest, isPose ? ofPose : known->most))
+      return false;
+    if (type == "color") return checkColor(element, values);
+    return (type != "int" && type != "unsigned int") || checkCount(element, values);
   }
 
-  void checkNumbers(const XMLElement& element, const std::vector<std::string>& values, std::size_t fewest,
+  bool checkNumbers(const XMLElement& element, const std::vector<std::string>& values, std::size_t fewest,
                     std::size_t most) {
     const bool isLimit = element.Parent() != nullptr && element.Parent()->ToElement() != nullptr &&
                          std::string_view(element.Parent()->ToElement()->Name()) == "limit";
     // An empty <pose/> or the like means the default.
     const bool countFits = values.empty() || (values.size() >= fewest && values.size() <= most);
-    if (countFits && std::ranges::all_of(values, isLimit ? isLimitNumber : isFiniteNumber)) return;
+    if (countFits && std::ranges::all_of(values, isLimit ? isLimitNumber : isFiniteNumber)) return true;
     const std::string count = fewest == 1 ? "one finite number" : std::to_string(fewest) + " finite numbers";
     fail(element, "scene.value", tag(element) + " must be " + count + ", not '" + shortText(element) + "'");
+    return false;
   }
 
-  void checkOwn(XMLElement& element, std::string_view parent) {
-    const std::string name = element.Name();
-    const auto* known = std::ranges::find(kOwnElements, std::string_view(name), &OwnElement::name);
-    if (known == std::end(kOwnElements))
-      return fail(element, "scene.unknown-element", "there is no <" + name + ">");
-    if (std::ranges::find(known->parents, parent) == known->parents.end()) {
-      return fail(element, "scene.unknown-element",
-                  "<" + name + "> has no meaning in <" + std::string(parent) + ">");
+  bool checkColor(const XMLElement& element, const std::vector<std::string>& values) {
+    const auto isShare = [](const std::string& word) {
+      const double number = std::atof(word.c_str());
+      return number >= 0 && number <= 1;
+    };
+    if (!std::ranges::all_of(values, isShare)) {
+      fail(element, "scene.value",
+           "the numbers of " + tag(element) + " must be between 0 and 1, not '" + shortText(element) + "'");
+      return false;
     }
-    const std::vector<std::string> values = words(element);
-    // A gait's noise is that of three directions.
-    const bool ofGait = parent == "robotcontrol:walk" && name == "robotcontrol:noise";
-    const auto numbers = ofGait ? 3 : static_cast<std::size_t>(known->numbers);
-    if (numbers > 0 && (values.size() != numbers || !std::ranges::all_of(values, isFiniteNumber))) {
-      const std::string count =
-          numbers == 1 ? "one finite number" : std::to_string(numbers) + " finite numbers";
-      fail(element, "scene.value", "<" + name + "> must be " + count);
-    }
-    check(element, nullptr);
+    const bool isMaterial = std::string_view(element.Parent()->ToElement()->Name()) == "material";
+    if (isMaterial && values.size() == 4 && std::atof(values[3].c_str()) < 1)
+      omit(element, "the fourth number of <diffuse>", "everything is opaque");
+    return true;
+  }
+
+  /// Whole numbers of SDFormat count something.
+  bool checkCount(const XMLElement& element, const std::vector<std::string>& values) {
+    if (values.empty() ||
+        std::ranges::all_of(values[0], [](unsigned char c) { return std::isdigit(c) != 0; }))
+      return true;
+    fail(element, "scene.value",
+         tag(element) + " must be a whole number from 0 on, not '" + shortText(element) + "'");
+    return false;
+  }
+
+  void checkOwn(XMLElement& element) {
+    const auto problems = problemsOfOwnElement(element);
+    for (const OwnProblem& problem : problems) fail(element, problem.id, problem.text);
+    if (problems.empty() || problems.front().isKnown) check(element, nullptr);
   }
 
   const std::string& file_;
   robotlink::Errors& errors_;
   LeftOuts& leftOut_;
+  int unnamed_ = 0;
   /// The description of <model>, for models inside models.
   sdf::ElementPtr model_;
 };
@@ -347,7 +317,7 @@ void checkSdfTree(tinyxml2::XMLDocument& document, const std::string& file, cons
                   robotlink::Errors& errors, LeftOuts& leftOut) {
   XMLElement* root = document.RootElement();
   if (root == nullptr || std::string_view(root->Name()) != "sdf") {
-    const int line = root != nullptr ? root->GetLineNum() : 1;
+    const int line = root != nullptr ? sourceLine(*root) : 1;
     const std::string found = root != nullptr ? ", but <" + std::string(root->Name()) + ">" : "";
     errors.push_back(
         {"scene.no-sdf", "this is not an SDFormat file: its root is not <sdf>" + found, {}, {file, line, 0}});
@@ -359,22 +329,13 @@ void checkSdfTree(tinyxml2::XMLDocument& document, const std::string& file, cons
     errors.push_back({"scene.version",
                       "the version must be 1.9, or another one from 1.2 to 1.12, not '" + version + "'",
                       {},
-                      {file, root->GetLineNum(), 0}});
+                      {file, sourceLine(*root), 0}});
     return;
   }
+  useOwnPrefix(*root);
   if (minor < 9) upgradeSdf(document, minor);
   Checker(file, errors, leftOut).check(*root, spec.description().text->Root());
   checkSdfNames(*root, file, errors, leftOut);
-}
-
-std::vector<std::pair<std::string, std::string>> ownSdfElements() {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const OwnElement& own : kOwnElements) {
-    for (const std::string_view parent : own.parents) {
-      if (!parent.empty()) all.emplace_back(own.name, parent);
-    }
-  }
-  return all;
 }
 
 }  // namespace simcore

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "robotlink/base/Error.h"
 #include "simcore/world/LeftOut.h"
@@ -28,11 +26,9 @@ void checkSdfTree(tinyxml2::XMLDocument& document, const std::string& file, cons
                   robotlink::Errors& errors, LeftOuts& leftOut);
 
 /// Checks the models of a file, or of its world: repeated names, joints without ends, and impossible masses,
-/// sizes and inertias.
-void checkSdfNames(const tinyxml2::XMLElement& root, const std::string& file, robotlink::Errors& errors,
+/// sizes, inertias, axes and frames. What is wrong is removed or replaced by what is usual, so that one error
+/// is no reason for others, and all are found at once.
+void checkSdfNames(tinyxml2::XMLElement& root, const std::string& file, robotlink::Errors& errors,
                    LeftOuts& leftOut);
-
-/// All elements of our own namespace, each with an element that it may be in.
-std::vector<std::pair<std::string, std::string>> ownSdfElements();
 
 }  // namespace simcore

@@ -2,6 +2,7 @@
 // SdfContext of SdfConversion.h: errors with line numbers, and checks of numbers.
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 
 #include "simcore/sdf/SdfConversion.h"
 
@@ -20,6 +21,40 @@ int lineOf(sdf::ElementPtr element) {
 std::string fileOf(sdf::ElementPtr element, const std::string& otherwise) {
   while (element && element->FilePath().empty()) element = element->GetParent();
   return element ? element->FilePath() : otherwise;
+}
+
+/// The first element of this name that is a <kind>; null if there is none.
+sdf::ElementPtr elementOfKind(const std::string& kind, const std::string& name, const sdf::ElementPtr& root,
+                              int depth = 0) {
+  constexpr int kDeepest = 50;
+  if (!root || depth > kDeepest) return nullptr;
+  if (root->GetName() == kind && root->HasAttribute("name") && root->Get<std::string>("name") == name)
+    return root;
+  for (sdf::ElementPtr child = root->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (const auto found = elementOfKind(kind, name, child, depth + 1)) return found;
+  }
+  return nullptr;
+}
+
+/// The first element that a message of libsdformat names with its kind: "model with name[arm]"; null if there
+/// is none.
+sdf::ElementPtr elementTold(const std::string& message, const sdf::ElementPtr& root) {
+  constexpr std::string_view kWith = " with name[";
+  for (std::size_t at = message.find(kWith); at != std::string::npos; at = message.find(kWith, at + 1)) {
+    const std::size_t space = message.rfind(' ', at - 1), begin = space == std::string::npos ? 0 : space + 1,
+                      name = at + kWith.size(), end = message.find(']', name);
+    if (end == std::string::npos || at == 0) break;
+    const auto found =
+        elementOfKind(message.substr(begin, at - begin), message.substr(name, end - name), root);
+    if (found) return found;
+  }
+  return nullptr;
+}
+
+/// Whether a message only follows from another one, and says nothing to users.
+bool isVague(const sdf::Error& error) {
+  const std::string message = error.Message();
+  return message.find("Graph") != std::string::npos || message.starts_with("Failed to load a ");
 }
 
 /// The deepest element whose name a message of libsdformat has in [brackets] or 'quotes'; null if there is
@@ -76,8 +111,12 @@ void SdfContext::omit(const sdf::ElementPtr& element, std::string what, std::str
 }
 
 bool SdfContext::take(const sdf::Errors& found, const sdf::ElementPtr& element) const {
+  const bool isClear =
+      std::ranges::any_of(found, [](const sdf::Error& one) { return !isVague(one); }) ||
+      std::ranges::any_of(errors, [this](const auto& one) { return one.where.file == file; });
   std::size_t reported = 0;
   for (const sdf::Error& error : found) {
+    if (isClear && isVague(error)) continue;
     if (++reported > kMaxReported) {
       fail(root, "scene.sdf", "there are " + std::to_string(found.size() - kMaxReported) + " more errors");
       break;
@@ -85,7 +124,8 @@ bool SdfContext::take(const sdf::Errors& found, const sdf::ElementPtr& element) 
     // Some messages repeat the whole file.
     const std::string message = error.Message().substr(0, error.Message().find('\n'));
     sdf::ElementPtr at = element;
-    if (!at || lineOf(at) <= 0) at = elementNamed(message, root);
+    if (!at || lineOf(at) <= 0) at = elementTold(message, root);
+    if (!at) at = elementNamed(message, root);
     fail(at ? at : root, "scene.sdf", message);
     // The enclosing elements follow, each with an error of its own.
     if (message.starts_with("Error reading element")) break;

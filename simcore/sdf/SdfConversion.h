@@ -27,6 +27,11 @@ inline Pose3 toEigen(const ignition::math::Pose3d& pose) {
          Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized();
 }
 
+/// Whether a text of libsdformat is missing in the file.
+inline bool isNoText(const std::string& text) {
+  return text.empty() || text == "__default__";
+}
+
 /// The environment for converting one file, and where its errors go. A bundle of references.
 struct SdfContext {
   const std::string& file;

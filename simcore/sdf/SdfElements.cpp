@@ -69,7 +69,7 @@ sdf::ElementPtr SdfElements::build(const XMLElement& source, const sdf::ElementP
   const auto element = std::make_shared<sdf::Element>();
   element->SetName(source.Name());
   element->SetFilePath(file);
-  element->SetLineNumber(source.GetLineNum());
+  element->SetLineNumber(sourceLine(source));
   element->SetExplicitlySetInFile(true);
   try {
     addAttributes(source, description, *element);
@@ -79,7 +79,7 @@ sdf::ElementPtr SdfElements::build(const XMLElement& source, const sdf::ElementP
     errors_.push_back({"scene.sdf",
                        objectPath(source) + ": libsdformat cannot read this <" + source.Name() + ">",
                        {},
-                       {file, source.GetLineNum(), 0}});
+                       {file, sourceLine(source), 0}});
     return nullptr;
   }
   if (description) {
@@ -123,7 +123,7 @@ sdf::ElementPtr SdfElements::buildIncluded(const XMLElement& include, const std:
   if (model == nullptr) return nullptr;
   const auto fail = [&](const std::string& text) {
     errors_.push_back(
-        {"scene.include", objectPath(include) + ": " + text, {}, {file, include.GetLineNum(), 0}});
+        {"scene.include", objectPath(include) + ": " + text, {}, {file, sourceLine(include), 0}});
   };
   if (std::ranges::find(open_, *path) != open_.end()) {
     fail("the model includes itself: " + path->string());
@@ -172,7 +172,7 @@ sdf::ElementPtr SdfElements::modelRoot(const XMLElement& model, const std::strin
   count_ = 0;
   const sdf::ElementPtr result = root(build(model, known, file));
   if (count_ > kMaxElements)
-    errors_.push_back({"scene.size", "the model has too many parts", {}, {file, model.GetLineNum(), 0}});
+    errors_.push_back({"scene.size", "the model has too many parts", {}, {file, sourceLine(model), 0}});
   return result;
 }
 
@@ -183,7 +183,7 @@ sdf::ElementPtr SdfElements::worldRoot(const XMLElement& world, const std::strin
   count_ = 0;
   const sdf::ElementPtr result = root(build(world, known, file));
   if (count_ > kMaxElements)
-    errors_.push_back({"scene.size", "the world has too many parts", {}, {file, world.GetLineNum(), 0}});
+    errors_.push_back({"scene.size", "the world has too many parts", {}, {file, sourceLine(world), 0}});
   return result;
 }
 

@@ -270,6 +270,12 @@ sdf::ElementPtr descriptionOf(const SdfGlossary::Path& path, const sdf::ElementP
 
 }  // namespace
 
+std::optional<SdfElementHelp> ownSdfElement(const std::string& name, const std::string& parent) {
+  const auto* own = std::ranges::find_if(
+      kOwnElementHelp, [&](const OwnElementHelp& one) { return name == one.name && isIn(one, parent); });
+  return own != std::end(kOwnElementHelp) ? std::optional(helpOf(*own)) : std::nullopt;
+}
+
 SdfGlossary::SdfGlossary() : spec_(SdfSpec::shared()) {}
 SdfGlossary::~SdfGlossary() = default;
 
@@ -294,10 +300,7 @@ std::optional<SdfElementHelp> SdfGlossary::element(const Path& path) const {
   if (path.empty()) return std::nullopt;
   const sdf::ElementPtr root = spec_.description().text->Root();
   if (const sdf::ElementPtr description = descriptionOf(path, root)) return helpOf(description);
-  for (const OwnElementHelp& own : kOwnElementHelp) {
-    if (path.size() > 1 && path.back() == own.name && isIn(own, path[path.size() - 2])) return helpOf(own);
-  }
-  return std::nullopt;
+  return path.size() > 1 ? ownSdfElement(path.back(), path[path.size() - 2]) : std::nullopt;
 }
 
 }  // namespace simcore

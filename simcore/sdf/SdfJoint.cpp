@@ -35,7 +35,10 @@ class JointReader {
     result.anchorInModel =
         sourceInModel_ *
         resolvedPose(joint.SemanticPose(), "__model__", joint.Element(), context_).translation();
+    checkDevices(joint.Element(), result.kind);
     if (result.kind != JointKind::kFixed && result.kind != JointKind::kBall) readAxes(joint, result);
+    if (result.kind == JointKind::kBall && joint.Element()->HasElement("axis"))
+      context_.omit(joint.Element(), "<axis> of a ball joint", "it turns freely in all directions");
     if (turned_) {
       // The child is the world: seen from there everything turns the other way.
       result.axisInModel = -result.axisInModel;
@@ -45,6 +48,17 @@ class JointReader {
   }
 
  private:
+  /// Only joints with a position have motors and sensors.
+  void checkDevices(const sdf::ElementPtr& joint, JointKind kind) {
+    if (kind == JointKind::kHinge || kind == JointKind::kSlider) return;
+    for (const char* device : {"servo", "speed_sensor", "load_sensor", "position_sensor"}) {
+      const std::string key = std::string("robotcontrol:") + device;
+      if (!joint->HasElement(key)) continue;
+      context_.fail(joint->GetElement(key), "scene.servo",
+                    "only a revolute, continuous or prismatic joint can have a <" + key + ">");
+    }
+  }
+
   bool readKind(const sdf::Joint& joint, JointDescription& result) {
     const sdf::ElementPtr element = joint.Element();
     switch (joint.Type()) {
@@ -113,10 +127,13 @@ class JointReader {
       }
     }
     const bool servo = joint.Element()->HasElement("robotcontrol:servo");
-    if (servo && result.kind != JointKind::kHinge && result.kind != JointKind::kSlider) {
-      context_.fail(joint.Element(), "scene.servo",
-                    "only a revolute, continuous or prismatic joint can have a servo");
-    } else if (servo) {
+    const bool isOutside =
+        result.lower > 0 || result.upper < 0 || result.secondLower > 0 || result.secondUpper < 0;
+    if (!servo && isOutside) {
+      context_.omit(joint.Element(), "the start of the joint",
+                    "it starts at 0, outside its stops, which push it back");
+    }
+    if (servo && result.kind != JointKind::kUniversal) {
       readServo(axis, joint.Element(), result);
     } else {
       result.damping = context_.within(axis.Damping(), 0, 1e6, "damping", joint.Element());
@@ -160,6 +177,11 @@ class JointReader {
     const bool endless = axis.Lower() <= -kFullTurn && axis.Upper() >= kFullTurn;
     const bool within = axis.Lower() >= -robotlink::kPi && axis.Upper() <= robotlink::kPi;
     const bool isServo = joint.Element()->HasElement("robotcontrol:servo");
+    const bool hasStops = axis.Lower() > -kEndless || axis.Upper() < kEndless;
+    if (endless && hasStops)
+      context_.omit(joint.Element(), "stops beyond a full turn", "the joint turns without stops");
+    if (isServo && !endless && !within && (axis.Lower() < -kFullTurn || axis.Upper() > kFullTurn))
+      context_.omit(joint.Element(), "a stop beyond a full turn", "the servo turns up to there only");
     if (endless || within || isServo) return;
     context_.omit(joint.Element(), "stops beyond half a turn", "the joint turns without stops");
     lower = -kFullTurn;

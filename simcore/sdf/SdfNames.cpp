@@ -3,11 +3,15 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <initializer_list>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
+#include "robotlink/base/Spelling.h"
 #include "simcore/sdf/SdfCheck.h"
 #include "simcore/sdf/SdfPaths.h"
 
@@ -28,13 +32,16 @@ class NameChecker {
   NameChecker(const std::string& file, robotlink::Errors& errors, LeftOuts& leftOut)
       : file_(file), errors_(errors), leftOut_(leftOut) {}
 
-  void checkWorld(const XMLElement& world) {
+  void checkWorld(XMLElement& world) {
     checkCount(world);
     checkUnique(world, {"model", "light", "frame"});
-    forEach(world, "model", [&](const XMLElement& model) { checkModel(model); });
+    const Scope scope = scopeOf(world, {"model", "frame"}, {"world"});
+    for (const char* part : {"model", "frame", "light", "include"})
+      forEach(world, part, [&](XMLElement& child) { checkFrames(child, scope); });
+    forEach(world, "model", [&](XMLElement& model) { checkModel(model); });
   }
 
-  void checkModel(const XMLElement& model) {
+  void checkModel(XMLElement& model) {
     checkCount(model);
     const bool hasParts = model.FirstChildElement("link") != nullptr ||
                           model.FirstChildElement("model") != nullptr ||
@@ -42,34 +49,77 @@ class NameChecker {
     if (!hasParts) fail(model, "scene.no-link", "the model '" + nameOf(model) + "' has no <link>");
     // In SDFormat, all of these share one scope.
     checkUnique(model, {"link", "joint", "frame", "model"});
+    const Scope scope = scopeOf(model, {"link", "joint", "frame", "model"}, {"__model__"});
+    for (const char* part : {"link", "joint", "frame", "model", "include"})
+      forEach(model, part, [&](XMLElement& child) { checkFrames(child, scope); });
+    for (const char* attribute : {"canonical_link", "placement_frame"}) checkFrame(model, attribute, scope);
     std::set<std::string> joints;
-    forEach(model, "joint", [&](const XMLElement& joint) { joints.insert(nameOf(joint)); });
+    forEach(model, "joint", [&](XMLElement& joint) { joints.insert(nameOf(joint)); });
     std::set<std::string> parts = joints;
     parts.insert("__model__");
-    forEach(model, "link", [&](const XMLElement& link) {
+    forEach(model, "link", [&](XMLElement& link) {
       checkLink(link);
       parts.insert(nameOf(link));
     });
-    forEach(model, "joint", [&](const XMLElement& joint) { checkJoint(joint, model, parts); });
-    forEach(model, "model", [&](const XMLElement& nested) { checkModel(nested); });
+    forEach(model, "joint", [&](XMLElement& joint) { checkJoint(joint, model, parts); });
+    forEach(model, "model", [&](XMLElement& nested) { checkModel(nested); });
     checkDrive(model.FirstChildElement("robotcontrol:drive"), joints);
   }
 
  private:
+  /// The names that may be used in a world or a model; unset if there are some that only libsdformat knows.
+  using Scope = std::optional<std::set<std::string>>;
+
   void fail(const XMLElement& element, const char* id, const std::string& text) {
     const std::string path = objectPath(element);
     errors_.push_back(
-        {id, path.empty() ? text : path + ": " + text, {nameOf(element)}, {file_, element.GetLineNum(), 0}});
+        {id, path.empty() ? text : path + ": " + text, {nameOf(element)}, {file_, sourceLine(element), 0}});
   }
   void omit(const XMLElement& element, const std::string& what, const std::string& why) {
-    leaveOut(leftOut_, {{file_, element.GetLineNum(), 0}, objectPath(element), what, why});
+    leaveOut(leftOut_, {{file_, sourceLine(element), 0}, objectPath(element), what, why});
   }
   template <typename Use>
-  static void forEach(const XMLElement& parent, const char* name, Use use) {
+  static void forEach(XMLElement& parent, const char* name, Use use) {
     for (auto* child = parent.FirstChildElement(name); child != nullptr;
          child = child->NextSiblingElement(name)) {
       use(*child);
     }
+  }
+
+  static Scope scopeOf(XMLElement& parent, std::initializer_list<const char*> parts,
+                       std::initializer_list<const char*> more) {
+    std::set<std::string> names(more.begin(), more.end());
+    for (const char* part : parts) forEach(parent, part, [&](XMLElement& one) { names.insert(nameOf(one)); });
+    bool areKnown = true;
+    forEach(parent, "include", [&](const XMLElement& include) {
+      const std::string name = childText(include, "name");
+      areKnown = areKnown && !name.empty();
+      names.insert(name);
+    });
+    return areKnown ? Scope(std::move(names)) : std::nullopt;
+  }
+
+  /// Frames that an element and what is in it name; those in nested models have their own scope.
+  void checkFrames(XMLElement& element, const Scope& scope) {
+    const std::string_view name = element.Name();
+    for (const char* attribute : {"relative_to", "attached_to", "expressed_in"})
+      checkFrame(element, attribute, scope);
+    const bool isScope = name == "model" || name == "include";
+    for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+      if (!isScope || std::string_view(child->Name()) == "pose") checkFrames(*child, scope);
+    }
+  }
+
+  /// What is reported is removed, so that the rest is read.
+  void checkFrame(XMLElement& element, const char* attribute, const Scope& scope) {
+    const std::string frame = element.Attribute(attribute) != nullptr ? element.Attribute(attribute) : "";
+    const bool isElsewhere = frame.find("::") != std::string::npos || frame.starts_with("__");
+    if (frame.empty() || isElsewhere || !scope || scope->contains(frame)) return;
+    const auto nearest = robotlink::nearest(frame, {scope->begin(), scope->end()});
+    fail(element, "scene.frame",
+         "there is no frame '" + frame + "' here, which " + attribute + " names" +
+             (nearest.empty() ? "" : "; is '" + nearest + "' meant?"));
+    element.DeleteAttribute(attribute);
   }
 
   /// libsdformat takes time with the square of the number of frames in a chain.
@@ -85,14 +135,18 @@ class NameChecker {
              std::to_string(kMaxFrames) + " can be in one <" + parent.Name() + ">");
   }
 
-  void checkUnique(const XMLElement& parent, std::initializer_list<std::string_view> elements) {
+  /// What repeats a name is reported and removed, so that the rest is read.
+  void checkUnique(XMLElement& parent, std::initializer_list<std::string_view> elements) {
     std::set<std::string> names;
-    for (auto* child = parent.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
-      if (std::ranges::find(elements, std::string_view(child->Name())) == elements.end()) continue;
+    for (auto* child = parent.FirstChildElement(); child != nullptr;) {
+      XMLElement* const next = child->NextSiblingElement();
+      const bool counts = std::ranges::find(elements, std::string_view(child->Name())) != elements.end();
       const std::string name = nameOf(*child);
-      if (!name.empty() && !names.insert(name).second) {
+      if (counts && !name.empty() && !names.insert(name).second) {
         fail(*child, "scene.duplicate-name", "the name '" + name + "' appears here twice");
+        parent.DeleteChild(child);
       }
+      child = next;
     }
   }
 
@@ -108,7 +162,9 @@ class NameChecker {
 
   /// Names of links are looked up here only where a model has no other frames and parts; otherwise
   /// libsdformat resolves them.
-  void checkJoint(const XMLElement& joint, const XMLElement& model, const std::set<std::string>& parts) {
+  void checkJoint(XMLElement& joint, const XMLElement& model, const std::set<std::string>& parts) {
+    for (const char* axis : {"axis", "axis2"})
+      forEach(joint, axis, [&](XMLElement& one) { checkAxis(one.FirstChildElement("xyz")); });
     const bool simple = model.FirstChildElement("model") == nullptr &&
                         model.FirstChildElement("include") == nullptr &&
                         model.FirstChildElement("frame") == nullptr;
@@ -126,41 +182,49 @@ class NameChecker {
     }
   }
 
-  void checkLink(const XMLElement& link) {
+  void checkAxis(XMLElement* xyz) {
+    const std::vector<std::string> words = xyz != nullptr ? wordsOf(*xyz) : std::vector<std::string>();
+    if (words.empty() ||
+        std::ranges::any_of(words, [](const auto& one) { return std::atof(one.c_str()) != 0; }))
+      return;
+    fail(*xyz, "scene.axis", "an axis must be a vector that is not 0 0 0");
+    xyz->SetText("0 0 1");
+  }
+
+  void checkLink(XMLElement& link) {
     checkUnique(link, {"collision"});
     checkUnique(link, {"visual"});
     checkUnique(link, {"sensor"});
-    if (const XMLElement* inertial = link.FirstChildElement("inertial")) checkInertial(*inertial);
-    for (const char* part : {"collision", "visual"}) {
-      for (auto* element = link.FirstChildElement(part); element != nullptr;
-           element = element->NextSiblingElement(part)) {
-        checkSizes(*element);
-      }
-    }
+    if (XMLElement* inertial = link.FirstChildElement("inertial")) checkInertial(*inertial);
+    for (const char* part : {"collision", "visual"})
+      forEach(link, part, [&](XMLElement& element) { checkSizes(element); });
   }
 
-  void checkRange(const XMLElement& element, double minimum, double maximum, const char* unit) {
+  /// A wrong value is reported and removed, so that the rest is read.
+  void checkRange(XMLElement& element, double minimum, double maximum, const char* unit) {
     std::istringstream stream(textOf(&element));
     for (double value = 0; stream >> value;) {
       if (value >= minimum && value <= maximum) continue;
       std::ostringstream text;
       text << "<" << element.Name() << "> must be between " << minimum << " and " << maximum << " " << unit
            << ", not " << value;
-      return fail(element, "scene.range", text.str());
+      fail(element, "scene.range", text.str());
+      element.Parent()->DeleteChild(&element);
+      return;
     }
   }
 
-  void checkInertial(const XMLElement& inertial) {
-    if (const XMLElement* mass = inertial.FirstChildElement("mass")) checkRange(*mass, 0, 1e9, "kg");
-    const XMLElement* inertia = inertial.FirstChildElement("inertia");
+  void checkInertial(XMLElement& inertial) {
+    if (XMLElement* mass = inertial.FirstChildElement("mass")) checkRange(*mass, 0, 1e9, "kg");
+    XMLElement* inertia = inertial.FirstChildElement("inertia");
     if (inertia == nullptr) return;
     double moments[3] = {1, 1, 1};
     const char* const names[] = {"ixx", "iyy", "izz"};
     for (int i = 0; i < 3; ++i) {
-      const XMLElement* element = inertia->FirstChildElement(names[i]);
+      XMLElement* element = inertia->FirstChildElement(names[i]);
       if (element == nullptr) continue;
-      checkRange(*element, 0, 1e12, "kg m^2");
       moments[i] = std::atof(textOf(element).c_str());
+      checkRange(*element, 0, 1e12, "kg m^2");
     }
     for (int i = 0; i < 3; ++i) {
       if (moments[i] <= (moments[(i + 1) % 3] + moments[(i + 2) % 3]) * 1.001) continue;
@@ -170,16 +234,16 @@ class NameChecker {
     }
   }
 
-  void checkSizes(const XMLElement& solid) {
-    const XMLElement* geometry = solid.FirstChildElement("geometry");
-    const XMLElement* shape = geometry != nullptr ? geometry->FirstChildElement() : nullptr;
+  void checkSizes(XMLElement& solid) {
+    XMLElement* geometry = solid.FirstChildElement("geometry");
+    XMLElement* shape = geometry != nullptr ? geometry->FirstChildElement() : nullptr;
     if (shape == nullptr)
       return fail(solid, "scene.geometry", "'" + nameOf(solid) + "' has no shape in its <geometry>");
     // The size of a heightmap's or a mesh's texture is no edge.
     const std::string_view kind = shape->Name();
     if (kind == "heightmap" || kind == "mesh" || kind == "image") return;
     for (const char* size : {"size", "radius", "length", "radii"}) {
-      if (const XMLElement* element = shape->FirstChildElement(size)) checkRange(*element, 1e-6, 1e5, "m");
+      if (XMLElement* element = shape->FirstChildElement(size)) checkRange(*element, 1e-6, 1e5, "m");
     }
   }
 
@@ -190,8 +254,7 @@ class NameChecker {
 
 }  // namespace
 
-void checkSdfNames(const XMLElement& root, const std::string& file, robotlink::Errors& errors,
-                   LeftOuts& leftOut) {
+void checkSdfNames(XMLElement& root, const std::string& file, robotlink::Errors& errors, LeftOuts& leftOut) {
   NameChecker checker(file, errors, leftOut);
   for (auto* world = root.FirstChildElement("world"); world != nullptr;
        world = world->NextSiblingElement("world")) {

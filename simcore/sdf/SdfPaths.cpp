@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -41,6 +43,19 @@ std::string objectPath(const XMLElement& element) {
   return path;
 }
 
+int sourceLine(const XMLElement& element) {
+  const tinyxml2::XMLNode* at = &element;
+  // What was added while a file was read has the line of what it was added to.
+  while (at->GetUserData() == nullptr && at->GetLineNum() <= 0 && at->Parent() != nullptr) at = at->Parent();
+  const auto set = reinterpret_cast<std::uintptr_t>(at->GetUserData());
+  return set != 0 ? static_cast<int>(set) : at->GetLineNum();
+}
+
+void setSourceLine(XMLElement& element, int line) {
+  element.SetUserData(
+      reinterpret_cast<void*>(static_cast<std::uintptr_t>(line)));  // NOLINT(performance-no-int-to-ptr)
+}
+
 std::string trimmedText(const XMLElement* element) {
   const std::string text = element != nullptr && element->GetText() != nullptr ? element->GetText() : "";
   constexpr const char* kSpace = " \t\r\n";
@@ -58,6 +73,22 @@ std::string nameOf(const XMLElement& element) {
 
 bool isTrue(const std::string& text) {
   return text == "true" || text == "1" || text == "True" || text == "TRUE";
+}
+
+bool isBool(const std::string& text) {
+  return isTrue(text) || text == "0" || text == "false" || text == "False" || text == "FALSE";
+}
+
+std::vector<std::string> wordsOf(const XMLElement& element) {
+  std::vector<std::string> result;
+  std::istringstream stream(element.GetText() != nullptr ? element.GetText() : "");
+  for (std::string word; stream >> word;) result.push_back(word);
+  return result;
+}
+
+bool isFiniteNumber(const std::string& word) {
+  char* end = nullptr;
+  return std::isfinite(std::strtod(word.c_str(), &end)) && end == word.c_str() + word.size();
 }
 
 bool hasQuaternion(const XMLElement& pose) {

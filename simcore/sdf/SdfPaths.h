@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tinyxml2 {
 class XMLElement;
@@ -16,6 +17,11 @@ namespace simcore {
 /// without a name are omitted; empty if none has a name.
 std::string objectPath(const tinyxml2::XMLElement& element);
 
+/// The line of an element in its file, also of one that was converted (setSourceLine()).
+int sourceLine(const tinyxml2::XMLElement& element);
+/// Says in which line of its file an element is that was made from something there.
+void setSourceLine(tinyxml2::XMLElement& element, int line);
+
 /// The text directly in an element, without white space around it; empty for null.
 std::string trimmedText(const tinyxml2::XMLElement* element);
 /// That of a child, empty if there is none.
@@ -24,6 +30,11 @@ std::string childText(const tinyxml2::XMLElement& element, const char* name);
 std::string nameOf(const tinyxml2::XMLElement& element);
 /// Whether the text means true.
 bool isTrue(const std::string& text);
+/// Whether it means true or false.
+bool isBool(const std::string& text);
+/// The text directly in an element, in words.
+std::vector<std::string> wordsOf(const tinyxml2::XMLElement& element);
+bool isFiniteNumber(const std::string& word);
 /// Whether a <pose> has a quaternion, x y z w, instead of three angles.
 bool hasQuaternion(const tinyxml2::XMLElement& pose);
 /// What a <pose> says, also in degrees or as a quaternion: x y z roll pitch yaw, m and rad. Nothing if it has

@@ -74,6 +74,8 @@ void readLinks(const sdf::Model& source, const Pose3& sourceInModel, const std::
   for (std::uint64_t i = 0; i < source.ModelCount(); ++i) {
     const sdf::Model& nested = *source.ModelByIndex(i);
     const Pose3 pose = resolvedPose(nested.SemanticPose(), "__model__", nested.Element(), context);
+    if (nested.Element()->HasElement("static") && nested.Static() != context.isStatic)
+      context.omit(nested.Element(), "<static> of a model in a model", "the outermost model says it for all");
     readLinks(nested, sourceInModel * pose, prefix + nested.Name() + "::", model, context);
   }
 }
@@ -129,24 +131,34 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
   return model;
 }
 
+sdf::ElementPtr childOf(const sdf::World& world, const char* name) {
+  return world.Element()->HasElement(name) ? world.Element()->GetElement(name) : world.Element();
+}
+
 void readSurroundings(const sdf::World& world, WorldDescription& result, const SdfContext& context) {
   result.gravity = toEigen(world.Gravity());
   if (!(result.gravity.norm() <= 1000))
-    context.fail(world.Element(), "scene.gravity", "gravity must be below 1000 m/s^2");
+    context.fail(childOf(world, "gravity"), "scene.gravity", "gravity must be below 1000 m/s^2");
   if (world.Element()->HasElement("robotcontrol:sleeping"))
     result.sleeps = world.Element()->Get<bool>("robotcontrol:sleeping");
   result.magneticField = toEigen(world.MagneticField());
   if (!(result.magneticField.norm() <= 100))
-    context.fail(world.Element(), "scene.magnetic-field", "magnetic_field must be below 100 T");
+    context.fail(childOf(world, "magnetic_field"), "scene.magnetic-field",
+                 "magnetic_field must be below 100 T");
   result.radiationClasses = readClasses(world.Element(), context);
   readControllers(world.Element(), "", result.controllers, context);
-  if (world.Element()->HasElement("robotcontrol:game"))
+  if (world.Element()->HasElement("robotcontrol:game")) {
     result.game = world.Element()->Get<std::string>("robotcontrol:game");
+    result.gameWhere = context.placeOf(world.Element()->GetElement("robotcontrol:game"));
+  }
   const auto byte = [](float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.F, 1.F) * 255.F));
   };
   if (const sdf::Scene* scene = world.Scene()) {
-    result.ambient = std::clamp(scene->Ambient().R(), 0.F, 1.F);
+    const auto ambient = scene->Ambient();
+    result.ambient = std::clamp(ambient.R(), 0.F, 1.F);
+    if (ambient.G() != ambient.R() || ambient.B() != ambient.R())
+      context.omit(scene->Element(), "the color of <ambient>", "its red channel is the ambient light");
     result.background = {byte(scene->Background().R()), byte(scene->Background().G()),
                          byte(scene->Background().B())};
   }
@@ -183,7 +195,7 @@ bool connectsModels(const XMLElement& world) {
 ModelInstance instanceOf(const std::string& name, const XMLElement& element, const std::string& file) {
   ModelInstance instance;
   instance.name = name;
-  instance.where = {file, element.GetLineNum(), 0};
+  instance.where = {file, sourceLine(element), 0};
   return instance;
 }
 
@@ -193,7 +205,7 @@ Pose3 checkedPose(const Pose3& pose, const XMLElement& element, const std::strin
   errors.push_back({"scene.pose",
                     objectPath(element) + ": a pose must be finite and at most 100 km away",
                     {},
-                    {file, element.GetLineNum(), 0}});
+                    {file, sourceLine(element), 0}});
   return Pose3::Identity();
 }
 
@@ -285,8 +297,8 @@ WorldDescription readSdfWorld(const SdfSources& sources, bool& includesRead) {
     if (includesRead) readTogether(world, context, result);
   });
   if (!includesRead) readSeparately(source, sources, result);
-  if (source.FirstChildElement("joint") != nullptr) {
-    leaveOut(sources.leftOut, {{file, source.FirstChildElement("joint")->GetLineNum(), 0},
+  if (const XMLElement* joint = source.FirstChildElement("joint")) {
+    leaveOut(sources.leftOut, {{file, sourceLine(*joint), 0},
                                objectPath(source),
                                "<joint> in <world>",
                                "joints connect links of one model"});

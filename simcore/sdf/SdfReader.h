@@ -52,6 +52,8 @@ Pose3 poseFromNumbers(const std::array<double, 6>& numbers);
 std::optional<MotionMode> motionModeOf(const std::string& text, const std::string& atObjects);
 inline constexpr const char* kMotionRule =
     "<robotcontrol:motion> is physics or kinematic, and its attribute objects is push or stop";
+inline constexpr const char* kDrivesStop =
+    "a model with <robotcontrol:drive> stops at objects when it moves kinematically; it cannot push them";
 inline constexpr const char* kMotionNeeds =
     "only a model with <robotcontrol:drive>, vehicle, walk, or guided on the ground can move kinematically";
 

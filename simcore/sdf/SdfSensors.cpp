@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simcore/sdf/SdfDevices.h"
+#include "simcore/sdf/SdfUnsupported.h"
 
 namespace simcore {
 namespace {
@@ -31,6 +32,11 @@ void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfCont
                                             imu.AngularVelocityZNoise(), axes, context)
                               : noiseOfAxes(imu.LinearAccelerationXNoise(), imu.LinearAccelerationYNoise(),
                                             imu.LinearAccelerationZNoise(), axes, context);
+  if (turning && moving) {
+    context.omit(turning, "<angular_velocity> beside <linear_acceleration> in <imu>",
+                 "the sensor measures the acceleration; another imu, with <angular_velocity> alone, is a "
+                 "gyroscope");
+  }
   result.maximum = ownNumber(sensor.Element(), "range", 1e6, 0.01, 1e6, context);
   result.minimum = -result.maximum;
 }
@@ -44,7 +50,8 @@ bool readContact(const sdf::Sensor& sensor, const LinkDescription& link, SensorD
   const auto found = std::ranges::find(link.collisions, name, &CollisionDescription::name);
   if (found == link.collisions.end()) {
     context.omit(element, "contact sensor '" + sensor.Name() + "'",
-                 "the link '" + link.name + "' has no solid '" + name + "'");
+                 isNoText(name) ? "its <contact> has no <collision> that names a solid"
+                                : "the link '" + link.name + "' has no solid '" + name + "'");
     return false;
   }
   result.collision = static_cast<int>(found - link.collisions.begin());
@@ -131,10 +138,7 @@ bool readByType(const sdf::Sensor& sensor, const LinkDescription& link, SensorDe
   } else if (sensor.AltimeterSensor() != nullptr) {
     readAltimeter(sensor, result, context);
   } else if (sensor.Type() != sdf::SensorType::CUSTOM || !readOwnSensor(sensor, result, context)) {
-    context.omit(sensor.Element(), "sensor of type '" + sensor.TypeStr() + "'",
-                 "of sensors, camera, depth_camera, rgbd_camera, segmentation_camera, lidar, sonar, imu, "
-                 "contact, magnetometer, navsat, altimeter, in joints force_torque, and custom ones of the "
-                 "namespace urn:robotcontrol:sdf are known");
+    context.omit(sensor.Element(), "sensor of type '" + sensor.TypeStr() + "'", kKnownSensors);
     return false;
   }
   return true;

@@ -157,6 +157,10 @@ Shapes partsOf(const MeshFiles::Parts& parts, const sdf::Mesh& source, const Sdf
 Shapes readMeshFile(const sdf::Mesh& source, const SdfContext& context) {
   const std::string& uri = source.Uri();
   const sdf::ElementPtr element = source.Element();
+  if (isNoText(uri)) {
+    context.omit(element, "<mesh>", "it has no <uri> that names a file");
+    return {};
+  }
   const std::string what = "mesh " + uri;
   if (isNetworkUri(uri)) {
     context.omit(element, what, "nothing is fetched from the network");

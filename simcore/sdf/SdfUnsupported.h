@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace tinyxml2 {
 class XMLElement;
 }  // namespace tinyxml2
@@ -15,8 +19,21 @@ struct Unsupported {
   bool removed = false;
 };
 
-/// Looks an element up in the table of what is not supported. Elements whose value says that they change
-/// nothing ("self_collide" false) are not reported.
-Unsupported unsupported(const tinyxml2::XMLElement& element);
+/// Looks an element up in the table of what is not supported and has a reason of its own. Elements whose
+/// value says that they change nothing ("self_collide" false) are not reported. `isUsual` says whether it has
+/// the value that it would have if it were missing.
+Unsupported unsupported(const tinyxml2::XMLElement& element, bool isUsual);
+
+/// Whether an element of SDFormat is read in the element that contains it, or told as a part of it. All
+/// others are left out.
+bool isRead(const tinyxml2::XMLElement& element);
+
+/// Whether sensors of this type are read, and all of these types.
+bool isKnownSensor(std::string_view type);
+std::vector<std::string> knownSensors();
+inline constexpr const char* kKnownSensors =
+    "of sensors, camera, depth_camera, rgbd_camera, segmentation_camera, lidar, sonar, imu, contact, "
+    "magnetometer, navsat, altimeter, in joints force_torque, and custom ones of the namespace "
+    "urn:robotcontrol:sdf are known";
 
 }  // namespace simcore

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
-#include <map>
 #include <sdf/sdf.hh>
+#include <set>
 #include <sstream>
 #include <string_view>
 
@@ -43,6 +43,18 @@ constexpr UrdfCost kUrdfCosts[] = {{"model", 2.5},   {"world", 2.5},  {"actor", 
                                    {"sensor", 0.5},  {"visual", 0.2}, {"collision", 0.2}};
 constexpr double kOtherCost = 0.02, kMaxCost = 700;  // MB
 
+/// What URDF has and SDFormat, or this simulator, has not.
+struct UrdfUnknown {
+  std::string_view element, parent;
+  const char* why;
+};
+constexpr UrdfUnknown kUrdfUnknown[] = {
+    {"mimic", "joint", "the joint turns on its own"},
+    {"safety_controller", "joint", "motors are limited by <limit> only"},
+    {"transmission", "robot", "motors are <robotcontrol:servo>s of a scene in SDFormat"}};
+
+constexpr std::string_view kUrdfJoints[] = {"revolute", "continuous", "prismatic", "fixed"};
+
 bool areNumbers(const char* text, std::size_t count) {
   std::istringstream stream(text);
   std::size_t found = 0;
@@ -56,9 +68,11 @@ bool areNumbers(const char* text, std::size_t count) {
 
 class UrdfChecker {
  public:
-  UrdfChecker(const std::string& file, robotlink::Errors& errors) : file_(file), errors_(errors) {}
+  UrdfChecker(const std::string& file, UrdfParts& parts, robotlink::Errors& errors, LeftOuts& leftOut)
+      : file_(file), parts_(parts), errors_(errors), leftOut_(leftOut) {}
 
-  void check(const XMLElement& robot) {
+  void check(XMLElement& robot) {
+    parts_.line = robot.GetLineNum();
     checkParts(robot);
     if (megabytes_ > kMaxCost)
       fail(robot, "it has too many links and joints to be converted; write it as SDFormat");
@@ -76,6 +90,10 @@ class UrdfChecker {
                        {file_, element.GetLineNum(), 0}});
   }
 
+  void omit(const XMLElement& element, const std::string& what, const char* why) {
+    leaveOut(leftOut_, {{file_, element.GetLineNum(), 0}, objectPath(element), what, why});
+  }
+
   /// Numbers of an element and of all in it, and what they cost. The document is not deeper than tinyxml2
   /// allows.
   void checkParts(const XMLElement& element) {
@@ -90,25 +108,61 @@ class UrdfChecker {
                         "> must be " + (numbers.count == 1 ? "a number" : "3 numbers") + ", not '" +
                         std::string(text).substr(0, 60) + "'");
     }
-    for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
+    for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+      const auto unknown = std::ranges::find_if(kUrdfUnknown, [&](const UrdfUnknown& one) {
+        return one.element == child->Name() && one.parent == name;
+      });
+      if (unknown != std::end(kUrdfUnknown))
+        omit(*child, "<" + std::string(child->Name()) + "> in <" + std::string(name) + ">", unknown->why);
       checkParts(*child);
+    }
+  }
+
+  /// libsdformat has no joints that leave their links apart, and says on the console what else is wrong.
+  void checkType(XMLElement& joint) {
+    const std::string type = joint.Attribute("type") != nullptr ? joint.Attribute("type") : "";
+    if (type == "floating" || type == "planar") {
+      omit(joint, "joint of type '" + type + "'", "its links are not joined");
+      joint.SetAttribute("type", "continuous");
+      parts_.apart.insert(nameOf(joint));
+    } else if (std::ranges::find(kUrdfJoints, type) == std::end(kUrdfJoints)) {
+      fail(joint, "there is no joint of type '" + type +
+                      "'; there are revolute, continuous, prismatic, fixed, floating and planar");
+    }
+    // libsdformat would check it.
+    while (XMLElement* safety = joint.FirstChildElement("safety_controller")) joint.DeleteChild(safety);
+    if (type != "revolute" && type != "prismatic") return;
+    const XMLElement* limit = joint.FirstChildElement("limit");
+    if (limit == nullptr) {
+      return fail(joint, "a joint of type '" + type + "' needs a <limit>" +
+                             (type == "revolute" ? "; without stops its type is continuous" : ""));
+    }
+    for (const char* attribute : {"effort", "velocity"}) {
+      if (limit->Attribute(attribute) == nullptr)
+        fail(*limit, std::string("<limit> needs the attribute '") + attribute + "'");
+    }
   }
 
   void readLinks(const XMLElement& robot) {
     for (auto* link = robot.FirstChildElement("link"); link != nullptr;
          link = link->NextSiblingElement("link")) {
       if (nameOf(*link).empty()) fail(*link, "<link> needs the attribute 'name'");
+      parts_.links.emplace(nameOf(*link), link->GetLineNum());
       if (!parentOf_.emplace(nameOf(*link), "").second)
         fail(*link, "the name '" + nameOf(*link) + "' appears here twice");
     }
     if (parentOf_.empty()) fail(robot, "a URDF needs a <link>");
   }
 
-  void readJoints(const XMLElement& robot) {
+  void readJoints(XMLElement& robot) {
     for (auto* joint = robot.FirstChildElement("joint"); joint != nullptr;
          joint = joint->NextSiblingElement("joint")) {
+      checkType(*joint);
+      parts_.joints.emplace(nameOf(*joint), joint->GetLineNum());
       const std::string parent = endOf(*joint, "parent"), child = endOf(*joint, "child");
       if (parent.empty() || child.empty()) continue;
+      const char* const type = joint->Attribute("type");
+      if (type == nullptr || std::string_view(type) != "fixed") parts_.moving.insert(child);
       std::string& known = parentOf_[child];
       if (!known.empty()) {
         fail(*joint,
@@ -153,18 +207,59 @@ class UrdfChecker {
   }
 
   const std::string& file_;
+  UrdfParts& parts_;
   robotlink::Errors& errors_;
+  LeftOuts& leftOut_;
   /// The parents of the links; empty for one without.
   std::map<std::string, std::string> parentOf_;
   double megabytes_ = 0;
 };
 
+/// Makes a joint a frame at the same place, so that what is placed by it stays there.
+void becomeFrame(XMLElement& joint) {
+  const std::string parent = childText(joint, "parent");
+  joint.SetName("frame");
+  joint.DeleteAttribute("type");
+  if (!parent.empty()) joint.SetAttribute("attached_to", parent.c_str());
+  for (XMLElement* child = joint.FirstChildElement(); child != nullptr;) {
+    XMLElement* const next = child->NextSiblingElement();
+    if (std::string_view(child->Name()) != "pose") joint.DeleteChild(child);
+    child = next;
+  }
+}
+
+/// Sets the lines of an element and of all in it, and makes frames of joints; collects the names of links.
+void finishElement(XMLElement& element, int line, const UrdfParts& parts, std::set<std::string>& links) {
+  const std::string_view kind = element.Name();
+  const std::string name = nameOf(element);
+  const bool isLink = kind == "link" || kind == "frame";
+  if (isLink) links.insert(name);
+  const auto& lines = kind == "joint" ? parts.joints : parts.links;
+  const auto known = lines.find(name);
+  if ((isLink || kind == "joint") && known != lines.end()) line = known->second;
+  setSourceLine(element, line);
+  if (kind == "joint" && parts.apart.contains(name)) becomeFrame(element);
+  for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement())
+    finishElement(*child, line, parts, links);
+}
+
 }  // namespace
 
-robotlink::Errors problemsOfUrdf(const XMLElement& robot, const std::string& file) {
+robotlink::Errors checkUrdf(XMLElement& robot, const std::string& file, UrdfParts& parts, LeftOuts& leftOut) {
   robotlink::Errors errors;
-  UrdfChecker(file, errors).check(robot);
+  UrdfChecker(file, parts, errors, leftOut).check(robot);
   return errors;
+}
+
+void finishUrdf(XMLElement& sdf, const std::string& file, const UrdfParts& parts, LeftOuts& leftOut) {
+  std::set<std::string> links;
+  finishElement(sdf, parts.line, parts, links);
+  for (const std::string& name : parts.moving) {
+    if (links.contains(name)) continue;
+    const std::string what = "link '" + name + "'";
+    leaveOut(leftOut,
+             {{file, parts.links.at(name), 0}, name, what, "it has no <inertial>, so it is no body"});
+  }
 }
 
 robotlink::Result<std::string> sdfOfUrdf(const std::string& text, const std::string& file) {

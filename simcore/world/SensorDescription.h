@@ -83,7 +83,7 @@ struct SensorDescription {
 /// Whether a sensor measures what is around it, and not what happens to its own body.
 inline bool looksAround(SensorDescription::Kind kind) {
   using enum SensorDescription::Kind;
-  return kind == kCamera || kind == kImage || kind == kSonar || kind == kLaser;
+  return kind == kCamera || kind == kImage || kind == kDistance || kind == kSonar || kind == kLaser;
 }
 
 }  // namespace simcore

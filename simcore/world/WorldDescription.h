@@ -214,6 +214,8 @@ struct WorldDescription {
   std::string name;
   /// The rules of the game that is played in it (resources/games/<game>.yaml); empty: there is none.
   std::string game;
+  /// Where the file says so.
+  robotlink::FilePosition gameWhere = {};
   /// Meters per second squared.
   Vector3 gravity = {0, 0, -9.81};
   /// Whether bodies that rest are computed only when something touches or moves them.

@@ -176,13 +176,13 @@ TEST_F(SceneTest, errorsOfAllFilesComeTogether) {
       worldAround(include("") + "<include><uri>model://other</uri></include>\n<light name='l' type='point'>"
                                 "<intensity>1000</intensity></light>"));
   EXPECT_THAT(errors, HasSubstr("models/other/model.sdf:7: small/foot: <mass>"));
-  EXPECT_THAT(errors, HasSubstr("models/small/model.sdf:13"));
+  EXPECT_THAT(errors, HasSubstr("models/small/model.sdf:14: small/arm: there is no frame"));
   EXPECT_THAT(errors, HasSubstr("world.sdf:4: test/l: a light's intensity"));
 }
 
 TEST_F(SceneTest, whatOnlyResolvingFindsHasItsLineToo) {
   const std::string file = "models/small/model.sdf:";
-  EXPECT_THAT(errorsWithModel("relative_to=\"foot\"", "relative_to=\"toe\""), StartsWith(file + "13: "));
+  EXPECT_THAT(errorsWithModel("relative_to=\"foot\"", "relative_to=\"toe\""), StartsWith(file + "14: "));
   EXPECT_EQ(errorsWithModel("<robotcontrol:color>red", "<robotcontrol:color>gold"),
             file + "11: small/foot/sole: no palette has the color 'gold'");
   EXPECT_EQ(errorsWithModel("_position>0.5<", "_position>2<"),

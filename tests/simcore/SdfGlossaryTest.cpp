@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "simcore/sdf/SdfCheck.h"
+#include "simcore/sdf/SdfOwnElements.h"
 #include "tests/simcore/SceneFixture.h"
 
 namespace simcore {

@@ -253,7 +253,7 @@ TEST_F(SdfReader, whatLibsdformatAssertsIsAnErrorWithItsLine) {
 TEST_F(SdfReader, afterAHundredErrorsOnlyTheirNumberFollows) {
   std::string frames;
   for (int i = 0; i < 130; ++i)
-    frames += "\n<link name='l" + std::to_string(i) + "'><pose relative_to='nowhere'/></link>";
+    frames += "\n<link name='l" + std::to_string(i) + "'><pose relative_to='nowhere::at'/></link>";
   model(replaced(kSmallModel, "<link name=\"foot\">", frames + "<link name=\"foot\">"));
   EXPECT_EQ(errors_.size(), 101U) << errors();
   EXPECT_THAT(errors_.back().text, testing::ContainsRegex("there are [1-9][0-9]+ more errors"));

@@ -60,6 +60,8 @@ void readMotion(const sdf::ElementPtr& element, ModelDescription& model, const S
   if (!mode) return context.fail(source, "scene.motion", kMotionRule);
   model.motion = *mode;
   if (*mode != MotionMode::kPhysics && !canFollow(model)) context.fail(source, "scene.motion", kMotionNeeds);
+  if (model.drive && source->HasAttribute("objects") && source->Get<std::string>("objects") == "push")
+    context.fail(source, "scene.motion", kDrivesStop);
 }
 
 }  // namespace simcore

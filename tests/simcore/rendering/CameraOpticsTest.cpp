@@ -109,6 +109,31 @@ TEST(CameraOpticsTest, aBarrelBendsLinesAsItsFormulaSays) {
   }
 }
 
+TEST(CameraOpticsTest, whatALensCannotShowIsBlack) {
+  auto scene = std::make_shared<RenderScene>();
+  scene->bodies = {"world"};
+  scene->meshes = {boxMesh({0.1F, 100, 100})};
+  scene->instances = {{0, 0, Pose3(Eigen::Translation3d(2, 0, 0)), {200, 200, 200}, "wall", true}};
+  scene->ambient = 1;
+  CameraRenderer renderer(scene, {});
+  CameraOptics optics;
+  Image image;
+  optics.render(
+      renderer, [](double, std::vector<Pose3>& poses) { poses.assign(1, Pose3::Identity()); }, {},
+      cameraModel({-1, 0, 0, 0, 0}), {}, PixelFormat::kRgb8, {}, image);
+  // r (1 - r^2) is at most 0.385, and then turns back.
+  for (int y = 0; y < kRows; ++y) {
+    for (int x = 0; x < kColumns; ++x) {
+      const double seen = std::hypot(x + 0.5 - kColumns / 2.0, y + 0.5 - kRows / 2.0) / focalLength();
+      if (seen > 0.39) {
+        EXPECT_EQ(red(image, x, y), 0) << x << " " << y;
+      } else if (seen < 0.37) {
+        EXPECT_GT(red(image, x, y), 150) << x << " " << y;
+      }
+    }
+  }
+}
+
 TEST(CameraOpticsTest, whatMovesDuringTheExposureIsBlurred) {
   const double speed = 16, exposure = 0.05;
   const Image sharp = imageOf(cameraModel(), {}, speed),
