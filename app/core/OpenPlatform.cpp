@@ -282,6 +282,7 @@ void OpenPlatform::apply(Outcome outcome) {
   if (onLoaded_) onLoaded_(*loaded_);
   robotlink::Errors lost;
   for (const std::string& text : loaded_->lostChoices) lost.push_back({"choices.lost", text, {}, {}});
+  if (!loaded_->leftOut.empty()) lost.push_back({"scene.left-out", loaded_->leftOut, {}, {}});
   if (!lost.empty()) report(lost);
 }
 

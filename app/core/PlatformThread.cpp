@@ -241,7 +241,7 @@ void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vec
     reportedAtEnd_.clear();
     robotsChanged_(describe());
   }
-  for (const std::uint64_t id : ids) pushResult(id, done ? std::string() : done.error().text);
+  for (const std::uint64_t id : ids) pushResult(id, done ? std::string() : done.error().describe());
 }
 
 void PlatformThread::setDemand(const PlatformFeed::Demand& demand) {

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/core/platform/NumberRange.h"
 #include "app/core/program/ShippedFiles.h"
+#include "app/core/simulated/SceneResources.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "robotlink/base/Printable.h"
@@ -30,14 +33,23 @@ struct SceneArguments {
   bool asJson = false;
 };
 
+/// The largest motions of a model's links, which joints may let swing or fall while the model itself rests.
+struct LinkMotion {
+  std::string link;
+  double moved = 0, turned = 0;
+};
+
 /// A model before and after its rest.
 struct ModelReport {
   std::string name, file;
   bool isStatic = false;
   simcore::Pose3 start, end;
+  LinkMotion links;
   std::vector<std::string> touches;
 
   double moved() const { return (end.translation() - start.translation()).norm(); }
+  /// Whether a link moved noticeably more than the model.
+  bool linksMoved() const { return links.moved > moved() + 1e-3 || links.turned > turned() + 1e-2; }
   double turned() const { return Eigen::AngleAxisd(start.linear().transpose() * end.linear()).angle(); }
 };
 
@@ -45,6 +57,42 @@ struct SceneReport {
   std::vector<ModelReport> models;
   simcore::LeftOuts leftOut;
   double seconds = 0;
+};
+
+/// Watches the links of all models, whose bodies are called MODEL/LINK.
+class LinkWatch {
+ public:
+  explicit LinkWatch(const simcore::Simulation& simulation)
+      : simulation_(simulation),
+        start_(simulation.bodyPoses().begin(), simulation.bodyPoses().end()),
+        moved_(start_.size()),
+        turned_(start_.size()) {}
+
+  void look() {
+    const auto poses = simulation_.bodyPoses();
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      moved_[i] = std::max(moved_[i], (poses[i].translation() - start_[i].translation()).norm());
+      turned_[i] =
+          std::max(turned_[i], Eigen::AngleAxisd(start_[i].linear().transpose() * poses[i].linear()).angle());
+    }
+  }
+
+  /// The link of a model that has moved most, of several the one that has turned most.
+  LinkMotion mostOf(const std::string& model) const {
+    LinkMotion most;
+    const auto& names = simulation_.renderScene()->bodies;
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      if (!names[i].starts_with(model + "/")) continue;
+      if (moved_[i] + turned_[i] >= most.moved + most.turned)
+        most = {names[i].substr(model.size() + 1), moved_[i], turned_[i]};
+    }
+    return most;
+  }
+
+ private:
+  const simcore::Simulation& simulation_;
+  std::vector<simcore::Pose3> start_;
+  std::vector<double> moved_, turned_;
 };
 
 SceneReport reportOf(const simcore::Scene& scene, simcore::Simulation& simulation, double seconds) {
@@ -60,7 +108,13 @@ SceneReport reportOf(const simcore::Scene& scene, simcore::Simulation& simulatio
   }
   const double step = std::chrono::duration<double>(simcore::Simulation::kStep).count();
   const auto steps = static_cast<std::uint64_t>(std::llround(seconds / step));
-  while (simulation.steps() < steps && Interrupt::signal() == 0) simulation.step();
+  // Ten times a second, and at the end.
+  constexpr std::uint64_t kLookEverySteps = 25;
+  LinkWatch links(simulation);
+  while (simulation.steps() < steps && Interrupt::signal() == 0) {
+    simulation.step();
+    if (simulation.steps() % kLookEverySteps == 0 || simulation.steps() == steps) links.look();
+  }
   report.seconds = static_cast<double>(simulation.steps()) * step;
   for (const simcore::ControllerStatus& each : simulation.controllers()) {
     if (!each.isOn())
@@ -69,6 +123,7 @@ SceneReport reportOf(const simcore::Scene& scene, simcore::Simulation& simulatio
   }
   for (ModelReport& model : report.models) {
     model.end = simulation.modelPose(model.name).value_or(model.start);
+    model.links = links.mostOf(model.name);
     if (!model.isStatic) model.touches = simulation.modelsTouching(model.name);
   }
   return report;
@@ -103,6 +158,8 @@ json reportJson(const SceneReport& report) {
       one["end"] = poseJson(model.end);
       one["moved"] = model.moved();
       one["turned"] = model.turned();
+      one["most_moved_link"] = {
+          {"name", model.links.link}, {"moved", model.links.moved}, {"turned", model.links.turned}};
       one["touches"] = model.touches;
     }
     models.push_back(std::move(one));
@@ -139,7 +196,12 @@ void printReport(const SceneArguments& arguments, const SceneReport& report) {
     if (model.isStatic) {
       line += "static";
     } else {
-      line += fmt::format("moved {:.3f} m and turned {:.3f} rad; touches", model.moved(), model.turned());
+      line += fmt::format("moved {:.3f} m and turned {:.3f} rad; ", model.moved(), model.turned());
+      if (model.linksMoved()) {
+        line += fmt::format("its link {} moved up to {:.3f} m and turned up to {:.3f} rad; ",
+                            model.links.link, model.links.moved, model.links.turned);
+      }
+      line += "touches";
       for (const std::string& other : model.touches) line += " " + other;
       if (model.touches.empty()) line += " nothing";
     }
@@ -164,6 +226,8 @@ int printFailure(const SceneArguments& arguments, const robotlink::Errors& error
 int check(const SceneArguments& arguments) {
   const auto scene = simcore::Scene::load(sceneNamed(arguments.file), {}, {}, arguments.models);
   if (!scene) return printFailure(arguments, scene.error());
+  if (const auto missing = missingResources(**scene); !missing.empty())
+    return printFailure(arguments, missing);
   const auto simulation = simcore::Simulation::create(*scene, {});
   if (!simulation) return printFailure(arguments, {simulation.error()});
   const SceneReport report = reportOf(**scene, **simulation, arguments.seconds);
@@ -189,7 +253,7 @@ void addSceneCommand(CLI::App& app, int& status) {
       ->required();
   sub->add_flag("--json", arguments->asJson, "Prints one JSON object");
   sub->add_option("--seconds", arguments->seconds, "Simulated time of rest; 0: only open it")
-      ->check(CLI::Range(0.0, 86400.0))
+      ->check(numberFrom(0, 86400))
       ->capture_default_str();
   sub->add_option("--models", arguments->models, "Folders in which model://NAME is searched first");
   sub->callback([arguments, &status] { status = withResources([&] { return check(*arguments); }); });

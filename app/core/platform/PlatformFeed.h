@@ -53,6 +53,8 @@ struct LoadedPlatform {
   bool areBodies = false;
   /// The user's overrides that the programs cannot fulfill in this layout, as a sentence each.
   std::vector<std::string> lostChoices;
+  /// How much of a scene is left out, if no robot has a log that says so; empty if nothing is.
+  std::string leftOut = {};
   /// What the platform that ran before reported about its end, as a sentence each: "p3at1: The platform was
   /// shut down in 12.5 ms."
   std::vector<std::string> ended;

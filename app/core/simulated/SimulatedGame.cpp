@@ -6,6 +6,7 @@
 #include "app/core/game/KickOff.h"
 #include "app/core/platform/PublishGate.h"
 #include "app/core/program/RecordingTap.h"
+#include "app/core/simulated/SceneResources.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Game.pb.h"
@@ -32,14 +33,8 @@ Errors SimulatedRun::makeGame() {
   const std::string& ofScene = world_->simulation().scene().world().game;
   const std::string name = options_.game.empty() ? ofScene : options_.game;
   if (options_.kickOffs && !name.empty() && name != RunOptions::kNoGame) {
-    std::error_code ignored;
-    if (options_.game.empty() && !std::filesystem::exists(gameRulesNamed(name), ignored)) {
-      return {{"scene.game",
-               "the <robotcontrol:game> is '" + name +
-                   "', of which there are no rules: " + gameRulesNamed(name).string(),
-               {name},
-               {world_->simulation().scene().file().string(), 0, 0}}};
-    }
+    if (Errors missing = missingGame(world_->simulation().scene()); options_.game.empty() && !missing.empty())
+      return missing;
     auto rules = GameRules::load(gameRulesNamed(name));
     if (!rules) return rules.error();
     rules_ = std::make_shared<const GameRules>(std::move(*rules));

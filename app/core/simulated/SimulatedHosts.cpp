@@ -9,6 +9,7 @@
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/program/SolutionChoices.h"
+#include "app/core/simulated/SceneResources.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/FieldDescription.h"
@@ -59,35 +60,6 @@ robotlink::Result<void> chooseSolutions(const std::vector<std::string>& texts, R
   return {};
 }
 
-namespace {
-
-/// An error at the model of a robot in its scene's file.
-Errors atRobot(const simcore::Scene& scene, const simcore::SceneRobot& robot, const std::string& text) {
-  const auto& models = scene.world().models;
-  const auto model = std::ranges::find(models, robot.name, &simcore::ModelInstance::name);
-  const robotlink::FilePosition place =
-      model != models.end() ? model->where : robotlink::FilePosition{scene.file().string(), 0, 0};
-  return {{"scene.robot", "'" + robot.name + "' " + text, {robot.name}, place}};
-}
-
-/// What a scene says of a robot, and is not there. Nothing if all of it is.
-Errors missingOf(const simcore::Scene& scene, const simcore::SceneRobot& robot, bool usesLayout) {
-  std::error_code ignored;
-  const auto description = descriptionFile(robot.description);
-  if (!std::filesystem::exists(description, ignored)) {
-    return atRobot(scene, robot,
-                   "is a robot '" + robot.description + "', of which there is no description " +
-                       description.string() + "; correct its <robotcontrol:robot>");
-  }
-  const auto layout = robot.layout.empty() ? std::filesystem::path() : layoutNamed(robot.layout);
-  if (!usesLayout || layout.empty() || std::filesystem::exists(layout, ignored)) return {};
-  return atRobot(scene, robot,
-                 "has a layout '" + robot.layout +
-                     "' that is neither a shipped one nor a file; correct its <robotcontrol:layout>");
-}
-
-}  // namespace
-
 tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::Scene& scene) const {
   struct Kind {
     std::shared_ptr<const robotlink::RobotDescription> description;
@@ -112,12 +84,14 @@ tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::
     return options_.layout.empty() && !options_.layouts.contains(robot.description) &&
            !options_.robotLayouts.contains(robot.name) && !options_.robotLayouts.contains(robot.team);
   };
+  if (Errors missing = missingField(scene); !missing.empty()) return tl::unexpected(std::move(missing));
   const auto& present = world_->simulation().scene().robots();
   Hosts hosts;
   for (const auto& robot : scene.robots()) {
     if (find(robot.name) != nullptr && std::ranges::find(present, robot) != present.end()) continue;
-    if (Errors missing = missingOf(scene, robot, usesLayoutOf(robot)); !missing.empty())
-      return tl::unexpected(std::move(missing));
+    Errors missing = missingKind(scene, robot);
+    if (missing.empty() && usesLayoutOf(robot)) missing = missingLayout(scene, robot);
+    if (!missing.empty()) return tl::unexpected(std::move(missing));
     const auto kind = kindOf(robot.description);
     if (!kind) return tl::unexpected(kind.error());
     const Kind& its = **kind;

@@ -3,6 +3,7 @@
 
 #include "app/core/platform/HostingMemory.h"
 #include "app/core/program/SceneMessages.h"
+#include "app/core/simulated/SceneResources.h"
 #include "app/core/world/WorldObjects.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
@@ -169,6 +170,9 @@ void SimulationFeed::begin() {
     gate_.publishText(run_->robots().front(), "simulation", now(), foxglove::Log::INFO,
                       "Sensors and odometry have no noise in this simulation.");
   }
+  const std::string leftOut = leftOutText(run_->world().simulation().scene());
+  if (!leftOut.empty() && !run_->robots().empty())
+    gate_.publishText(run_->robots().front(), "scene", now(), foxglove::Log::WARNING, leftOut);
   if (const auto map = run_->map(); map && !run_->robots().empty()) {
     gate_.publishMapNotes(run_->robots().front(), now(), *map);
   }
@@ -234,6 +238,7 @@ LoadedPlatform SimulationFeed::describe() const {
     loaded.otherLayouts = run_->otherLayouts();
   }
   loaded.lostChoices = run_->lostChoices();
+  if (loaded.robots.empty()) loaded.leftOut = leftOutText(run_->world().simulation().scene());
   return loaded;
 }
 

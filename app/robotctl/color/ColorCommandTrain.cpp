@@ -198,7 +198,7 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
   number("--y-weight", settings.votes.brightnessWeight, "Weight of a difference in Y, relative to Cb or Cr",
          numberFrom(Votes::kMinBrightnessWeight, 1));
   number("--rejection", settings.votes.rejection,
-         "Votes that a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
+         "Votes that a class needs at least, as a share of one sample's own vote", nonNegativeNumber());
   number("--background-weight", settings.votes.backgroundWeight,
          "Weight of a background sample, relative to one of a class",
          numberFrom(0, Votes::kMaxBackgroundWeight));
@@ -207,16 +207,15 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
          numberFrom(0, Votes::kMaxShading));
   number("--gray-guard", settings.votes.grayGuard,
          "Extra votes that colors of objects need where they are nearly gray, for each stroke of the class",
-         CLI::NonNegativeNumber);
+         nonNegativeNumber());
   number("--reject-distance", settings.gaussians.mostSquaredDistance,
          "gauss: squared Mahalanobis distance from a class beyond which a color is not of it",
-         CLI::PositiveNumber);
-  number("--cost", settings.supportVectors.cost, "svm: cost of a sample on the wrong side",
-         CLI::PositiveNumber);
+         positiveNumber());
+  number("--cost", settings.supportVectors.cost, "svm: cost of a sample on the wrong side", positiveNumber());
   number("--gamma", settings.supportVectors.gamma, "svm: gamma of its radial basis functions",
-         CLI::PositiveNumber);
+         positiveNumber());
   number("--reject-radius", settings.supportVectors.mostDistance,
-         "svm: how far from a sample a class reaches at most", CLI::PositiveNumber);
+         "svm: how far from a sample a class reaches at most", positiveNumber());
   command.add_flag("!--keep-unsupported", settings.cleanUp.removeUnsupported,
                    "Keeps cells that no sample supports");
   command.add_flag("!--keep-holes", settings.cleanUp.fillHoles, "Keeps holes inside a class");

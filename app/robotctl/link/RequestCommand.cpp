@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/core/platform/JsonOutput.h"
+#include "app/core/platform/NumberRange.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/link/LinkOptions.h"
@@ -142,7 +143,7 @@ void addRequestCommand(CLI::App& app, int& status) {
   command->add_option("argument", arguments->argument,
                       R"(Its argument as JSON: '{"name": "ball-percept/disc", "mode": {"kind": "ALWAYS"}}')");
   command->add_option("--seconds", arguments->seconds, "How long to wait for the robot and its answer")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(numberFrom(0.1, 3600))
       ->capture_default_str();
   command->footer(
       "Prints the answer as JSON. Exit status: 0 accepted, 1 refused or not answered, 2 wrong usage.");

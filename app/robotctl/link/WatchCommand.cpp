@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/core/platform/NumberRange.h"
 #include "app/core/platform/RecordOptions.h"
 #include "app/core/remote/ImageCodings.h"
 #include "app/core/remote/LinkLimits.h"
@@ -235,11 +236,11 @@ void addWatchCommand(CLI::App& app, int& status) {
       ->type_name("STREAMS")
       ->excludes(csv);
   command->add_option("--seconds", arguments->seconds, "Ends after so long; otherwise with Ctrl-C")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveNumber());
   command
       ->add_option("--budget", arguments->limits.bytesPerSecond,
                    "Bytes a second that the robot may send; 0 is without limit")
-      ->check(CLI::NonNegativeNumber);
+      ->check(nonNegativeNumber());
   auto* jpeg =
       command->add_flag("--jpeg", arguments->asJpeg, "Lets the robot send images as JPEG, for narrow lines");
   auto* png =
@@ -247,7 +248,7 @@ void addWatchCommand(CLI::App& app, int& status) {
   command
       ->add_option("--image-rate", arguments->limits.imagesPerSecond,
                    "Images a second that the robot may send of each stream; 0 is all")
-      ->check(CLI::NonNegativeNumber);
+      ->check(nonNegativeNumber());
   command
       ->add_flag("--raw", arguments->asRaw,
                  "Leaves images raw, also where the line is too narrow; else they come as JPEG then")

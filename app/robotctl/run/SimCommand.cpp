@@ -24,6 +24,7 @@
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/BallTrials.h"
 #include "app/core/simulated/RunEnd.h"
+#include "app/core/simulated/SceneResources.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "app/core/truth/ErrorFigures.h"
@@ -40,6 +41,7 @@
 #include "app/robotctl/run/SnapshotOptions.h"
 #include "app/robotctl/run/TeamOptions.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/base/UnfinishedFile.h"
 #include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/truth/TruthErrors.h"
@@ -246,6 +248,8 @@ int runOnce(const SimArguments& arguments) {
   }
   if (const auto known = TeamOptions::check(run); !known) return printErrors({known.error()});
   printMapNotes(std::cerr, run.map().get());
+  if (const std::string text = leftOutText(run.world().simulation().scene()); !text.empty())
+    std::cerr << robotlink::printable(text) << "\n";
   unfinished.reset();
   return playGame(run, arguments, outputs, *troubles);
 }
@@ -467,6 +471,7 @@ void addSimCommand(CLI::App& app, int& status) {
          "for --seconds (5)")
       ->delimiter(',')
       ->expected(1, 3)
+      ->check(numberFrom(-1000, 1000))
       ->excludes(trials);
   auto* speed = sim->add_option("--speed", arguments->speed,
                                 "How many times real time; 0 is as fast as possible (lockstep 0, threads, "

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "robotlink/base/Error.h"
+
+namespace simcore {
+class Scene;
+struct SceneRobot;
+}  // namespace simcore
+
+namespace app {
+
+// What a scene names and is not among the resources, with the place where it does; empty if all is there.
+
+/// The description of a robot's kind.
+robotlink::Errors missingKind(const simcore::Scene& scene, const simcore::SceneRobot& robot);
+/// Its layout, if the scene names one.
+robotlink::Errors missingLayout(const simcore::Scene& scene, const simcore::SceneRobot& robot);
+/// The field.
+robotlink::Errors missingField(const simcore::Scene& scene);
+/// The rules of the game.
+robotlink::Errors missingGame(const simcore::Scene& scene);
+
+/// How many parts of its files a scene leaves out (Scene::leftOut()), and how to see them; empty if none.
+std::string leftOutText(const simcore::Scene& scene);
+
+/// All of what is missing.
+robotlink::Errors missingResources(const simcore::Scene& scene);
+
+}  // namespace app
