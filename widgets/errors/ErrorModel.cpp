@@ -49,7 +49,7 @@ void fillIn(ErrorRow& row, const std::string& quantity, const robotlink::ErrorQu
 }
 
 /// The number of a cell; unset: there is none.
-std::optional<double> numberOf(const ErrorRow& row, int column) {
+std::optional<double> statisticOf(const ErrorRow& row, int column) {
   if (column == ErrorModel::kMissed) return row.missed;
   if (column == ErrorModel::kFalse) return row.invented;
   if (column == ErrorModel::kLatency) return row.latency;
@@ -103,7 +103,7 @@ QVariant ErrorModel::data(const QModelIndex& index, int role) const {
   const int column = index.column();
   if (!isTextColumn(column)) {
     if (role == Qt::TextAlignmentRole) return kNumberAlignment;
-    const std::optional<double> number = numberOf(one, column);
+    const std::optional<double> number = statisticOf(one, column);
     if (role == kNumberRole) return number.value_or(-1);
     if (role != Qt::DisplayRole) return {};
     return number ? QString::number(*number, 'f', column == kSamples ? 0 : 1) : QString();

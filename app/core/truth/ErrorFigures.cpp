@@ -40,7 +40,7 @@ json figuresOf(const PackageErrors& errors) {
 }
 
 /// The path of a stream, with the solution where several have published it.
-std::string nameOf(const robotlink::ErrorSource& source, const TruthErrors::Packages& all) {
+std::string titleOfErrors(const robotlink::ErrorSource& source, const TruthErrors::Packages& all) {
   const auto several =
       std::ranges::count(all, source.path, [](const auto& entry) { return entry.first.path; });
   return several > 1 ? fmt::format("{} ({})", source.path, source.solution) : source.path;
@@ -67,7 +67,7 @@ json errorFigures(const TruthErrors& errors) {
   json figures = json::object();
   for (const auto& [robot, packages] : errors.errors())
     for (const auto& [source, package] : packages)
-      figures[robot][nameOf(source, packages)] = figuresOf(package);
+      figures[robot][titleOfErrors(source, packages)] = figuresOf(package);
   return figures;
 }
 
