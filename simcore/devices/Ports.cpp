@@ -287,7 +287,7 @@ class Collector {
     ports_.guideModels.push_back(model_);
   }
 
-  /// Of a wheel of the vehicle, N m.
+  /// The torque of a wheel of the vehicle, N m.
   double maximumTorque() const {
     double largest = 0;
     for (const VehicleWheel& wheel : type_->vehicle->wheels)

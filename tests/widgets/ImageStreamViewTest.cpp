@@ -13,13 +13,11 @@
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
-#include "robotcontrol/World.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/FieldBench.h"
 #include "widgets/image/ImageCanvas.h"
-#include "widgets/image/ImageHint.h"
 #include "widgets/image/ImageStreamView.h"
 
 namespace widgets::test {
@@ -117,29 +115,6 @@ class ImageStreamViewTest : public QObject {
     s.world.push("red1/log", text, 1.01);
     s.step();
     QCOMPARE(s.canvas->hint(), QStringLiteral("No image yet from red1/camera/image"));
-  }
-
-  void itSaysThatTheSceneHasNoSuchImages() {
-    ShownImage s;
-    s.world.session.setRobots({});
-    robotcontrol::WorldObjects objects;
-    objects.add_objects()->set_path("cam9");
-    s.world.push("objects", objects, 1);
-    s.world.push("other", foxglove::Log(), 1);
-    s.step();
-    QCOMPARE(
-        imageHint(s.world.context, "cam/color/image"),
-        QStringLiteral("There are no images of cam/color/image in this scene. Choose others at the top."));
-  }
-
-  void theTitleIsSaidAlsoToWhoListensLater() {
-    ShownImage s;
-    s.world.pushImage("red1/camera/image", kImage, kGrass);
-    s.step();
-    QSignalSpy titles(&s.view, &View::titleChanged);
-    s.step();
-    QVERIFY(!titles.isEmpty());
-    QCOMPARE(titles.last().front().toString(), QStringLiteral("Image: red1/camera/image"));
   }
 
   void showsTheImageInItsColors() {

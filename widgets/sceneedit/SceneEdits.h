@@ -187,7 +187,7 @@ class SceneEdits final : public QObject {
   SceneBench& bench_;
   GoOn goOn_;
   std::function<bool(const std::filesystem::path&)> mayWrite_;
-  /// By SceneBench::runningName().
+  /// The histories of scenes, by SceneBench::runningName().
   std::map<std::string, History> histories_;
   int lastStep_ = 0;
   std::string scene_;

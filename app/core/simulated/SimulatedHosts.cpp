@@ -264,7 +264,7 @@ Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
     options_.robotLayouts.erase(robot->name());
     options_.robotLayouts.erase(robot->robot().team);
   }
-  // Who keeps that of its team keeps it as its own.
+  // A robot that keeps the layout of its team keeps it as its own.
   for (const auto& robot : robots_) {
     const auto ofTeam = own.find(robot->robot().team);
     if (!changed.contains(robot->description().name) && ofTeam != own.end())

@@ -2,13 +2,16 @@
 // Which stream the view of images shows until the user chooses one.
 #include <QComboBox>
 #include <QListView>
+#include <QSignalSpy>
 #include <QTest>
 
+#include "foxglove/Log.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/config/RobotDescription.h"
 #include "tests/widgets/FieldBench.h"
 #include "widgets/image/ImageCanvas.h"
+#include "widgets/image/ImageHint.h"
 #include "widgets/image/ImageStreamView.h"
 
 namespace widgets::test {
@@ -53,6 +56,29 @@ class ImageStreamsTest : public QObject {
     s.step();
     QVERIFY(s.shows(kBrightImage));
     QCOMPARE(s.streams->currentText(), QStringLiteral("/depth"));
+  }
+
+  void itSaysThatTheSceneHasNoSuchImages() {
+    ShownStreams s;
+    s.world.session.setRobots({});
+    robotcontrol::WorldObjects objects;
+    objects.add_objects()->set_path("cam9");
+    s.world.push("objects", objects, 1);
+    s.world.push("other", foxglove::Log(), 1);
+    s.step();
+    QCOMPARE(
+        imageHint(s.world.context, "cam/color/image"),
+        QStringLiteral("There are no images of cam/color/image in this scene. Choose others at the top."));
+  }
+
+  void theTitleIsSaidAlsoToWhoListensLater() {
+    ShownStreams s;
+    s.push("red1/camera/image", kDarkImage);
+    s.step();
+    QSignalSpy titles(s.view.get(), &View::titleChanged);
+    s.step();
+    QVERIFY(!titles.isEmpty());
+    QCOMPARE(titles.last().front().toString(), QStringLiteral("Image: red1/camera/image"));
   }
 
   void theStreamAndTheSecondImageAreChosenByTheirPaths() {
