@@ -25,7 +25,10 @@ class Link:
     """A connection with a server of the Foxglove WebSocket protocol."""
 
     def __init__(self, host, port):
-        self.socket = socket.create_connection((host, port))
+        try:
+            self.socket = socket.create_connection((host, port))
+        except OSError as error:
+            sys.exit(f"wander.py: nobody listens at {host}:{port} ({error}); start robotctl sim SCENE --listen {port}")
         self.file = self.socket.makefile("rb")
         self.channels, self.services, self.subscriptions = {}, {}, {}
         key = base64.b64encode(os.urandom(16)).decode()
@@ -164,13 +167,18 @@ def main():
                 link.subscribe("sim/ports/wander")
         elif payload[0] == MESSAGE:
             step, readings = inputs_of(payload[13:])
+            if laser not in readings:  # the last message of a controller that had this name before
+                continue
             ranges = readings[laser]
             link.call("set_ports", controller="wander", step=step,
                       commands=[{"port": drive, "values": decide(ranges)}],
                       outputs=[{"port": "nearest", "values": [min(ranges)]}])
             answers += 1
         elif b'"accepted":false' in payload:
-            print("wander.py:", payload[payload.index(b"{"):].decode(), file=sys.stderr)
+            refusal = "wander.py: " + payload[payload.index(b"{"):].decode()
+            if not answers:
+                sys.exit(refusal)
+            print(refusal, file=sys.stderr)
     link.call("attach_controller", name="wander", ended=True)
 
 

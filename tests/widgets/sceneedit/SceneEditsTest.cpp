@@ -125,7 +125,7 @@ struct HallBench : Bench {
   const std::filesystem::path file;
   int seconds = 2;
   std::vector<SceneEdits::Texts> texts;
-  /// Of the last change.
+  /// Refuses the last change.
   SceneEdits::Refused refuse;
 };
 
