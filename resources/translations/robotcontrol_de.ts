@@ -15354,6 +15354,10 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <source>Cost</source>
         <translation>Kosten</translation>
     </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SolutionsView</name>

@@ -241,7 +241,9 @@ QVariant SolutionModel::shadowOf(const TaskEntry& task, const TaskEntry::Solutio
 QString SolutionModel::costOf(const TaskEntry& task, const TaskEntry::Solution& solution) const {
   const auto cost = costs_.find({task.name, solution.name});
   if (cost == costs_.end()) return {};
-  const QString mean = tr("%1 ms").arg(1000 * cost->second.mean, 0, 'f', 2);
+  const double seconds = cost->second.mean;
+  const QString mean =
+      seconds < 1e-4 ? tr("%1 µs").arg(1e6 * seconds, 0, 'f', 0) : tr("%1 ms").arg(1e3 * seconds, 0, 'f', 2);
   return cost->second.share > 0 ? tr("%1, %2 %").arg(mean).arg(100 * cost->second.share, 0, 'f', 1) : mean;
 }
 

@@ -145,7 +145,7 @@ class SolutionsViewTest : public QObject {
         entry.set_seconds(seconds);
       };
       add("scan-lines", frame < 25 ? 0.001 : 0.003);
-      add("regions (shadow)", 0.0005);
+      add("regions (shadow)", 0.00004);
       bench.push("red1/stopwatches/cognition", times, 1 + 0.04 * frame);
       // Its times are published after each third frame.
       robotcontrol::FrameInfo info;
@@ -154,7 +154,7 @@ class SolutionsViewTest : public QObject {
     }
     for (int i = 0; i < 20; ++i) bench.tick(*view);
     QCOMPARE(cost("scan-lines"), QStringLiteral("2.00 ms, 15.0 %"));
-    QCOMPARE(cost("regions"), QStringLiteral("0.50 ms, 3.8 %"));
+    QCOMPARE(cost("regions"), QStringLiteral("40 µs, 0.3 %"));
     QCOMPARE(cost("oracle"), QString());
     QCOMPARE(cost("ball-percept"), QString());
   }
