@@ -82,11 +82,11 @@ int runCompare(const CompareArguments& arguments) {
   if (std::set<std::string>(arguments.solutions.begin(), arguments.solutions.end()).size() !=
       arguments.solutions.size())
     return usage("compare", "each solution can be named once");
-  if (arguments.solutions.size() < 2) return usage("compare", "name two solutions or more");
   if (!arguments.logs.empty() && !arguments.execution.options.empty())
     return usage("compare", "options behind -- are for simulations");
   if (const auto known = checkSolutions(arguments.task, arguments.solutions); !known)
     return usage("compare", known.error().text);
+  if (arguments.solutions.size() < 2) return usage("compare", "name two solutions or more");
   std::string command = "robotctl compare --task " + arguments.task + " --solutions " +
                         fmt::format("{}", fmt::join(arguments.solutions, ","));
   command += arguments.scene.empty()
