@@ -5,7 +5,6 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "foxglove/Log.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/config/RobotDescription.h"
