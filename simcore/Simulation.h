@@ -289,7 +289,7 @@ class Simulation {
  private:
   Simulation();
   using Implementation = SimulationState;
-  /// Makes the controllers anew.
+  /// Makes the controllers again.
   void startControllers();
   /// Has new controllers go on by what those of a snapshot remembered.
   void resumeControllers();

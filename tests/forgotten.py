@@ -40,7 +40,7 @@ def left_by(text, names):
 
 
 def tests_known_to(ctest, build):
-    """Asks from another folder: in its own, ctest would begin the log of its last run anew, even while one is under way."""
+    """Asks from another folder: in its own, ctest would begin the log of its last run again, even while one is under way."""
     with tempfile.TemporaryDirectory() as folder:
         pathlib.Path(folder, "CTestTestfile.cmake").write_text(f'subdirs("{pathlib.Path(build).resolve().as_posix()}")\n')
         return json.loads(subprocess.run([ctest, "--test-dir", folder, "--show-only=json-v1"], capture_output=True,

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails where units (a header and its source) include each other in a circle, unless include_cycles.txt lists that circle.
 
-The list may only shrink: --update writes it anew, but refuses to add to it; --strict also fails where it lists too much.
+The list may only shrink: --update writes it again, but refuses to add to it; --strict also fails where it lists too much.
 Usage: include_cycles.py SOURCE_DIR [--strict | --update]
 """
 import pathlib

@@ -104,7 +104,7 @@ void OpenPlatform::fitScene(const FileTexts& texts, std::function<void(const rob
 
 void OpenPlatform::goOnIn(const FileTexts& texts, bool mustFit,
                           std::function<void(const robotlink::Errors&)> refused) {
-  const auto anew = [texts](const LoadedPlatform& loaded) {
+  const auto again = [texts](const LoadedPlatform& loaded) {
     return SimulationFeed::opening(loaded.sources.front(),
                                    [texts](RunOptions& options) { options.texts = texts; });
   };
@@ -113,7 +113,7 @@ void OpenPlatform::goOnIn(const FileTexts& texts, bool mustFit,
   const auto inPlace = [this, refused = std::move(refused)](const auto& loaded) {
     outcomes_.push({.change = Change::kScene, .loaded = loaded, .refused = refused});
   };
-  platform_.reload(texts, mustFit, anew, inPlace, [this](const auto& loaded) {
+  platform_.reload(texts, mustFit, again, inPlace, [this](const auto& loaded) {
     outcomes_.push({.change = Change::kPlatform, .loaded = loaded});
   });
 }

@@ -165,16 +165,16 @@ void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler, 
 }
 
 void PlatformThread::reload(FileTexts texts, bool mustFit,
-                            std::function<PlatformOpening(const LoadedPlatform&)> anew, LoadHandler inPlace,
+                            std::function<PlatformOpening(const LoadedPlatform&)> again, LoadHandler inPlace,
                             LoadHandler opened) {
-  postOther([this, texts = std::move(texts), mustFit, anew = std::move(anew), inPlace = std::move(inPlace),
+  postOther([this, texts = std::move(texts), mustFit, again = std::move(again), inPlace = std::move(inPlace),
              opened = std::move(opened)] {
     tl::expected<bool, robotlink::Errors> done = tl::unexpected(
         robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
     if (feed_) done = feed_->reload(texts, mustFit);
     reportedAtEnd_.clear();
     if (!done) return inPlace(tl::unexpected(std::move(done.error())));
-    if (!*done) return open(anew(feed_->describe()), {}, opened);
+    if (!*done) return open(again(feed_->describe()), {}, opened);
     inPlace(describe());
   });
 }

@@ -58,8 +58,8 @@ class PlatformThread {
   /// Restarts the programs of the platform in another layout; with a name only those of that robot or team.
   void setLayout(std::filesystem::path file, LoadHandler handler, std::string name = {});
   /// Reads the file of what runs again and goes on in it, see PlatformFeed::reload(); where that is
-  /// impossible what `anew` returns is opened instead, as open() does. One of the handlers is called.
-  void reload(FileTexts texts, bool mustFit, std::function<PlatformOpening(const LoadedPlatform&)> anew,
+  /// impossible what `again` returns is opened instead, as open() does. One of the handlers is called.
+  void reload(FileTexts texts, bool mustFit, std::function<PlatformOpening(const LoadedPlatform&)> again,
               LoadHandler inPlace, LoadHandler opened);
   /// Ends the platform, as the destructor does; none runs then.
   void close(LoadHandler handler);

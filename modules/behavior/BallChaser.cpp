@@ -89,7 +89,7 @@ void BallChaser::transitChase(const Situation& now) {
              std::abs(now.ball.y() - options_.kickY) < options_.kickToleranceY && now.ballAge < 0.5) {
     enter(State::kKick, "the ball is before the paws", now.time);
   } else if (since > options_.positionTime) {
-    enter(State::kApproach, "the ball was not reached: begin anew", now.time);
+    enter(State::kApproach, "the ball was not reached: start over", now.time);
   }
 }
 

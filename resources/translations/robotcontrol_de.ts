@@ -990,7 +990,7 @@
         <translation>Schreibt in den Text der simulierten Szene, dass ein Objekt dort beginnt, wo es jetzt ist; nichts wird gespeichert</translation>
     </message>
     <message>
-        <source>Begins the game anew: no goals, first half, nobody is penalized</source>
+        <source>Starts the game over: no goals, first half, nobody is penalized</source>
         <translation>Beginnt das Spiel von vorn: keine Tore, erste Halbzeit, niemand ist bestraft</translation>
     </message>
     <message>

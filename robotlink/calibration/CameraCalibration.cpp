@@ -23,7 +23,7 @@ Result<const CalibrationModule*> calibrationModule() {
   if (kLoaded.module == nullptr)
     return failure("calibration.module",
                    "cameras cannot be calibrated, since OpenCV's part is missing: " + kLoaded.problem +
-                       "; install libopencv-calib3d406 and the whole program anew");
+                       "; install libopencv-calib3d406 and the whole program again");
   return kLoaded.module;
 }
 

@@ -12,7 +12,7 @@ std::vector<CommandTable::Command> gameCatalog() {
       {"game.set", "Puts the robots to their places and the ball to the middle; they wait"},
       {"game.play", "Lets the robots play"},
       {"game.finish", "Ends the half"},
-      {"game.restart", "Begins the game anew: no goals, first half, nobody is penalized"},
+      {"game.restart", "Starts the game over: no goals, first half, nobody is penalized"},
       {"game.penalize",
        "Takes a robot out of the game for the time that the rules say",
        {{"robot", Type::kText, "its name"},

@@ -261,7 +261,7 @@ struct OdeWorld {
   }
   /// A side of the drives: 2 i is the left one of drive i, 2 i + 1 the right one.
   OdeWheelSide& driveSide(std::size_t side) { return wheelSides[drives[side / 2].firstSide + side % 2]; }
-  /// Has a model that follows find out anew how it stands, after it was moved by others.
+  /// Has a model that follows find out again how it stands, after it was moved by others.
   void forgetFollower(const OdeModel& model) {
     if (model.follower >= 0) followers[static_cast<std::size_t>(model.follower)].known = false;
   }

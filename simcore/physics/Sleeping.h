@@ -23,7 +23,7 @@ void wake(OdeWorld& ode, OdeModel& model);
 void wakeIfDrivenOtherwise(OdeWorld& ode, std::size_t hinge, double speed, double limit);
 
 /// Wakes what is touched by a pair of this step that is awake. Returns whether anything slept; then the
-/// contacts have to be found anew.
+/// contacts have to be found again.
 bool wakeTouched(OdeWorld& ode);
 
 /// Whether a body may fall asleep after this step, so that the forces of its contacts will be kept; it may be

@@ -28,7 +28,7 @@ TEST(FieldModel, theShippedModelIsTheOneGeneratedFromTheField) {
   }
   const auto shipped = robotlink::readFile(kModel);
   ASSERT_TRUE(shipped) << shipped.error().describe();
-  EXPECT_EQ(*shipped, generated) << "run this test with ROBOTCONTROL_REGENERATE=1 to write the model anew";
+  EXPECT_EQ(*shipped, generated) << "run this test with ROBOTCONTROL_REGENERATE=1 to write the model again";
 }
 
 TEST(FieldModel, aFieldWithoutWallsHasLinesAroundItInstead) {

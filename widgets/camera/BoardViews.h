@@ -22,7 +22,7 @@ class BoardViews {
   /// Whether a view shows the board elsewhere than all others, so that it adds something: its corners are in
   /// the mean at least a twentieth of the image's width away.
   bool isNew(const Corners& corners) const;
-  /// Adds a view; one of another board or size of image begins anew.
+  /// Adds a view; one of another board or size of image starts over.
   void add(Corners corners, const robotlink::Chessboard& board, int width, int height);
   void remove(std::size_t index);
   void clear() { views_.clear(); }

@@ -30,7 +30,7 @@ class ConsoleView final : public View {
   void connectSignals();
   /// Appends an entry in its color; the output keeps its place if its end is not in view.
   void append(const CommandLog::Entry& entry);
-  /// Shows all entries anew, also after a change of the colors.
+  /// Shows all entries again, also after a change of the colors.
   void showAll();
   void changeEvent(QEvent* event) override;
   /// Shows what the typed command takes.

@@ -22,7 +22,7 @@ class OpenLogs;
 
 /// A table of some fields over time, of the history that the session holds or of the whole log at the play
 /// head, which can be saved as CSV. It is made in a thread; what takes longer than half a second shows its
-/// progress and can be canceled. The table does not change by itself; Refresh makes it anew. GUI thread.
+/// progress and can be canceled. The table does not change by itself; Refresh reads it again. GUI thread.
 class FieldTablePanel final : public QWidget {
   Q_OBJECT
  public:
@@ -40,7 +40,7 @@ class FieldTablePanel final : public QWidget {
  private:
   void createActions();
   void createViews();
-  /// Begins the table anew.
+  /// Starts the table over.
   void refresh();
   /// The columns in the log at the play head; false: it does not have their streams.
   bool readsLog(FieldTableSource& source);

@@ -19,7 +19,7 @@ class QWidget;
 namespace widgets {
 
 /// Measures in a picture: while the tool is on, a click sets a point, a drag two; a third click measures an
-/// angle, the next one begins anew. Esc removes the points, and then ends the tool. The result is painted
+/// angle, the next one starts over. Esc removes the points, and then ends the tool. The result is painted
 /// over the picture and written below it, from where it can be copied.
 ///
 /// Object names begin with the view's name: "image" gives imageMeasure, imageMeasureCopy, imageMeasureText,

@@ -44,7 +44,7 @@ class CursorModel final : public QAbstractTableModel {
     /// The names of states at the cursors; states have no differences and no statistics.
     std::optional<std::pair<QString, QString>> states = {};
   };
-  /// Computes the rows anew.
+  /// Recomputes the rows.
   void update();
   /// The number in a cell; empty if there is none.
   static std::optional<double> number(const Row& row, int column);

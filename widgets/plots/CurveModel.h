@@ -63,7 +63,7 @@ class CurveModel final : public QAbstractTableModel {
     /// Takes what is new of the log; what the filter makes of it ends at so many bytes. True if there is
     /// something.
     bool takeLogged(std::size_t bytes);
-    /// The same of what the session published. `afresh`: if some of it was missed, the curve begins anew with
+    /// The same of what the session published. `afresh`: if some of it was missed, the curve starts over with
     /// what the history has.
     bool takeLive(const robotlink::StreamStore& store, bool afresh);
     /// Takes it for the next takeLive(), and changes nothing else.
@@ -87,7 +87,7 @@ class CurveModel final : public QAbstractTableModel {
     /// What the filter makes of `logged`; unused without a filter.
     std::shared_ptr<robotlink::Series> filtered = std::make_shared<robotlink::Series>();
     robotlink::PointFilter liveFilter, logFilter;
-    /// Whether the program computes anew what the log has, so that both are of interest.
+    /// Whether the program recomputes what the log has, so that both are of interest.
     bool isRecomputed = false;
     /// The points of `logged` at the last update(): how many, and when they began.
     std::size_t loggedBefore = 0;
@@ -115,7 +115,7 @@ class CurveModel final : public QAbstractTableModel {
   void remove(int row);
   void clear();
   /// Adds the points that arrived since the last call. True if there is something new to draw. `afresh`: a
-  /// curve of which some were missed begins anew, so that they are read again.
+  /// curve of which some were missed starts over, so that they are read again.
   bool update(const robotlink::StreamStore& store, bool afresh = false);
   /// Takes the points that arrived for the next update(), before the history drops them.
   void hold(const robotlink::StreamStore& store);

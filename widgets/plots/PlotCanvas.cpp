@@ -291,7 +291,7 @@ void PlotCanvas::matchStrips() {
     const auto row = static_cast<double>(i);
     const std::shared_ptr<const robotlink::Series> live(curve, &curve->live);
     std::vector<StateStrip::Part> parts{{curve->isLogged() ? curve->ofLog() : live, row, row + 1}};
-    // What is computed anew stands below what was logged.
+    // What is recomputed stands below what was logged.
     if (curve->isRecomputed && curve->ofLog())
       parts = {{curve->ofLog(), row, row + 0.5}, {live, row + 0.5, row + 1}};
     strip.setParts(std::move(parts));

@@ -36,7 +36,7 @@ class StateStrip;
 /// touched(), upon which the view stops following, and can be undone. A click sets the first cursor, with
 /// Shift the second one. Times are seconds on the session's timeline; the labels count from an origin.
 /// QCustomPlot gets only the points that are seen, a few for each column of pixels. Lines are one pixel wide
-/// and not antialiased, since anything else costs a hundred times as much. Where a program computes anew what
+/// and not antialiased, since anything else costs a hundred times as much. Where a program recomputes what
 /// a log has, the curve of the log is drawn in a paler color behind. GUI thread.
 class PlotCanvas final : public QWidget {
   Q_OBJECT

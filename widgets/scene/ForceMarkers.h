@@ -37,7 +37,7 @@ class ForceMarkers {
 
   static constexpr int kAskEvery = 60;
   int untilAsked_ = 0;
-  /// The message and the shape made of it, which is made anew only for another message.
+  /// The message and the shape made of it, which is remade only for another message.
   robotlink::PackagePtr message_;
   int revision_ = -1;
   std::shared_ptr<const SceneShape> shape_;

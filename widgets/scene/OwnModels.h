@@ -61,7 +61,7 @@ class OwnModels {
   void makeFloor(const SceneBox& ground);
   /// Null if the kind has no model.
   const Model* modelOf(const ViewContext& context, const std::string& kind, const QColor& team);
-  /// Computes parts and sensors of a robot anew if they have changed.
+  /// Recomputes parts and sensors of a robot if they have changed.
   static void readJoints(const robotlink::StreamStore& store, robotlink::Instant shown, Robot& robot);
   static void readSensors(const robotlink::StreamStore& store, robotlink::Instant shown,
                           const robotlink::RobotDescription* description, Robot& robot);

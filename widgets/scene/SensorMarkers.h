@@ -28,7 +28,7 @@ class SensorMarkers {
   std::vector<SceneBody> bodies(robotlink::Session& session, const SceneObjects& objects,
                                 const SceneState& scene, robotlink::Instant shown,
                                 const ObjectFilter& isShown);
-  /// Makes all shapes anew, since the sensors may be others.
+  /// Makes all shapes again, since the sensors may be others.
   void clear() { markers_.clear(); }
 
  private:

@@ -36,7 +36,7 @@ struct ViewContext;
 /// - The texts of the scene's files. The functions here change them in the scene editor, unsaved, and have
 ///   the simulation go on in them. Each text is checked first, in a thread of its own, which takes some 100
 ///   ms, for large scenes longer; what the simulator would refuse is refused here, with its reason, and
-///   nothing changes. A text that was edited meanwhile is changed and checked anew.
+///   nothing changes. A text that was edited meanwhile is changed and checked again.
 ///
 /// Changes are made one after the other, in the order in which they were begun. One of the same place, such
 /// as a pose that is dragged on, replaces the one before if that is not made yet.

@@ -29,7 +29,7 @@ struct StreamAsked {
 };
 
 /// Finds out who asked for the streams of a session: by StreamReaders, and by the robots' tables of debug
-/// keys and of subscribers. Made anew whenever it is needed. GUI thread; the session must outlive it.
+/// keys and of subscribers. Made again whenever it is needed. GUI thread; the session must outlive it.
 class StreamAskers {
  public:
   explicit StreamAskers(robotlink::Session& session);

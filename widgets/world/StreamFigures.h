@@ -35,7 +35,7 @@ class StreamFigures {
     const foxglove::SceneEntity* entity = nullptr;
     robotlink::PackagePtr keep;
   };
-  /// The figures of a stream at an instant. Converted anew only where its message is another one.
+  /// The figures of a stream at an instant. Converted again only where its message is another one.
   std::vector<Figure> of(const robotlink::StreamStore& store, const std::string& path,
                          robotlink::Instant shown);
 

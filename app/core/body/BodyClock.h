@@ -10,7 +10,7 @@ namespace app {
 
 /// The time of a body elsewhere, as its program here goes by it. It follows the times that are heard of the
 /// body, whatever their delay: it is the body's time less the shortest delay. Between them, and while the
-/// link is cut, it goes on as real time does. It never goes back: a body that is started anew, whose times
+/// link is cut, it goes on as real time does. It never goes back: a body that is restarted, whose times
 /// begin again, continues.
 ///
 /// now() may be called from any thread, the rest from one.
@@ -24,7 +24,7 @@ class BodyClock final : public robotlink::Clock {
   void hear(robotlink::Instant bodyTime);
   /// The newest one; zero before the first.
   robotlink::Instant heard() const { return heard_.value_or(robotlink::Instant()); }
-  /// To be added to time stamps of the body: zero until it is started anew.
+  /// To be added to time stamps of the body: zero until it is restarted.
   robotlink::Duration shift() const { return shift_; }
 
  private:

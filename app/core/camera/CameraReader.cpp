@@ -12,7 +12,7 @@ namespace {
 constexpr int kWaitMs = 100;
 constexpr std::chrono::seconds kRefreshEvery{1};
 constexpr std::chrono::seconds kRetryEvery{1};
-/// A camera that gives no image for this long is opened anew.
+/// A camera that gives no image for this long is reopened.
 constexpr int kMaxSilentWaits = 50;
 
 }  // namespace

@@ -50,7 +50,7 @@ std::optional<GameMachine::Phase> GameMachine::due() const {
 
 robotlink::Result<void> GameMachine::enter(Phase phase) {
   if (isOver() && phase != Phase::kFinished)
-    return robotlink::failure("game.over", "the game is over; begin it anew with game.restart");
+    return robotlink::failure("game.over", "the game is over; start another with game.restart");
   const bool beginsHalf = phase_ == Phase::kFinished && phase == Phase::kReady;
   if (phase_ == Phase::kFinished && !beginsHalf && phase != Phase::kFinished)
     return robotlink::failure("game.half", "the half is over; begin the next one with game.ready");

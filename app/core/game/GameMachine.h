@@ -24,7 +24,7 @@ class GameMachine {
   /// The rules must outlive it.
   explicit GameMachine(const GameRules& rules) : rules_(rules) {}
 
-  /// The game begins anew.
+  /// The game starts over.
   void restart();
   void pass(robotlink::Duration time);
   /// The phase that follows now if nobody decides otherwise; unset: the present one lasts.

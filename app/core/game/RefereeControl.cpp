@@ -90,7 +90,7 @@ Result<void> Referee::control(const ControlGame& wanted) {
       return enter(Phase::kFinished);
     case ControlGame::RESTART:
       restart();
-      say("The game begins anew.");
+      say("The game starts over.");
       return {};
     case ControlGame::PENALIZE:
       return penalizeFor(wanted.robot(), wanted.reason());

@@ -20,7 +20,7 @@ class Umpire {
 
   /// To be called after each step of the world. Returns a sentence for the user for each thing that happened.
   virtual std::vector<std::string> step() = 0;
-  /// To be called after a reset of the simulation: the game begins anew.
+  /// To be called after a reset of the simulation: the game starts over.
   virtual void restart() = 0;
   /// Writes or reads all that the game consists of.
   virtual void transfer(simcore::StateStream& stream) = 0;

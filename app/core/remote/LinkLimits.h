@@ -36,7 +36,7 @@ std::optional<LinkLimits::Images> imagesNamed(const std::string& name);
 /// For users: ", at most 2.0 MB/s, images as JPEG, 5 a second"; empty without limits.
 std::string inWords(const LinkLimits& limits);
 
-/// Limits a connection, also when it is connected anew.
+/// Limits a connection, also when it is reconnected.
 void apply(const LinkLimits& limits, robotlink::websocket::SessionClient& client);
 
 /// The limits that the user chose, by URL, kept in a file from one run of the workbench to the next. Any

@@ -229,7 +229,7 @@ KnownRobot RemoteRobots::known(const std::string& robot) const {
   return found == described_.end() ? KnownRobot() : found->second.known;
 }
 
-/// Robots elsewhere that were connected before and have such a name are connected anew, under another one:
+/// Robots elsewhere that were connected before and have such a name are reconnected, under another one:
 /// else STOP, and everything else, would reach one of the two.
 void RemoteRobots::setPlatform(std::optional<std::set<std::string>> robots) {
   platform_ = std::move(robots);

@@ -66,7 +66,7 @@ class RemoteRobots {
   RemoteRobots& operator=(const RemoteRobots&) = delete;
 
   /// Begins to connect; returns the URL as connections() has it. Without a token the one that is remembered
-  /// for this URL is shown. A server that is connected already is connected anew. Fails if the URL makes no
+  /// for this URL is shown. A server that is connected already is reconnected. Fails if the URL makes no
   /// sense; everything else is told by connections(), such as a certificate that nobody has trusted yet.
   robotlink::Result<std::string> connect(const std::string& url, const std::string& token = {});
   /// Ends a connection; its robots leave the session. Fails if there is none.
@@ -82,7 +82,7 @@ class RemoteRobots {
   static bool hasToken(const std::string& url);
   static robotlink::Result<void> forgetToken(const std::string& url);
   /// A person has compared the fingerprint of the certificate that the robot at a URL shows: it is
-  /// remembered, in the place of one that was known, and the robot is connected anew. Fails if it is not what
+  /// remembered, in the place of one that was known, and the robot is reconnected. Fails if it is not what
   /// the robot showed last.
   robotlink::Result<void> trust(const std::string& url, const std::string& fingerprint);
   bool empty() const { return lines_.empty(); }

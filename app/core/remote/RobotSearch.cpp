@@ -16,7 +16,7 @@ using robotlink::dds::RobotDiscovery;
 constexpr std::chrono::milliseconds kSearchLook{100};
 constexpr int kLooksPerNetworks = 20;
 
-/// Listens on all networks, and anew if there are others.
+/// Listens on all networks, and again if there are others.
 class NetworkSource final : public RobotSearch::Source {
  public:
   explicit NetworkSource(RobotSearch::Nodes nodes) : nodes_(std::move(nodes)) {}

@@ -23,7 +23,7 @@ class LoggedPaths {
   /// Whether the program publishes what a logged stream contains. `path` is the one below the robot's name.
   /// `value` matters only for texts, which the program publishes for the tasks and processes that run.
   bool isRecomputed(const std::string& path, const google::protobuf::Message& value) const;
-  /// Whether a process of the layout runs again, so that its frames are counted anew.
+  /// Whether a process of the layout runs again, so that its frames are counted from zero.
   bool runs(const std::string& process) const { return processes_.contains(process); }
 
  private:

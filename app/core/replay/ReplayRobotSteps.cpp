@@ -152,10 +152,10 @@ void ReplayRobot::run() {
 
 StreamMessage ReplayRobot::published(StreamMessage message) const {
   const std::string path = below(message.path);
-  const bool anew = paths_.isRecomputed(path, *message.value);
-  message.path = name() + "/" + (anew ? streams::kLogged : "") + path;
-  // The process counts its frames anew here. Drawings are matched to frames by their times.
-  if (!anew && paths_.runs(message.process)) message.frame = 0;
+  const bool isRecomputed = paths_.isRecomputed(path, *message.value);
+  message.path = name() + "/" + (isRecomputed ? streams::kLogged : "") + path;
+  // The process counts its frames from zero here. Drawings are matched to frames by their times.
+  if (!isRecomputed && paths_.runs(message.process)) message.frame = 0;
   return message;
 }
 

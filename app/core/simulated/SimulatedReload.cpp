@@ -43,7 +43,7 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn(bool mustFit) {
   const bool isOther = before.field() != (*scene)->field() || before.groundMap() != nullptr ||
                        (*scene)->groundMap() != nullptr;
   if (isOther) return Reloaded{};
-  // Controllers are made anew, and may fail again.
+  // Controllers are remade, and may fail again.
   endedControllers_.clear();
   const auto next = withEdits(*scene);
   const auto isThere = [&](const std::string& name) {

@@ -187,7 +187,7 @@ class SimulatedRun {
   robotlink::Result<void> restore(const simcore::Snapshot& snapshot);
   /// The same in the recent past; see SimulatedWorld::rewind().
   robotlink::Result<void> rewind(robotlink::Duration back);
-  /// Begins to bring world and programs to the state of a snapshot: all begin anew, and each step() repeats
+  /// Begins to bring world and programs to the state of a snapshot: all start over, and each step() repeats
   /// what was asked then. Fails, changing nothing, with the reason where it cannot be known that the same
   /// state comes of it: programs in threads or elsewhere, other settings, robots driven from outside, or
   /// where something happened that is not kept.
@@ -238,7 +238,7 @@ class SimulatedRun {
   /// The same for one robot, or for those of a team; the other programs go on, too.
   robotlink::Errors setLayoutOf(const std::string& name, const std::filesystem::path& file);
   /// Chooses where the program of a robot runs, or of all if the name is empty, and starts programs there or
-  /// anew; the world and the other programs continue. If that is impossible, everything continues as before.
+  /// again; the world and the other programs continue. If that is impossible, everything continues as before.
   robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
   /// The layout files of those robots whose programs run in another one than layout(), by name.
   std::map<std::string, std::filesystem::path> otherLayouts() const;
@@ -293,7 +293,7 @@ class SimulatedRun {
   robotlink::Errors makeGame();
   /// The umpire that the present scene has.
   void makeUmpire();
-  /// The game begins anew, as at the start.
+  /// The game starts over.
   void restartGame();
   /// Lets the umpire follow the models that there are.
   void followModels();
@@ -393,7 +393,7 @@ class SimulatedRun {
   std::shared_ptr<const simcore::Scene> withEdits(std::shared_ptr<const simcore::Scene> scene) const;
   /// Passes a problem of a process to the robot that owns it.
   void reportTrouble(const robotlink::Process& process, const std::string& text);
-  /// World and programs begin anew; the programs with these overrides by robot, unless that is null.
+  /// World and programs start over; the programs with these overrides by robot, unless that is null.
   robotlink::Errors restart(std::uint64_t seed, const std::map<std::string, ProgramOverrides>* overrides);
   /// What decides, beside requests, what a run does: a "name: value" in a line each.
   std::string settings() const;

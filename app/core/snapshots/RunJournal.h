@@ -24,7 +24,7 @@ class RunJournal {
     robotcontrol::Request request;
   };
 
-  /// Begins anew. `settings` says with what the run starts, one "name: value" in a line each; `overrides` are
+  /// Starts over. `settings` says with what the run starts, one "name: value" in a line each; `overrides` are
   /// the requests that choose what its programs start with.
   void begin(std::uint64_t seed, std::string settings, std::vector<robotcontrol::Request> overrides);
   /// Keeps a request that was accepted.

@@ -14,7 +14,7 @@ namespace app {
 namespace {
 
 /// One that was overtaken on its way is at most so much older; a larger difference is that of a robot that
-/// began anew.
+/// started over.
 constexpr robotlink::Duration kOvertaken = std::chrono::seconds(1);
 /// What is taken in a step, so that nobody holds it up, and of how many robots the newest is kept.
 constexpr int kMaxTaken = 100;

@@ -28,7 +28,7 @@ class HeldActuators {
   void release(simcore::Simulation& simulation, const std::string& port);
   /// Releases all actuators of a model, or with an empty name all that there are.
   void releaseModel(simcore::Simulation& simulation, const std::string& model);
-  /// Forgets all of them, since the simulation begins anew.
+  /// Forgets all of them, since the simulation starts over.
   void forget() { held_.clear(); }
   /// Forgets those that do not exist any more.
   void forgetMissing(const simcore::Simulation& simulation);

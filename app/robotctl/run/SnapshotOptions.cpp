@@ -21,7 +21,7 @@ void SnapshotOptions::addTo(CLI::App& command) {
       ->type_name("SECONDS=FILE");
   auto* file = command
                    .add_option("--restore", restored,
-                               "A snapshot with which the simulation begins; the programs begin anew there")
+                               "A snapshot with which the simulation begins; the programs start over there")
                    ->type_name("FILE");
   command
       .add_flag(

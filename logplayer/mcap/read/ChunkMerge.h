@@ -26,7 +26,7 @@ class ChunkMerge {
   ChunkMerge(const FileIndex& index, SectionCache& cache, std::vector<std::uint16_t> channels,
              std::size_t maxBytes);
 
-  /// The next call of next() searches anew.
+  /// The next call of next() searches again.
   void seek() { standing_ = false; }
   /// The next run of messages behind a position. Without a seek() before, `behind` must be the last message
   /// of the previous run. Empty at the end, or if the sections do not fit(). Valid until the next call.

@@ -16,7 +16,7 @@ namespace modules {
 /// multiple model tracking of a moving object, RoboCup 2004). Each particle rests or rolls, and begins to
 /// roll or stops at random; so the ball may be in two places until the next percepts decide.
 ///
-/// With each percept some particles are drawn anew at its place, so that a ball that was moved is found again
+/// With each percept some particles are redrawn at its place, so that a ball that was moved is found again
 /// without a threshold. The estimate is the mean of the particles near the heaviest place. Deterministic for
 /// a seed. Not thread-safe.
 class ParticleBall {

@@ -21,7 +21,7 @@ struct ClientLimits {
 /// What a server says. All are called in the link's thread, one at a time, without a lock: they may call the
 /// client. They should be quick; while one runs nothing is read, and the server thins what it sends.
 struct ClientHandlers {
-  /// After each connection, first. A server with another session id than before was started anew.
+  /// After each connection, first. A server with another session id than before was restarted.
   std::function<void(const ServerInfo&)> connected = {};
   /// The connection is lost; channels and services are gone without being removed one by one.
   std::function<void()> disconnected = {};

@@ -307,7 +307,7 @@ void ConnectorThread::run() {
     try {
       context.run();
     } catch (const std::exception& problem) {
-      // Memory ran out, say. What the connection was doing is not continued, so it is made anew.
+      // Memory ran out, say. What the connection was doing is not continued, so it is made again.
       asio::post(context, [this, what = std::string(problem.what())] {
         failed(Failure::kEnded, "a message of the robot could not be handled: " + what);
       });

@@ -16,7 +16,7 @@ class LinkWatch {
     /// roundTripInterval. An answer may have to wait behind a large message, and with it whatever the server
     /// would read next.
     Duration pingInterval = std::chrono::milliseconds(300), roundTripInterval = std::chrono::seconds(2);
-    /// After so long without a byte it counts as silent, and is connected anew.
+    /// After so long without a byte it counts as silent, and is reconnected.
     Duration silentTime = std::chrono::seconds(1), giveUpTime = std::chrono::seconds(3);
     /// Time for a connection of TCP, and for each further step of the handshake. Before the first success the
     /// steps may take firstStepTime, for lines that are very slow.

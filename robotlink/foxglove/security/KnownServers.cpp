@@ -68,7 +68,7 @@ Result<bool> KnownServers::isKnown(const std::string& server, const std::string&
           " is not the one that was there before: its certificate has the "
           "fingerprint " +
           fingerprint + " now, it had " + found->second +
-          ". Somebody may be listening in. If you know that the robot was set up anew, remove its line "
+          ". Somebody may be listening in. If you know that the robot was set up again, remove its line "
           "from " +
           file_.string() + " and connect again",
       {}, {server, fingerprint, found->second, file_.string()});

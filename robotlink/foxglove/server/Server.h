@@ -33,7 +33,7 @@ class Server : public std::enable_shared_from_this<Server> {
 
   // The robot's side.
 
-  /// Announces channels to all clients in one message. Channels are made anew each time: ids are not used
+  /// Announces channels to all clients in one message. Channels are remade each time: ids are not used
   /// again.
   std::vector<ChannelPtr> addChannels(std::vector<ChannelSetup> setups);
   void removeChannels(std::span<const ChannelPtr> channels);
@@ -64,7 +64,7 @@ class Server : public std::enable_shared_from_this<Server> {
 
   void publishPlaybackState(const PlaybackState& state);
   /// What clients can play: the range of time of the log that is open; none: there is no log. At first it is
-  /// that of the options. If it changes, clients are told anew who the server is.
+  /// that of the options. If it changes, clients are told again who the server is.
   void setPlayable(const std::optional<TimeRange>& range);
   /// Sends a status to all clients that are connected.
   void publishStatus(const Status& status);

@@ -19,7 +19,7 @@ namespace robotlink::websocket {
 /// A key that is on already stays as it is for subscribers. One whose mode was changed here gets its own mode
 /// back when the last client that wants another one has gone, unless somebody else set it in the meantime:
 /// then that holds. A robot whose program
-/// starts anew keeps its keys (they are overrides), so nothing has to be repeated. One thread.
+/// restarts keeps its keys (they are overrides), so nothing has to be repeated. One thread.
 class KeyRequests {
  public:
   /// Asks a robot to set a key.

@@ -418,7 +418,7 @@ void SessionServer::offerJpeg() {
 void SessionServer::publishSteering(const std::string& robot, const Steering::Status& status) {
   const std::string path = robot + "/" + streams::kSteering;
   if (isElsewhere(robot)) {
-    // What the session has of it comes from there; clients are told anew which of them it is.
+    // What the session has of it comes from there; clients are told again which of them it is.
     const StreamMessage* message = session_.store().latest(path, Instant::max());
     const auto channel = channels_.find(path);
     if (message != nullptr && channel != channels_.end() && channel->second->isWanted())

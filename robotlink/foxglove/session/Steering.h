@@ -117,7 +117,7 @@ class Steering {
   void ask(const std::string& name, Robot& robot, Instant now);
   void tell(const std::string& name, Robot& robot, const std::string& text);
   bool isFree(const Robot& robot, const ClientInfo& client, Instant now) const;
-  /// Whether a client that was heard at an instant has probably connected anew since.
+  /// Whether a client that was heard at an instant has probably reconnected since.
   bool isOutdated(std::uint64_t client, Instant heardAt, Instant now) const;
 
   const Limits limits_;

@@ -161,7 +161,7 @@ TEST_F(BodyQuestionTest, aBodyThatIsOpenMayObjectLater) {
   question_.follow();
   refused_ = refusal(BodyObjection::kNewCertificate);
   question_.follow();
-  EXPECT_TRUE(question_.asked()) << "it objects anew";
+  EXPECT_TRUE(question_.asked()) << "it objects again";
 }
 
 TEST_F(BodyQuestionTest, anObjectionThatIsOverIsNotAskedAnyMore) {

@@ -56,7 +56,7 @@ TEST_F(PioneerPackagesTest, afterAnotherConnectionTheOdometryGoesOnFromWhereItWa
   state(informationAt(0, 0, 0));
   state(informationAt(500, 0, 1024));  // a quarter to the left
   restart();
-  state(informationAt(0, 0, 0));  // the robot was switched on anew
+  state(informationAt(0, 0, 0));  // the robot was switched on again
   const auto last = state(informationAt(200, 0, 0)).odometry();
   EXPECT_NEAR(last.x(), 0.5, 1e-9);
   EXPECT_NEAR(last.y(), 0.2, 1e-9);

@@ -190,7 +190,7 @@ TEST_F(ReplayRunTest, whatIsRecomputedTakesThePathAndWhatWasLoggedStandsBesideIt
   const StreamMessage* horizon = replay.lastOn("red1/drawings/image/camera-pose/horizon");
   ASSERT_NE(horizon, nullptr);
   EXPECT_EQ(horizon->process, "cognition");
-  EXPECT_EQ(horizon->frame, 0U) << "the process counts its frames anew: drawings go by time";
+  EXPECT_EQ(horizon->frame, 0U) << "the process counts its frames from zero: drawings go by time";
   // The platform and processes that do not run.
   EXPECT_EQ(replay.countOn("red1/frames/platform"), 254U);
   EXPECT_EQ(replay.countOn("red1/logged/frames/motion"), 0U);

@@ -148,7 +148,7 @@ TEST_F(LogImport, allThatUseAnOldLogShareItsCopy) {
     EXPECT_EQ(copy, first->path());
     EXPECT_EQ(conversions, once);
     EXPECT_TRUE(std::filesystem::exists(copy));
-    // One that was written anew is another one.
+    // One that was rewritten is another one.
     written(someLog().begin('m').joints(100).end('m').file());
     const auto third = container();
     ASSERT_TRUE(third) << third.error().describe();

@@ -54,7 +54,7 @@ TEST_P(FieldLocalizer, isGoodWhilePlaying) {
   });
   game.run(10);
   EXPECT_GT(place.count(), 200);
-  // Without particles that begin anew, the filter takes longer where few landmarks are seen, and suffers more
+  // Without particles that start over, the filter takes longer where few landmarks are seen, and suffers more
   // from the odometry of the gait of games, which drifts while the robot turns.
   const bool isKalman = GetParam() == std::string("kalman");
   EXPECT_LT(place.mean(), isKalman ? 0.8 : 0.15);

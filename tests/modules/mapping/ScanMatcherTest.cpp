@@ -82,11 +82,11 @@ TEST_F(MatcherTest, changesOfTheMapAreFollowedAsIfItWereNew) {
   map_.insert({3.5, 2, 0}, wall);
   matcher_.follow(map_, options_);
   for (int i = 0; i < 10; ++i) add({3.5, 2, 0});
-  ScanMatcher anew;
-  anew.follow(map_, options_);
+  ScanMatcher another;
+  another.follow(map_, options_);
   const auto scan = scanAt({3.55, 2.05, 0.05});
   const auto followed = matcher_.match({3.5, 2, 0}, scan, options_),
-             fresh = anew.match({3.5, 2, 0}, scan, options_);
+             fresh = another.match({3.5, 2, 0}, scan, options_);
   EXPECT_EQ(fresh.robotInMap, followed.robotInMap);
   EXPECT_EQ(fresh.score, followed.score);
 }

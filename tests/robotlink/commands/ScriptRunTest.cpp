@@ -362,7 +362,7 @@ TEST_F(ScriptRunTest, linesWithoutAFileKeepTheVariables) {
   EXPECT_EQ(failure(), "there is no command fly");
   run_.runLines({}, "say again");
   run_.tick(now_);
-  EXPECT_EQ(failure(), "") << "the next one begins anew";
+  EXPECT_EQ(failure(), "") << "the next one starts over";
 }
 
 TEST(ScriptReport, isAJUnitFile) {

@@ -84,7 +84,7 @@ TEST_F(DebugContextTest, everyNIsTrueAtEachNthCall) {
   debug_.setMode(kShapeKey.index(), mode(KeyMode::EVERY_N, 3));
   EXPECT_EQ(calls(7), "0010010");
   debug_.setMode(kShapeKey.index(), mode(KeyMode::EVERY_N, 3));
-  EXPECT_EQ(calls(3), "001") << "a new request counts anew";
+  EXPECT_EQ(calls(3), "001") << "a new request counts from zero";
   debug_.setMode(kShapeKey.index(), mode(KeyMode::EVERY_N, 0));
   EXPECT_EQ(calls(2), "11");
 }

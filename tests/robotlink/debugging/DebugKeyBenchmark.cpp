@@ -16,7 +16,7 @@ namespace {
 const PlotKey kKey{"benchmark/key", "A key that is off"};
 constexpr int kQueries = 1 << 20;
 
-// Both loops forget what they know of memory in each round, so that the mode is read anew each time, as in
+// Both loops forget what they know of memory in each round, so that the mode is read again each time, as in
 // real code.
 int emptyLoop() {
   int drawn = 0;

@@ -30,7 +30,7 @@ class TlsClient {
   const std::string& text() const;
   void send(const ClientMessage& message);
   const Frame* receive();
-  /// Whether the server agrees to negotiate keys and versions anew.
+  /// Whether the server agrees to negotiate keys and versions again.
   bool renegotiates();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session whose platform begins anew: a jump in a log, another scene.
+// A session whose platform starts over: a jump in a log, another scene.
 #include <gmock/gmock.h>
 
 #include <atomic>

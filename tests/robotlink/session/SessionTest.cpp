@@ -198,7 +198,7 @@ TEST(Session, theSceneAndOtherLatchedMessagesAreNeverDropped) {
 
 TEST(Session, whatTheRobotsQueuesDroppedIsCountedOverRestarts) {
   Session session;
-  for (const std::uint64_t dropped : {3U, 10U, 2U}) {  // the process was started anew after the second
+  for (const std::uint64_t dropped : {3U, 10U, 2U}) {  // the process was restarted after the second
     const auto queue = queueOf("cognition");
     queue->set_dropped(dropped);
     session.pushQueue("red1", fromWire(*queue));

@@ -73,7 +73,7 @@ class Table : public testing::Environment {
       for (const Row& row : rows) {
         ++count;
         EXPECT_NE(document.find(stableCells(area, row)), std::string::npos)
-            << "simcore/TRUTH.md lacks the row '" << stableCells(area, row) << "'; write it anew with "
+            << "simcore/TRUTH.md lacks the row '" << stableCells(area, row) << "'; write it again with "
             << "ROBOTCONTROL_TRUTH_TABLE=simcore/TRUTH.md";
       }
     }

@@ -46,7 +46,7 @@ void paintMapAgain(benchmark::State& state) {
 }
 BENCHMARK(paintMapAgain)->Unit(benchmark::kMillisecond);
 
-/// While it is dragged or zoomed: each frame anew. The argument: how many times it is enlarged.
+/// While it is dragged or zoomed: each frame is painted again. The argument: how many times it is enlarged.
 void paintMapMoved(benchmark::State& state) {
   const widgets::MapGround ground(building());
   QImage image(1200, 900, QImage::Format_RGB32);

@@ -211,7 +211,7 @@ class ImageToolsTest : public QObject {
     click(s.view, "imageMeasureCopy");
     QCOMPARE(QApplication::clipboard()->text(), s.text("imageMeasureText"));
     s.clickAt(5.5, 5.5);
-    QVERIFY2(!s.text("imageMeasureText").contains(QStringLiteral("B (")), "a fourth click begins anew");
+    QVERIFY2(!s.text("imageMeasureText").contains(QStringLiteral("B (")), "a fourth click starts over");
   }
 
   void aDragMeasuresAndEscapeEndsIt() {

@@ -16,7 +16,7 @@ robotlink::Instant second(int count) {
   return robotlink::Instant(std::chrono::seconds(count));
 }
 
-/// The first and the last row that are drawn anew when another instant is shown.
+/// The first and the last row that are redrawn when another instant is shown.
 std::optional<Rows> changedRows(LogModel& model, robotlink::Instant time) {
   std::optional<Rows> rows;
   const auto connection =

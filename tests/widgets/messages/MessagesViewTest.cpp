@@ -142,7 +142,7 @@ class MessagesViewTest : public QObject {
     QCOMPARE(table.model()->rowCount(), 3);
     QCOMPARE(cell(table, 0, 0), QStringLiteral("8.000"));
     QCOMPARE(table.currentIndex().row(), 0);
-    // What is played is the same message; what a program says anew stands between the others.
+    // What is played is the same message; what a program recomputes stands between the others.
     bench.push("nao/log", log(Log::ERROR, "motion", "a servo does not answer"), 31);
     bench.push("nao/log", log(Log::INFO, "cognition", "computed here"), 30);
     bench.tick(*view);

@@ -149,7 +149,7 @@ TEST(ConversationReplay, withoutPacketsOrAfterACancelNothingIsDue) {
   replay.cancel();
   EXPECT_EQ(replay.tick(atSeconds(1)), Packets());
   replay.begin(half(), false);
-  EXPECT_EQ(replay.done(), 0U) << "it begins anew";
+  EXPECT_EQ(replay.done(), 0U) << "it starts over";
   EXPECT_EQ(replay.tick(atSeconds(1)), Packets{"a"});
 }
 

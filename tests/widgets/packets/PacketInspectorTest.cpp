@@ -317,7 +317,7 @@ class PacketInspectorTest : public QObject {
       QCOMPARE(s.sent().size(), static_cast<std::size_t>(i));
     }
     QVERIFY(child<QLabel>(*s.view, "packetReplayState").text().startsWith(QStringLiteral("Replay finished")));
-    click(step);  // begins anew
+    click(step);  // starts over
     s.answer(false, "the line is lost");
     s.tick(*s.view);
     QCOMPARE(child<QLabel>(*s.view, "packetReplayState").text(), QStringLiteral("Refused: the line is lost"));

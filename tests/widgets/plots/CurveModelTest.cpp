@@ -204,7 +204,7 @@ TEST_F(CurveModelTest, pointsOfAnotherPlatformReplaceTheFormerOnes) {
   stored.addPlot("red1/plots/a", 1, 4);
   EXPECT_TRUE(model.update(stored.store));
   ASSERT_EQ(curve().live.size(), 1U);
-  EXPECT_EQ(curve().live.front(), (robotlink::Series::Point{1, 0})) << "the integral begins anew, too";
+  EXPECT_EQ(curve().live.front(), (robotlink::Series::Point{1, 0})) << "the integral starts over, too";
 }
 
 TEST_F(CurveModelTest, whatIsHeldComesWithTheNextUpdate) {

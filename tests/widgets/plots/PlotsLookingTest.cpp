@@ -316,7 +316,7 @@ class PlotsLookingTest : public QObject {
     auto again = bench.open<widgets::PlotsView>();
     again->restoreState(view->saveState());
     QCOMPARE(again->curves(), view->curves());
-    // What is computed begins anew when the clock goes back.
+    // What is computed starts over when the clock goes back.
     pushPlot(bench, 0.1, 7);
     picture(bench, *view);
     pushPlot(bench, 0.2, 8);

@@ -128,7 +128,7 @@ TEST_F(StreamListModelTest, selectionsSurviveOtherNumbersButNotOtherStreams) {
   EXPECT_EQ(resets.count(), 1);
   EXPECT_EQ(changes.count(), 1);
   model.setRows({streamRow("red1/a", 2), streamRow("red1/b", 2)});
-  EXPECT_EQ(changes.count(), 1) << "nothing is painted anew";
+  EXPECT_EQ(changes.count(), 1) << "nothing is painted again";
   model.setRows({streamRow("red1/a", 2), streamRow("red1/b", 2, "/logs/game.mcap")});
   EXPECT_EQ(resets.count(), 2) << "the same path in a log is another stream";
 }

@@ -53,7 +53,7 @@ class ExternalControllers {
                                  simcore::Simulation& simulation);
   /// Fails if the controller is not attached or names what there is not; what precedes that is done.
   robotlink::Result<void> set(const robotcontrol::SetPorts& request, const simcore::Simulation& simulation);
-  /// The simulation begins anew: commands and answers are those of the past.
+  /// The simulation starts over: commands and answers are those of the past.
   void restart();
 
   bool isEmpty() const { return all_.empty(); }
@@ -69,7 +69,7 @@ class ExternalControllers {
   void noteEvents(std::span<const simcore::ViewEvent> events);
   /// The inputs for the step that comes, on the streams of those for whom they are due, and before them the
   /// images of cameras that they named, each on a stream of its own (STREAM/CAMERA). Those in lockstep are
-  /// waited for from then on. `newOnly`: only of those that were attached, or began anew, since the last
+  /// waited for from then on. `newOnly`: only of those that were attached, or started over, since the last
   /// call.
   std::vector<robotlink::StreamMessage> inputs(const simcore::Simulation& simulation, robotlink::Instant time,
                                                RealTime now, bool newOnly);

@@ -23,7 +23,7 @@ class RemoteRobotList {
     std::string local;
     KeyWishes keys;
     KeyPublishers publishers;
-    /// Not mentioned by the server since it was connected anew.
+    /// Not mentioned by the server since it was reconnected.
     bool isStale = false;
   };
   /// A topic in the session.

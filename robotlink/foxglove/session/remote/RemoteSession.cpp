@@ -20,7 +20,7 @@ using robotcontrol::KeyTable;
 constexpr std::size_t kMaxGaps = 1000, kMaxPaths = 50'000;
 /// A step back in time within a stream of several processes that is no disorder any more, but a reset.
 constexpr Duration kReset = std::chrono::seconds(1);
-/// After a connection was made anew, robots that are not mentioned again are gone.
+/// After a connection was opened again, robots that are not mentioned again are gone.
 constexpr Duration kStaleTime = std::chrono::seconds(2);
 
 SessionClientOptions withClock(SessionClientOptions options) {

@@ -27,7 +27,7 @@ class RemoteSession;
 /// **Times.** The connection that leads (no `leadingTime`) keeps the robot's times. Any other connection's
 /// times are shifted so that its newest message is at the leading time when it begins, and again when they
 /// are apart by more than half a second, at most by the time that passed; they never go back. A robot that
-/// was started anew continues after the gap. So no other machine's clock moves the session's time.
+/// was restarted continues after the gap. So no other machine's clock moves the session's time.
 ///
 /// **Names.** A robot keeps its name unless `isTaken`; then "-2", "-3" is appended. Streams without a robot
 /// (scene, transforms, map, simulation) are those of the connection that leads.

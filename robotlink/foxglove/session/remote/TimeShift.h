@@ -19,7 +19,7 @@ class TimeShift {
 
   /// The session was restarted: what was before does not count.
   void restart() { *this = {}; }
-  /// The server's program was started anew, and its clock with it: what comes next comes `gap` after what
+  /// The server's program was restarted, and its clock with it: what comes next comes `gap` after what
   /// came last.
   void continueAfter(Duration gap) { gap_ = gap; }
   /// The server's clock was set back, by a reset of its simulation.

@@ -48,7 +48,7 @@ class TrustBench {
     hall_.reset(new ServedHall(options_));
     options_.address = hall_->address();
   }
-  /// The robot is set up anew, at the same place.
+  /// The robot is set up again, at the same place.
   void renew() {
     hall_.reset();
     std::filesystem::remove(options_.access.certificateFile);

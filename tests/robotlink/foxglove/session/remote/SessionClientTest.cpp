@@ -359,7 +359,7 @@ TEST_F(SessionClientTest, afterACutTheHistoryIsThereAndTheGapIsKnown) {
     return !client_->gaps().empty();
   }));
   EXPECT_THAT(client_->robots(), ElementsAre("red1"));
-  // The robot was started anew, and its clock, too.
+  // The robot was restarted, and its clock, too.
   far_.keys.mutable_keys(1)->clear_mode();
   far_.start(port);
   far_.publishKeys(Instant(0s));
