@@ -191,7 +191,7 @@ class OpenPlatform {
   RobotSearch search_;
   LinkLimitsMemory limits_;
   RemoteRobots remote_;
-  /// RemoteRobots::version() when the session was told.
+  /// RemoteRobots::version() when the session was informed.
   std::uint64_t remoteVersion_ = 0;
   /// Those whose debug keys were switched on as they were when they were connected last.
   std::set<std::string> remoteSwitchedOn_;

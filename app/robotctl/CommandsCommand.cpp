@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// robotctl commands: what the workbench can be told.
+// robotctl commands: the commands of the workbench, listed.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>

@@ -70,7 +70,7 @@ struct GameSituation {
   /// In the robot's frame; the velocity is over ground.
   robotlink::Vector2 ball = robotlink::Vector2::Zero();
   robotlink::Vector2 ballVelocity = robotlink::Vector2::Zero();
-  /// Since the robot saw it itself, or the one of its team that told where it is.
+  /// Since the robot saw it itself, or the one of its team that reported it.
   double ballAge = 0;
 
   std::vector<Mate> mates;

@@ -89,7 +89,7 @@ class SoccerMind {
 
   const OptionMachine& machine() const { return machine_; }
   Role role() const { return roles_.role(); }
-  /// The estimate that the team is told, s.
+  /// The estimate that the team receives, s.
   double secondsToBall() const { return secondsToBall_; }
   // For drawings: where it walks to, in the robot's frame, and the direction in which it plays the ball.
   const std::optional<robotlink::Vector2>& target() const { return target_; }

@@ -28,7 +28,7 @@ class SoccerPlayer {
 
   const OptionMachine& machine() const { return mind_.machine(); }
   Role role() const { return mind_.role(); }
-  /// The estimate that the team is told, s.
+  /// The estimate that the team receives, s.
   double secondsToBall() const { return mind_.secondsToBall(); }
   // For drawings: where it walks to, in the robot's frame, and the direction in which it plays the ball.
   const std::optional<robotlink::Vector2>& target() const { return mind_.target(); }

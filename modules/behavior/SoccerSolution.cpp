@@ -211,13 +211,13 @@ class Soccer final : public robotlink::Solution {
     now_ = reader_.read(chosen.situation);
     requests_.send(player_.decide(now_));
     report_.send(player_.machine());
-    if (now_.time - toldAt_ >= chosen.messagePeriod) tellTeam();
+    if (now_.time - sentAt_ >= chosen.messagePeriod) sendToTeam();
     publish();
   }
 
  private:
-  void tellTeam() {
-    toldAt_ = now_.time;
+  void sendToTeam() {
+    sentAt_ = now_.time;
     auto message = std::make_shared<robotcontrol::TeamMessage>();
     robotlink::assign(*message->mutable_timestamp(), context_.clock().now());
     message->set_sender(context_.robot().name);
@@ -302,7 +302,7 @@ class Soccer final : public robotlink::Solution {
   robotlink::Input<robotcontrol::BallModel> ball_;
   SoccerPlayer player_;
   GameSituation now_;
-  double toldAt_ = -1e9;
+  double sentAt_ = -1e9;
 };
 
 const robotlink::SolutionRegistration kSoccer =

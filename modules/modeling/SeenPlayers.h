@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "modules/modeling/PlayersModeler.h"
-#include "modules/modeling/ToldMates.h"
+#include "modules/modeling/ReportedMates.h"
 #include "robotcontrol/Game.pb.h"
 #include "robotlink/packages/GamePackages.h"
 
@@ -23,14 +23,14 @@ class SeenPlayers : public PlayersModeler {
 
  protected:
   void publishSeen(const std::vector<TrackedPlayer>& seen, const google::protobuf::Timestamp& time) {
-    publish(withToldMates(seen, team_, told(time)), time);
+    publish(withReportedMates(seen, team_, reported(time)), time);
   }
 
  private:
   /// An older message, s, says nothing of where a robot is, nor does that of one that hardly knows it, m.
   static constexpr double kOldMessage = 1, kLostMate = 0.4;
 
-  std::vector<robotlink::Vector2> told(const google::protobuf::Timestamp& time) const {
+  std::vector<robotlink::Vector2> reported(const google::protobuf::Timestamp& time) const {
     std::vector<robotlink::Vector2> places;
     if (!messages_) return places;
     const robotlink::Instant now = robotlink::instant(time);

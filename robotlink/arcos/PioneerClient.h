@@ -18,7 +18,7 @@ namespace robotlink::arcos {
 /// order of the calls. Not thread-safe.
 class PioneerClient {
  public:
-  /// Is told what happens, in the order in which it happens, during the calls that take a packet or the time.
+  /// Receives what happens, in the order in which it happens, during the calls that take a packet or the time.
   class Listener {
    public:
     virtual ~Listener() = default;
@@ -110,7 +110,7 @@ class PioneerClient {
   std::optional<RangeScan> scan_;
   /// The angles of the first and the last reading, as they were asked for.
   double scanStart_ = -kPi / 2, scanEnd_ = kPi / 2;
-  /// As the listener was told.
+  /// As the listener received it.
   bool connected_ = false;
 };
 

@@ -17,9 +17,9 @@ namespace robotlink {
 
 /// What the referee says, from the platform; see Game.proto.
 inline constexpr Package<robotcontrol::GameState> kGameState{"game/state"};
-/// What the robot tells its team, to the platform.
+/// What the robot sends to its team, to the platform.
 inline constexpr Package<robotcontrol::TeamMessage> kTeamMessage{"team/message"};
-/// What the others of its team told it, from the platform.
+/// Messages of the others of its team, from the platform.
 inline constexpr Package<robotcontrol::TeamMessages> kTeamMessages{"team/messages"};
 /// Lines of the field seen in one image.
 inline constexpr Package<robotcontrol::FieldLinePercepts> kFieldLines{"percepts/lines"};

@@ -14,7 +14,7 @@ namespace simcore {
 class StateStream;
 
 /// The poses of all bodies in the last steps, for sensors that measure what was. It holds nothing until it is
-/// told how far back it has to reach. One thread at a time.
+/// given how far back it has to reach. One thread at a time.
 class PoseHistory {
  public:
   /// The longest that it reaches back, in steps; a delay of a second and the exposure of an image.
@@ -31,7 +31,7 @@ class PoseHistory {
   void add(std::uint64_t step, std::span<const Pose3> poses);
   /// The oldest step that it has; `step` if it has none.
   std::uint64_t oldest(std::uint64_t step) const;
-  /// The oldest step that it will have at a later step, if it is not told to reach back further.
+  /// The oldest step that it will have at a later step, if it need not reach back further.
   std::uint64_t oldestAt(std::uint64_t step) const;
   /// The poses after a step, or after the next one that it has; empty if there is none.
   std::span<const Pose3> at(std::uint64_t step) const;

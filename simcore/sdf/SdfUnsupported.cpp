@@ -136,7 +136,7 @@ constexpr Row kRows[] = {
     {"enable_metrics", "sensor", kNoNeed, Harmless::kAlways},
 };
 
-/// What is read of an element, or told as a part of it.
+/// What is read of an element, or reported as a part of it.
 struct ReadRow {
   std::string_view parent, children;
 };
@@ -204,7 +204,7 @@ constexpr ReadRow kRead[] = {
     {"ray", "scan range noise"},
     {"scan", kSensing},
     {"horizontal", kScans},
-    // More than one sample is told.
+    // More than one sample is reported.
     {"vertical", "samples resolution min_angle max_angle noise"},
     {"range", "min max"},
     {"sonar", "geometry min max radius"},

@@ -24,7 +24,7 @@ struct Unsupported {
 /// the value that it would have if it were missing.
 Unsupported unsupported(const tinyxml2::XMLElement& element, bool isUsual);
 
-/// Whether an element of SDFormat is read in the element that contains it, or told as a part of it. All
+/// Whether an element of SDFormat is read in the element that contains it, or reported as a part of it. All
 /// others are left out.
 bool isRead(const tinyxml2::XMLElement& element);
 

@@ -36,7 +36,7 @@ robotlink::Errors checkUrdf(tinyxml2::XMLElement& robot, const std::string& file
 robotlink::Result<std::string> sdfOfUrdf(const std::string& text, const std::string& file);
 
 /// Completes the SDFormat of a URDF: its elements get the lines that they come from, joints that leave their
-/// links apart become frames, and links that libsdformat has left out are told.
+/// links apart become frames, and links that libsdformat has left out are reported.
 void finishUrdf(tinyxml2::XMLElement& sdf, const std::string& file, const UrdfParts& parts,
                 LeftOuts& leftOut);
 

@@ -58,7 +58,7 @@ class ColorFiles final : public QObject {
   /// Reads a table of any format that can be imported and makes it the reference.
   robotlink::Result<void> importReference(const std::filesystem::path& file);
   /// Reads pictures from files and folders in a thread. When they are read (some calls of tick() later) they
-  /// are collected, the first is shown, and told() or the bench's failed() reports the result. Further calls
+  /// are collected, the first is shown, and reported() or the bench's failed() reports the result. Further calls
   /// are queued.
   void openPictures(const std::vector<std::filesystem::path>& filesOrFolders);
   /// The unsaved samples may be lost: deletes their recovery file.
@@ -71,7 +71,7 @@ class ColorFiles final : public QObject {
     if (folder_.isEmpty()) folder_ = folder;
   }
 
-  /// The last text of told() or of the bench's failed(), for views that are opened later; empty at first.
+  /// The last text of reported() or of the bench's failed(), for views that are opened later; empty at first.
   struct Message {
     QString text;
     bool bad = false;

@@ -23,7 +23,7 @@ namespace widgets {
 /// while the drawing does not exist (its row is gray then).
 ///
 /// Drawings whose debug key is off on the robot are listed, too, unchecked; checking one requests its key.
-/// Where a key draws is told by its stream. GUI thread.
+/// The stream says where a key draws. GUI thread.
 class DrawingsModel : public QAbstractListModel {
   Q_OBJECT
  public:

@@ -227,7 +227,7 @@ bool RemoteBodyPlatform::hasNewCommands() {
   bool isNew = false;
   for (auto& [package, command] : commands_) {
     const bool hasCome = std::exchange(command.taken, command.receiver->taken()) != command.receiver->taken();
-    // What is told to the team moves nothing; it goes with the commands that do.
+    // What is sent to the team moves nothing; it goes with the commands that do.
     isNew |= hasCome && package != robotlink::kTeamMessage.name;
   }
   return isNew;

@@ -67,7 +67,7 @@ class RemoteRobots {
 
   /// Begins to connect; returns the URL as connections() has it. Without a token the one that is remembered
   /// for this URL is shown. A server that is connected already is reconnected. Fails if the URL makes no
-  /// sense; everything else is told by connections(), such as a certificate that nobody has trusted yet.
+  /// sense; everything else is reported by connections(), such as a certificate that nobody has trusted yet.
   robotlink::Result<std::string> connect(const std::string& url, const std::string& token = {});
   /// Ends a connection; its robots leave the session. Fails if there is none.
   robotlink::Result<void> disconnect(const std::string& url);

@@ -24,7 +24,7 @@ using robotlink::Result;
 
 namespace {
 
-/// How often robots are told how much time is left.
+/// How often the time that is left is sent to robots.
 constexpr robotlink::Duration kPublishEvery = std::chrono::milliseconds(96);
 
 }  // namespace

@@ -437,7 +437,7 @@ class SimulatedRun {
   TeamRadio radio_;
   /// One for each robot, by its name.
   std::map<std::string, std::shared_ptr<GameMail>> mails_;
-  /// What robots were told of the game last, and when.
+  /// What robots were last sent of the game, and when.
   std::uint64_t publishedChanges_ = 0;
   robotlink::Instant publishedAt_;
   /// Null if they are closed. Declared after the world, which it uses.

@@ -25,7 +25,7 @@ std::string toText(const Tokens& tokens);
 /// Two random tokens of 128 bits.
 Result<Tokens> makeTokens();
 
-/// The tokens of a robot, and whether they were made just now and have to be told.
+/// The tokens of a robot, and whether they were made just now and have to be shown.
 struct KeptTokens {
   Tokens tokens;
   bool isNew = false;

@@ -70,7 +70,7 @@ class ListenerPort {
   }
   Instant now() const { return options.clock->now(); }
   /// Tells the robot's log. A page or program that tries again and again must not fill that: at most
-  /// kMaxReports of kReportTime are told, the others are counted.
+  /// kMaxReports of kReportTime are reported, the others are counted.
   void report(const std::string& sentence);
   void add(const ConnectionPtr& connection);
   void remove(const ConnectionPtr& connection) { connections_.erase(connection); }

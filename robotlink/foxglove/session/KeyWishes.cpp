@@ -44,7 +44,7 @@ KeyWishes::Outcome KeyWishes::set(const robotcontrol::SetKey& request) {
   }
 }
 
-/// What is counted ends by itself, and is not told again.
+/// What is counted ends by itself, and is not sent again.
 void KeyWishes::choose(const robotcontrol::SetKey& request) {
   if (request.mode().kind() == KeyMode::N_TIMES)
     counted_.insert(request.name());

@@ -24,7 +24,7 @@ class KeyWishes {
     bool isForwarded = false;
     /// The streams that are wanted have changed.
     bool hasChanged = false;
-    /// The mode that this client has chosen has changed, and the robot has to be told: see choice().
+    /// The mode that this client has chosen has changed, and has to be sent to the robot: see choice().
     bool isChoice = false;
   };
 
@@ -33,7 +33,7 @@ class KeyWishes {
   std::optional<robotcontrol::KeyMode> choice(const std::string& key) const;
   /// The robot does not know any more what was chosen.
   void setUnsent();
-  /// The keys of which it has to be told.
+  /// The keys whose modes have to be sent.
   std::vector<std::string> takeUnsent();
   /// The newest table of the robot.
   void setTable(const robotcontrol::KeyTable& table) { table_ = table; }
@@ -58,7 +58,7 @@ class KeyWishes {
   robotcontrol::KeyTable table_;
   std::set<std::string> wanted_;
   std::map<std::string, robotcontrol::KeyMode> choices_;
-  /// Keys for which a number of times was chosen, which the robot keeps until it is told otherwise.
+  /// Keys for which a number of times was chosen, which the robot keeps until another is chosen.
   std::set<std::string> counted_;
   bool areUnsent_ = false;
   bool areChannels_ = false;

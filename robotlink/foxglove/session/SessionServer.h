@@ -157,7 +157,7 @@ class SessionServer {
   void publishSteering(const std::string& robot, const Steering::Status& status);
   /// Whether the session has the robot from another server.
   bool isElsewhere(const std::string& robot) const { return session_.remoteRobots().contains(robot); }
-  /// What clients are told on a stream: who steers a robot elsewhere is known there, and which of the clients
+  /// What clients receive on a stream: who steers a robot elsewhere is known there, and which of the clients
   /// here it is, is known here.
   PackagePtr shownTo(const StreamMessage& message) const;
   /// A table of keys as clients see it: with the modes that they have without subscribers.

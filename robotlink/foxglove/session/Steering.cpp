@@ -68,7 +68,7 @@ std::string Steering::admit(const ClientInfo& client, const Request& request, In
   note(robot, request, now);
   if (robot.silentSince) {
     robot.silentSince.reset();
-    tell(request.robot(), robot, robot.who + " steers");
+    publish(request.robot(), robot, robot.who + " steers");
   }
   return {};
 }
@@ -88,7 +88,7 @@ void Steering::giveUp(const ClientInfo& client, const std::string& name, Instant
   found->second.goal.reset();
   found->second.who.clear();
   found->second.client = 0;
-  tell(name, found->second, "nobody steers");
+  publish(name, found->second, "nobody steers");
 }
 
 void Steering::noteLocal(const Request& request, Instant now) {
@@ -98,7 +98,7 @@ void Steering::noteLocal(const Request& request, Instant now) {
     robot.client = 0;
     robot.who = robot.person = kThisMachine;
     robot.silentSince.reset();
-    tell(request.robot(), robot, robot.who + " steers");
+    publish(request.robot(), robot, robot.who + " steers");
   }
   // Nobody watches these: there is no link that could be lost.
   robot.motion.reset();
@@ -115,14 +115,14 @@ void Steering::takeOverHere(const std::string& name, Instant now) {
   robot.who = robot.person = kThisMachine;
   robot.silentSince.reset();
   robot.commandedAt = now;
-  tell(name, robot, robot.who + " steers");
+  publish(name, robot, robot.who + " steers");
 }
 
 void Steering::giveUpHere(const std::string& name) {
   const auto found = robots_.find(name);
   if (found == robots_.end() || found->second.who != kThisMachine) return;
   found->second.who.clear();
-  tell(name, found->second, "nobody steers");
+  publish(name, found->second, "nobody steers");
 }
 
 void Steering::joined(const ClientInfo& client) {
@@ -143,7 +143,7 @@ void Steering::begin(const std::string& name, Robot& robot, const ClientInfo& cl
   robot.motion.reset();
   robot.goal.reset();
   robot.silentSince.reset();
-  tell(name, robot, robot.who + " steers");
+  publish(name, robot, robot.who + " steers");
 }
 
 void Steering::note(Robot& robot, const Request& request, Instant now) {
@@ -184,7 +184,7 @@ void Steering::watchMotion(const std::string& name, Robot& robot, Instant now) {
   if (robot.client == 0 || !robot.motion || now - robot.commandedAt <= limits_.commandTime) return;
   stand(name, robot);
   if (robot.goal) robot.toAsk.pop_back();  // the robot goes on to it
-  tell(name, robot,
+  publish(name, robot,
        robot.who + " did not repeat its motion for " + inSeconds(limits_.commandTime) + ": the robot stands");
 }
 
@@ -197,11 +197,11 @@ void Steering::watchLink(const std::string& name, Robot& robot, Instant now) {
     robot.silentSince = now;
     const bool moved = robot.motion || robot.goal;
     stand(name, robot);
-    tell(name, robot,
+    publish(name, robot,
          robot.who + (heardAt ? " is not heard" : " is gone") + (moved ? ": the robot stands" : ""));
   } else if (!isSilent && robot.silentSince) {
     robot.silentSince.reset();
-    tell(name, robot, robot.who + " steers");
+    publish(name, robot, robot.who + " steers");
     if (!robot.goal) return;
     robot.toAsk = {*robot.goal};
     robot.asking = 0;
@@ -220,7 +220,7 @@ void Steering::forgetIdle(const std::string& name, Robot& robot, Instant now) {
   robot.client = 0;
   robot.who.clear();
   robot.silentSince.reset();
-  tell(name, robot, "nobody steers");
+  publish(name, robot, "nobody steers");
 }
 
 void Steering::tick(Instant now) {
@@ -255,16 +255,16 @@ void Steering::ask(const std::string& name, Robot& robot, Instant now) {
   });
 }
 
-void Steering::tell(const std::string& name, Robot& robot, const std::string& text) {
+void Steering::publish(const std::string& name, Robot& robot, const std::string& text) {
   Status status{robot.who, robot.client, robot.silentSince.has_value(), text};
-  if (status == robot.told) return;
-  robot.told = status;
+  if (status == robot.published) return;
+  robot.published = status;
   actions_.changed(name, status);
 }
 
 Steering::Status Steering::status(const std::string& robot) const {
   const auto found = robots_.find(robot);
-  return found == robots_.end() ? Status() : found->second.told;
+  return found == robots_.end() ? Status() : found->second.published;
 }
 
 std::set<std::uint64_t> Steering::clients() const {

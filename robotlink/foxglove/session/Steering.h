@@ -104,7 +104,7 @@ class Steering {
     /// The id of the request that has no answer yet, so that late answers to others do not count.
     std::uint64_t asking = 0;
     Instant askAt;
-    Status told;
+    Status published;
   };
 
   void begin(const std::string& name, Robot& robot, const ClientInfo& client, Instant now);
@@ -115,7 +115,7 @@ class Steering {
   void forgetIdle(const std::string& name, Robot& robot, Instant now);
   /// Asks what is to be asked, again and again until it is accepted.
   void ask(const std::string& name, Robot& robot, Instant now);
-  void tell(const std::string& name, Robot& robot, const std::string& text);
+  void publish(const std::string& name, Robot& robot, const std::string& text);
   bool isFree(const Robot& robot, const ClientInfo& client, Instant now) const;
   /// Whether a client that was heard at an instant has probably reconnected since.
   bool isOutdated(std::uint64_t client, Instant heardAt, Instant now) const;

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "modules/modeling/ToldMates.h"
+#include "modules/modeling/ReportedMates.h"
 
 namespace modules {
 namespace {
@@ -41,10 +41,10 @@ TEST(PlayerTracker, forgetsWhatIsNotSeenAgain) {
   EXPECT_TRUE(tracker.players().empty());
 }
 
-TEST(ToldMates, areWhereTheySayAndOthersWhereTheyWereSeen) {
+TEST(ReportedMates, areWhereTheySayAndOthersWhereTheyWereSeen) {
   const std::array told{robotlink::Vector2(1, 0)};
   const auto players =
-      withToldMates({{"red", {1.3, 0.2}, 0.5}, {"red", {-1, 0}, 0.4}, {"blue", {1.1, 0}, 0.3}}, "red", told);
+      withReportedMates({{"red", {1.3, 0.2}, 0.5}, {"red", {-1, 0}, 0.4}, {"blue", {1.1, 0}, 0.3}}, "red", told);
   ASSERT_EQ(players.size(), 3U);
   EXPECT_EQ(players[0].positionInField, robotlink::Vector2(-1, 0));
   EXPECT_EQ(players[1].team, "blue");

@@ -32,7 +32,7 @@ constexpr int kEmptyWidth = 200;
 /// With fewer strokes of a class its figures mean little.
 constexpr int kFewStrokes = 5;
 
-/// A smaller share of the background that a class takes is not told.
+/// A smaller share of the background that a class takes is not reported.
 constexpr double kMinTaken = 0.01;
 /// A larger share of all pixels of one class is reported.
 constexpr double kMajority = 0.5;

@@ -23,7 +23,7 @@ class PortCommands {
   /// number of values, or if one is not finite.
   robotlink::Result<void> set(const simcore::Simulation& simulation, const std::string& controller,
                               const std::string& port, std::vector<double> values);
-  /// Releases what a controller commands: wheels and guided models stop, servos keep what they were told.
+  /// Releases what a controller commands: wheels and guided models stop, servos keep their last command.
   void release(simcore::Simulation& simulation, const std::string& controller);
   void forget() { commands_.clear(); }
   /// The robots that must not move: what they have is not commanded.

@@ -10,9 +10,9 @@
 namespace modules {
 
 /// Robots of one's own team say themselves where they are. Replaces the players of `team` that were seen near
-/// places that were told, which are meters in the field, by these places; what was seen elsewhere stays,
+/// places that were reported, which are meters in the field, by these places; what was seen elsewhere stays,
 /// since a robot may have lost its way, or have no program that says anything.
-std::vector<TrackedPlayer> withToldMates(std::vector<TrackedPlayer> seen, const std::string& team,
-                                         std::span<const robotlink::Vector2> told);
+std::vector<TrackedPlayer> withReportedMates(std::vector<TrackedPlayer> seen, const std::string& team,
+                                         std::span<const robotlink::Vector2> reported);
 
 }  // namespace modules
