@@ -13,7 +13,7 @@ constexpr double kReportedConfidence = 0.9;
 }  // namespace
 
 std::vector<TrackedPlayer> withReportedMates(std::vector<TrackedPlayer> seen, const std::string& team,
-                                         std::span<const robotlink::Vector2> reported) {
+                                             std::span<const robotlink::Vector2> reported) {
   std::erase_if(seen, [&](const TrackedPlayer& player) {
     return player.team == team && std::ranges::any_of(reported, [&](const robotlink::Vector2& place) {
              return (place - player.positionInField).norm() < kSameRobot;

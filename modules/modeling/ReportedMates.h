@@ -13,6 +13,6 @@ namespace modules {
 /// places that were reported, which are meters in the field, by these places; what was seen elsewhere stays,
 /// since a robot may have lost its way, or have no program that says anything.
 std::vector<TrackedPlayer> withReportedMates(std::vector<TrackedPlayer> seen, const std::string& team,
-                                         std::span<const robotlink::Vector2> reported);
+                                             std::span<const robotlink::Vector2> reported);
 
 }  // namespace modules

@@ -18,7 +18,8 @@ namespace robotlink::arcos {
 /// order of the calls. Not thread-safe.
 class PioneerClient {
  public:
-  /// Receives what happens, in the order in which it happens, during the calls that take a packet or the time.
+  /// Receives what happens, in the order in which it happens, during the calls that take a packet or the
+  /// time.
   class Listener {
    public:
     virtual ~Listener() = default;

@@ -58,8 +58,8 @@ class ColorFiles final : public QObject {
   /// Reads a table of any format that can be imported and makes it the reference.
   robotlink::Result<void> importReference(const std::filesystem::path& file);
   /// Reads pictures from files and folders in a thread. When they are read (some calls of tick() later) they
-  /// are collected, the first is shown, and reported() or the bench's failed() reports the result. Further calls
-  /// are queued.
+  /// are collected, the first is shown, and reported() or the bench's failed() reports the result. Further
+  /// calls are queued.
   void openPictures(const std::vector<std::filesystem::path>& filesOrFolders);
   /// The unsaved samples may be lost: deletes their recovery file.
   void discard();

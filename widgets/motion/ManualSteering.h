@@ -21,8 +21,8 @@ namespace widgets {
 /// takeOver() switches the robot's behavior (or driving) task to the solution "obey"; from then on tick()
 /// sends what is commanded, ten times a second and whenever it changes. Nothing is commanded before manual
 /// control is confirmed, nothing while somebody else steers the robot over a link, and nothing more to a
-/// robot that is no longer selected, which is then made to stand. A robot elsewhere may obey somebody else, so
-/// nothing is sent to it, not even to stand, before it was taken over or commanded here, or says that this
+/// robot that is no longer selected, which is then made to stand. A robot elsewhere may obey somebody else,
+/// so nothing is sent to it, not even to stand, before it was taken over or commanded here, or says that this
 /// session steers it.
 ///
 /// One for all views of a window, see manualSteering(). GUI thread; the context must outlive it.

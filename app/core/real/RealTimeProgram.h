@@ -87,8 +87,8 @@ class RealTimeProgram {
   /// Restarts the program in another layout while the platform continues. If that is impossible, the program
   /// that runs continues. The user's overrides are kept as far as the layout permits.
   robotlink::Errors setLayout(const std::filesystem::path& file);
-  /// Chooses where the program runs, and starts or restarts it there; the platform continues. `robot` is the one
-  /// that the user named, empty for all. If that is impossible, the program that runs continues.
+  /// Chooses where the program runs, and starts or restarts it there; the platform continues. `robot` is the
+  /// one that the user named, empty for all. If that is impossible, the program that runs continues.
   robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
   /// Enqueues a request for the program, or has the platform fulfill it (STOP, motors, sonars). Fails if it
   /// is for another robot or is refused.

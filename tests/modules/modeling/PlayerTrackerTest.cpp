@@ -43,8 +43,8 @@ TEST(PlayerTracker, forgetsWhatIsNotSeenAgain) {
 
 TEST(ReportedMates, areWhereTheySayAndOthersWhereTheyWereSeen) {
   const std::array told{robotlink::Vector2(1, 0)};
-  const auto players =
-      withReportedMates({{"red", {1.3, 0.2}, 0.5}, {"red", {-1, 0}, 0.4}, {"blue", {1.1, 0}, 0.3}}, "red", told);
+  const auto players = withReportedMates(
+      {{"red", {1.3, 0.2}, 0.5}, {"red", {-1, 0}, 0.4}, {"blue", {1.1, 0}, 0.3}}, "red", told);
   ASSERT_EQ(players.size(), 3U);
   EXPECT_EQ(players[0].positionInField, robotlink::Vector2(-1, 0));
   EXPECT_EQ(players[1].team, "blue");
