@@ -109,7 +109,7 @@ if(ROBOTCONTROL_UNITY)
   # Where a compiler takes several sources for one, these warn of what is right in each of them: of parameters with the name of
   # a function of another source, and of members whose type is the source's own. Builds that are not unity have both.
   target_compile_options(robotcontrol_options INTERFACE
-    -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> -Wno-subobject-linkage)
+    -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local -Wno-subobject-linkage>)
 endif()
 if(ROBOTCONTROL_SANITIZE)
   # The compilers' own macros differ, and one of them is taken away below.

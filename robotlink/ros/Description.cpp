@@ -63,8 +63,8 @@ class FieldNames {
  private:
   static std::string folded(const std::string& name) {
     std::string text;
-    for (const unsigned char c : name)
-      if (c != '_') text += static_cast<char>(std::tolower(c));
+    for (const char c : name)
+      if (c != '_') text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
   }
   std::set<std::string> names_;

@@ -12,6 +12,7 @@ namespace simcore {
 /// A temporary folder of scene files: tests write texts and get scenes or errors.
 class SceneFolder : public TestFolder {
  public:
+  SceneFolder() : TestFolder(Where::kDisk) {}
   /// Writes models/NAME/model.sdf.
   void writeModel(const std::string& name, const std::string& text) const;
   /// Copies the shipped models into the folder "models".

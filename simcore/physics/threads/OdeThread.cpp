@@ -7,7 +7,8 @@ namespace simcore {
 
 void prepareOdeForThread() {
   static const bool kInitialized = dInitODE2(0) != 0;
-  thread_local const bool kAllocated = kInitialized && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  constexpr auto kAllData = static_cast<unsigned>(dAllocateMaskAll);
+  thread_local const bool kAllocated = kInitialized && dAllocateODEDataForThread(kAllData) != 0;
   (void)kAllocated;
 }
 
