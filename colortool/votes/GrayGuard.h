@@ -53,7 +53,7 @@ class GrayGuard {
     /// The cells that its pixels claim, and those close to them.
     CellSet claims, close;
     bool changed = true;
-    /// By Cb and Cr.
+    /// Indexed by Cb and Cr.
     std::vector<std::int32_t> votes;
     /// The cells of a row that are close to claims.
     CellSet::Row closeToClaims(int y, int cb) const;

@@ -24,7 +24,7 @@ constexpr double kLongest = 4;  // s, that a killed program has recorded
 
 /// What a frame told: paths and bytes, in order.
 using Frame = std::vector<std::pair<std::string, std::string>>;
-/// By process and number.
+/// Keyed by process and number.
 using Frames = std::map<std::pair<std::string, std::uint64_t>, Frame>;
 
 /// A robotctl that records in real time and says how far it is.

@@ -110,7 +110,7 @@ struct Place {
 };
 constexpr int kRadius = 3;
 
-/// By class.
+/// Indexed by class.
 std::vector<std::vector<Place>> placesIn(const std::vector<LabeledImage>& images, int classes) {
   std::vector<std::vector<Place>> places(static_cast<std::size_t>(classes));
   for (const LabeledImage& one : images) {
@@ -164,7 +164,7 @@ std::vector<colortool::Samples> strokesIn(const std::vector<LabeledImage>& image
   return all;
 }
 
-/// Of several seeds of strokes.
+/// The mean over several seeds of strokes.
 struct Scores {
   double mean = 0, worst = 1;  ///< mean recall of the classes
   double mostFalse = 0;        ///< share of the background that was taken for a color

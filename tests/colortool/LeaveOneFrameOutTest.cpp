@@ -165,7 +165,7 @@ Score score(const std::vector<Frame>& frames, Protocol protocol, int perClass, u
   return sum;
 }
 
-/// Of 1, 3 and 10 strokes a class.
+/// For 1, 3 and 10 strokes a class.
 std::array<Score, 3> scores(const std::string& source, Protocol protocol, unsigned seeds) {
   const fs::path data = game::dataOf(source) / "colour/bhuman2009";
   std::vector<Frame> frames;

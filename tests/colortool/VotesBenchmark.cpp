@@ -104,7 +104,7 @@ void cleanUpFromScratch(benchmark::State& state) {
   }
 }
 
-/// Of 100 strokes.
+/// The votes of 100 strokes.
 void crossValidation(benchmark::State& state) {
   std::mt19937 random(1);
   colortool::Samples samples;

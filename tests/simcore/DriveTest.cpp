@@ -13,7 +13,8 @@ using robotlink::degrees;
 using robotlink::kPi;
 using robotlink::radians;
 
-/// By what the robot turned, from its rims' travel and its change of heading, in what follows `from`.
+/// The angle by which the robot turned, from its rims' travel and its change of heading, in what follows
+/// `from`.
 class TrackMeter {
  public:
   explicit TrackMeter(DrivenWorld& world) : world_(world), heading_(world.pose().heading), start_(turned()) {}

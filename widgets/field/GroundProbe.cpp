@@ -70,7 +70,7 @@ class PartsFromAbove {
     }
   }
 
-  /// Of filled shapes, such as dots and discs.
+  /// For filled shapes, such as dots and discs.
   QString center(const foxglove::TriangleListPrimitive& fill) const {
     Vector3 sum = Vector3::Zero();
     for (const auto& point : fill.points()) sum += Vector3(point.x(), point.y(), point.z());

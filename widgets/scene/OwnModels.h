@@ -66,7 +66,7 @@ class OwnModels {
   static void readSensors(const robotlink::StreamStore& store, robotlink::Instant shown,
                           const robotlink::RobotDescription* description, Robot& robot);
 
-  /// By kind and color.
+  /// Keyed by kind and color.
   std::map<std::pair<std::string, QRgb>, Model> models_;
   std::map<std::string, Robot> robots_;
   std::shared_ptr<const SceneShape> floor_;

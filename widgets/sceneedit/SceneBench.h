@@ -133,7 +133,7 @@ class SceneBench final : public QObject {
   std::optional<std::pair<int, int>> place_;
   /// Ticks until a file is checked, by its number; those that need no check are missing.
   std::map<int, int> due_;
-  /// By file.
+  /// Keyed by file.
   std::map<SceneFile*, int> numbers_;
   int lastNumber_ = 0;
   int ticksUntilLook_ = 0;

@@ -11,7 +11,7 @@ class Session;
 
 namespace widgets {
 
-/// Who steers a robot that several people can steer over a link. A plain value.
+/// The person who steers a robot that several people can steer over a link. A plain value.
 struct SteeringState {
   enum class Who { kNobody, kThisPerson, kOther };
   Who who = Who::kNobody;

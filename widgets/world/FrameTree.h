@@ -60,7 +60,7 @@ class FrameTree {
   };
   static void add(Frames& frames, const robotlink::PackagePtr& message);
 
-  /// By robot; empty: the streams without one.
+  /// Keyed by robot; empty: the streams without one.
   std::map<std::string, Frames> trees_;
   std::map<std::string, Read> read_;
   std::uint64_t generation_ = 0;

@@ -132,7 +132,7 @@ class DocksUnderXTest : public QObject {
     auto* floating = dock(desk, "messages").floatingDockContainer();
     QVERIFY(floating != nullptr);
     QPointer<QWidget> gone(floating);
-    // By its frame, as the window manager moves windows.
+    // It is moved by its frame, as the window manager moves windows.
     QVERIFY(drag(QPoint(floating->geometry().left() + 60, floating->geometry().top() - 8),
                  middle(dock(desk, "image"))));
     QVERIFY(click(middle(*desk.window.statusBar())));

@@ -141,7 +141,7 @@ TEST(CorrectionEstimate, aStrokeOfTheWrongClassDoesLittle) {
   expectLike(estimate.corrections[0].correction, darkCorners(), 0.06, 2);
 }
 
-/// By night in the corners, by day in the middle: that alone would look like vignetting.
+/// Night in the corners, day in the middle: that alone would look like vignetting.
 TEST(CorrectionEstimate, lightingsAreNotMixed) {
   Samples samples = emptySamples();
   SyntheticCamera camera("nao", {}, 5);

@@ -53,7 +53,7 @@ TEST(ColorSpacesTest, hsiIsThatOfGonzalezAndWoods) {
   expectNear(hsiOf({0.6F, 0.15F, 0.3F}), {1 - angle / kTurn, 1 - 0.15F / 0.35F, 0.35F});
 }
 
-// By hand with the paper's formulas.
+// Computed by hand with the paper's formulas.
 TEST(ColorSpacesTest, tslIsThatOfTerrillon) {
   // Red: r' = 2/3, g' = -1/3. Blue: both -1/3. Green: r' = -1/3, g' = 2/3.
   expectNear(tslOf({1, 0, 0}), {std::atan(-2.F) / kTurn + 0.75F, 1, 0.299F});

@@ -48,11 +48,11 @@ std::unique_ptr<Reader> open(const std::filesystem::path& file, Reader::Options 
 Expected readFrom(const Message& message);
 /// In the order of the file.
 std::vector<Expected> readAll(Reader& reader);
-/// By next() from the start; messages that cannot be read are skipped.
+/// Read by next() from the start; messages that cannot be read are skipped.
 std::vector<Expected> readForwards(Reader& reader, std::vector<std::uint16_t> channels = {1, 2, 3});
-/// By a MessageCursor; messages that cannot be read are left out.
+/// Read by a MessageCursor; messages that cannot be read are left out.
 std::vector<Expected> readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels = {1, 2, 3});
-/// By previous(), from behind the last.
+/// Read by previous(), from behind the last.
 std::vector<Expected> readBackwards(Reader& reader, std::vector<std::uint16_t> channels = {1, 2, 3});
 
 /// `count` messages 10 ns apart on channels 1..3 in turn, with about `bytes` bytes of data that compress by

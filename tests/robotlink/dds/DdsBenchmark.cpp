@@ -133,7 +133,7 @@ double unixSocket(std::size_t size, int rounds) {
   return seconds;
 }
 
-/// By two processes with blocking receivers, each frame a package, as between programs.
+/// Transferred between two processes with blocking receivers, each frame a package, as between programs.
 double linkedPrograms(std::size_t size, int rounds) {
   SteadyClock clock;
   dds::ProgramNet here(ddsPair().here, {"bench", "here"}, clock, {});

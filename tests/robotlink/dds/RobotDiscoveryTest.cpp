@@ -41,7 +41,7 @@ TEST(RobotDiscoveryTest, robotsAreListedWhileTheyAreAnnounced) {
   first->reset();
   ASSERT_TRUE(eventually([&] { return (*discovery)->robots().size() == 1; }));
   EXPECT_TRUE((*discovery)->robots().front().isEncrypted);
-  // Who comes later hears it, too.
+  // One that joins later hears it, too.
   const auto late = dds::RobotDiscovery::open({here});
   EXPECT_TRUE(eventually([&] { return (*late)->robots().size() == 1; }));
 }

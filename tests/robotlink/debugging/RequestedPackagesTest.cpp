@@ -18,7 +18,7 @@ namespace {
 constexpr char kKey[] = "package/oracle/classes";
 constexpr char kPath[] = "oracle/classes";
 
-/// By the newest table; null if there is none.
+/// Looked up in the newest table; null if there is none.
 const robotcontrol::KeyTable::Key* keyIn(const ToyRobot& robot) {
   const auto tables = robot.on("tables/keys");
   if (tables.empty()) return nullptr;

@@ -72,7 +72,7 @@ TEST(CameraOpticsTest, undistortingIsTheReverseOfDistorting) {
       EXPECT_LT((CameraOptics::undistorted(lens, CameraOptics::distorted(lens, point)) - point).norm(), 1e-9);
     }
   }
-  // By hand: r^2 = 0.25.
+  // Computed by hand: r^2 = 0.25.
   const Eigen::Vector2d seen = CameraOptics::distorted({0.4, 0, 0, 0.1, 0}, {0.3, 0.4});
   EXPECT_NEAR(seen.x(), 0.3 * 1.1 + 2 * 0.1 * 0.3 * 0.4, 1e-12);
   EXPECT_NEAR(seen.y(), 0.4 * 1.1 + 0.1 * (0.25 + 2 * 0.16), 1e-12);

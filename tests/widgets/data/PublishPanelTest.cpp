@@ -45,7 +45,7 @@ class PublishPanelTest : public QObject {
     for (const RequestForm& form : forms) {
       QVERIFY2(form.json.find('{') == 0, form.title.c_str());
       const auto read = readRequest(form.what, "red1", form.json);
-      // By default some name nothing that exists; all are JSON of their type.
+      // Some of the defaults name nothing that exists; all are JSON of their type.
       QVERIFY2(read || read.error().text.find("Cannot find field") == std::string::npos, form.title.c_str());
     }
     const auto has = [&forms](Request::WhatCase what) {
