@@ -102,7 +102,8 @@ endfunction()
 add_library(robotcontrol_options INTERFACE)
 target_include_directories(robotcontrol_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(robotcontrol_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${ROBOTCONTROL_WERROR}>:-Werror>
+  # Conversions between signed and unsigned numbers: g++ does not count them as -Wconversion.
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion $<$<BOOL:${ROBOTCONTROL_WERROR}>:-Werror>
   # Results must not depend on which expressions the compiler fuses.
   -ffp-contract=off)
 if(ROBOTCONTROL_UNITY)

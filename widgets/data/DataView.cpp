@@ -38,9 +38,9 @@ const ViewRegistration kDataViewRegistration{
 constexpr char kPlotCommand[] = "plots.add";
 
 // What the combo box of comparisons has as data, and saved states contain; robots are "robot:<name>".
-constexpr QLatin1String kRemembered("remembered");
-constexpr QLatin1String kLogged("logged");
-constexpr QLatin1String kRobotPrefix("robot:");
+const QLatin1String kRemembered("remembered");
+const QLatin1String kLogged("logged");
+const QLatin1String kRobotPrefix("robot:");
 
 // What commands compare with besides.
 constexpr char kNone[] = "none", kNow[] = "now";

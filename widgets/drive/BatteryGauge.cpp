@@ -53,7 +53,7 @@ BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge,
 BatteryLevel BatteryLevel::of(const robotcontrol::DriveState& state,
                               std::optional<robotlink::RobotDescription::Battery> battery) {
   if (state.has_battery_low() || state.has_battery_empty()) {
-    if (!battery) battery.emplace();
+    if (!battery) battery = robotlink::RobotDescription::Battery();
     if (state.has_battery_low()) battery->low = state.battery_low();
     if (state.has_battery_empty()) battery->empty = state.battery_empty();
   }

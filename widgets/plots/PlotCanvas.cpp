@@ -236,8 +236,8 @@ void PlotCanvas::createStrips() {
   auto* sides = new QCPMarginGroup(plot_);
   for (QCPAxisRect* area : {plot_->axisRect(), strips_})
     area->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
-  strips_->setRangeDragAxes({plot_->xAxis}, {});
-  strips_->setRangeZoomAxes({plot_->xAxis}, {});
+  strips_->setRangeDragAxes(QList<QCPAxis*>{plot_->xAxis}, {});
+  strips_->setRangeZoomAxes(QList<QCPAxis*>{plot_->xAxis}, {});
   strips_->setRangeDrag(Qt::Horizontal);
   strips_->setRangeZoom(Qt::Horizontal);
   strips_->setSizeConstraintRect(QCPLayoutElement::scrInnerRect);

@@ -106,7 +106,7 @@ LightMenu::Control LightMenu::createControl(QGridLayout& grid, const Range& rang
   grid.addWidget(control.box, row, 2);
   grid.addLayout(marks, row + 1, 1);
   connect(control.slider, &QSlider::valueChanged, this,
-          [this, control](int value) { control.box->setValue(static_cast<double>(value) / kStepsPerUnit); });
+          [control](int value) { control.box->setValue(static_cast<double>(value) / kStepsPerUnit); });
   connect(control.box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
           [this, control](double value) {
             const QSignalBlocker silent(control.slider);

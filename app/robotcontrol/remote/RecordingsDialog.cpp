@@ -155,11 +155,11 @@ void RecordingsDialog::connectSignals() {
   connect(cancel_, &QPushButton::clicked, this, [this] { jobs()->cancel(); });
   connect(browse_, &QPushButton::clicked, this, &RecordingsDialog::chooseFolder);
   connect(fetch_, &QPushButton::clicked, this, &RecordingsDialog::fetch);
-  connect(open_, &QPushButton::clicked, this, &RecordingsDialog::open);
+  connect(open_, &QPushButton::clicked, this, &RecordingsDialog::openSelected);
   connect(delete_, &QPushButton::clicked, this, &RecordingsDialog::remove);
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &RecordingsDialog::enableButtons);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, [this] {
-    open_->isEnabled() ? open() : fetch_->isEnabled() ? fetch() : void();
+    open_->isEnabled() ? openSelected() : fetch_->isEnabled() ? fetch() : void();
   });
   connect(robot_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     entries_.clear();
@@ -360,7 +360,7 @@ void RecordingsDialog::fetch() {
   }
 }
 
-void RecordingsDialog::open() {
+void RecordingsDialog::openSelected() {
   const QStringList chosen = selected();
   if (chosen.size() != 1) return;
   hide();

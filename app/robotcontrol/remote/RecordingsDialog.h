@@ -65,7 +65,7 @@ class RecordingsDialog final : public QDialog {
   const RecordingFetch::Entry* entryOf(const QString& name) const;
   void chooseFolder();
   void fetch();
-  void open();
+  void openSelected();
   void remove();
 
   Workbench& workbench_;

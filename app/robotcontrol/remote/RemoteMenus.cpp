@@ -138,7 +138,7 @@ void RemoteMenus::load(const QJsonObject& window) {
   connect_->setRecent(servers);
   offer_->setAddress(window.value(QStringLiteral("offer_address")).toString());
   const QString set = window.value(QStringLiteral("robot_set")).toString();
-  if (!set.isEmpty()) robots_->open(set);
+  if (!set.isEmpty()) robots_->openSet(set);
 }
 
 void RemoteMenus::save(QJsonObject& window) const {

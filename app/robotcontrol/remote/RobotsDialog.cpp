@@ -271,10 +271,10 @@ void RobotsDialog::askForFile() {
   if (!mayDiscard()) return;
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a set of robots"), file_,
                                                     tr("Sets of robots (*.yaml);;All files (*)"));
-  if (!file.isEmpty()) open(file);
+  if (!file.isEmpty()) openSet(file);
 }
 
-void RobotsDialog::open(const QString& file) {
+void RobotsDialog::openSet(const QString& file) {
   const auto read = readRobotSet(file.toStdString());
   if (!read)
     return widgets::showOutcome(*state_, QString::fromStdString(robotlink::describe(read.error())), true);

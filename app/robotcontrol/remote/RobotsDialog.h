@@ -36,7 +36,7 @@ class RobotsDialog final : public QDialog {
   /// The file of the set; empty: it has none yet.
   QString file() const { return file_; }
   /// Opens a set; says what is wrong with it.
-  void open(const QString& file);
+  void openSet(const QString& file);
   /// The robots that announce themselves, which can be added to the set.
   FoundRobots& found() { return *found_; }
 

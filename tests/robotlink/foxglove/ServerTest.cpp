@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr ServiceCallRequest kCall{1, 9, "json", "{}"};
+const ServiceCallRequest kCall{1, 9, "json", "{}"};
 
 class ServerTest : public testing::Test {
  protected:

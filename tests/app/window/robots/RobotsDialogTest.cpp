@@ -78,7 +78,7 @@ class RobotsDialogTest : public WindowTest {
     OpenDialog open(home_);
     open.press("robotsAdd");
     QVERIFY(robotlink::writeFileAtomically(home_ / "bad.yaml", "robots: 3\n").has_value());
-    open.dialog.open(QString::fromStdString((home_ / "bad.yaml").string()));
+    open.dialog.openSet(QString::fromStdString((home_ / "bad.yaml").string()));
     QVERIFY2(open.state().contains(QStringLiteral("bad.yaml")), qPrintable(open.state()));
     QCOMPARE(open.names(), QStringList{QStringLiteral("robot1")});
     QCOMPARE(open.dialog.file(), QString());
@@ -90,7 +90,7 @@ class RobotsDialogTest : public WindowTest {
     const RobotSet set{"Home", {{.name = "red1", .address = "ws://10.0.0.1:8765"}}};
     QVERIFY(robotlink::writeFileAtomically(file, toText(set)).has_value());
     const auto before = robotlink::readFile(file);
-    open.dialog.open(QString::fromStdString(file.string()));
+    open.dialog.openSet(QString::fromStdString(file.string()));
     QVERIFY(!open.dialog.isWindowModified());
     open.row(0).setText(kSetName, QString());
     QVERIFY(open.dialog.isWindowModified());
