@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "robotlink/base/AtomicFile.h"
+#include "simcore/Scene.h"
+#include "simcore/Simulation.h"
 #include "tests/TestFolder.h"
 
 namespace app {
@@ -127,6 +129,21 @@ TEST_F(SceneTextTest, newObjectsOfAllKindsStandInARoomWithoutErrors) {
   }
   EXPECT_FALSE(newObjectText("unicorn", "u", 0, 0, file).has_value());
   EXPECT_FALSE(newObjectText("box", "b", 1e9, 0, file).has_value());
+}
+
+TEST_F(SceneTextTest, aDoorInTheDoorwayIsShutAlsoIfItIsSomeCentimetersBeside) {
+  const auto file = folder_.path() / "room.sdf";
+  for (const double y : {-0.04, 0.0, 0.04}) {
+    std::string text = newRoomText({.doorway = true}, file).value_or("");
+    text.insert(text.find("  </world>"), newObjectText("sliding_door", "door", 0, y, file).value_or(""));
+    const auto scene = simcore::Scene::load(folder_.write("room.sdf", text));
+    ASSERT_TRUE(scene.has_value()) << robotlink::describe(scene.error());
+    const auto simulation = simcore::Simulation::create(*scene, {});
+    ASSERT_TRUE(simulation.has_value());
+    for (int i = 0; i < 250; ++i) (*simulation)->step();
+    ASSERT_EQ((*simulation)->doors().size(), 1U);
+    EXPECT_FALSE((*simulation)->isDoorOpen(0)) << y;
+  }
 }
 
 TEST_F(SceneTextTest, whatIsLeftOutOfTheTextIsAWarningThatSaysWhatThatMeans) {
