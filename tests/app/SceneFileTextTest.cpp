@@ -70,6 +70,29 @@ TEST(SceneFileText, anEmptyTagIsOpenedForWhatIsMissing) {
                                "<surface><friction><ode><mu>0.5</mu></ode></friction></surface>"));
 }
 
+TEST(SceneFileText, valuesOfSeveralElementsAreWrittenTogether) {
+  const std::vector<std::string> place{"instance[box]", "link[b]", "inertial", "inertia", "ixx,iyy,izz"};
+  const auto changed = withElement(kWorld, "w.sdf", place, "1 2 2.5");
+  ASSERT_TRUE(changed) << changed.error().describe();
+  EXPECT_THAT(*changed, HasSubstr("<ixx>1</ixx>"));
+  const auto again = withElement(*changed, "w.sdf", place, "3 4 5");
+  ASSERT_TRUE(again) << again.error().describe();
+  EXPECT_EQ(*again, replaced(replaced(replaced(*changed, "<ixx>1<", "<ixx>3<"), "<iyy>2<", "<iyy>4<"),
+                             "<izz>2.5<", "<izz>5<"));
+  EXPECT_FALSE(withElement(kWorld, "w.sdf", place, "1 2"));
+}
+
+TEST(SceneFileText, momentsInTurnedAxesAreLeftAlone) {
+  const auto change = [](const char* pose) {
+    return withElement(replaced(kWorld, "<mass>2</mass>", "<mass>2</mass>" + std::string(pose)), "w.sdf",
+                       {"instance[box]", "link[b]", "inertial", "inertia", "ixx,iyy,izz"}, "1 1 1");
+  };
+  EXPECT_TRUE(change("<pose>0.1 0 0 0 0 0</pose>"));
+  const auto turned = change("<pose>0 0 0 0 0 1.5</pose>");
+  ASSERT_FALSE(turned);
+  EXPECT_THAT(turned.error().describe(), HasSubstr("w.sdf:17"));
+}
+
 TEST(SceneFileText, whatIsNotThereIsNamedWithItsLine) {
   const auto missing = withElement(kWorld, "w.sdf", {"instance[box]", "link[c]", "inertial", "mass"}, "3");
   ASSERT_FALSE(missing);

@@ -36,12 +36,14 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"pitch", QT_TR_NOOP("pitch")},
       {"heading", QT_TR_NOOP("heading")},
       {"angles", QT_TR_NOOP("angles")},
+      {"angular_damping", QT_TR_NOOP("damping of turns")},
       {"attenuation", QT_TR_NOOP("attenuation")},
       {"axis", QT_TR_NOOP("axis")},
       {"axis_in_link", QT_TR_NOOP("axis in the link")},
       {"azimuth", QT_TR_NOOP("azimuth")},
       {"center_of_mass", QT_TR_NOOP("center of mass")},
       {"color", QT_TR_NOOP("color")},
+      {"damping", QT_TR_NOOP("damping")},
       {"delay", QT_TR_NOOP("delay")},
       {"diffuse", QT_TR_NOOP("color: red, green, blue, 0 to 1")},
       {"direction", QT_TR_NOOP("direction")},
@@ -49,10 +51,11 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"elevation", QT_TR_NOOP("elevation")},
       {"file", QT_TR_NOOP("file")},
       {"friction", QT_TR_NOOP("friction")},
-      {"inertia", QT_TR_NOOP("inertia")},
+      {"inertia", QT_TR_NOOP("inertia: ixx, iyy, izz, ixy, ixz, iyz")},
       {"initial_pose", QT_TR_NOOP("place at the start")},
       {"intensity", QT_TR_NOOP("intensity")},
       {"length", QT_TR_NOOP("length")},
+      {"linear_damping", QT_TR_NOOP("damping of moves")},
       {"lower_limit", QT_TR_NOOP("lower limit")},
       {"mass", QT_TR_NOOP("mass")},
       {"maximum", QT_TR_NOOP("maximum of each value")},
@@ -63,6 +66,8 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"noise", QT_TR_NOOP("noise")},
       {"opening_angle", QT_TR_NOOP("opening angle")},
       {"opening_angles", QT_TR_NOOP("opening angles")},
+      {"palette_color", QT_TR_NOOP("color of the palette")},
+      {"pixels", QT_TR_NOOP("width, height")},
       {"radius", QT_TR_NOOP("radius")},
       {"range", QT_TR_NOOP("range")},
       {"rate", QT_TR_NOOP("rate")},
@@ -86,7 +91,7 @@ void PropertiesModel::addRows(const robotcontrol::WorldObject& object, const QSt
     row.file = property.file();
     row.element.assign(property.element().begin(), property.element().end());
     row.count = property.values_size();
-    row.isEditable = isWritable && !row.file.empty() && row.count > 0;
+    row.isEditable = isWritable && !row.file.empty();
     for (const auto* edits : {&taken_, &edits_}) {
       const auto edit = edits->find({row.file, row.element});
       if (row.file.empty() || edit == edits->end()) continue;
@@ -178,10 +183,17 @@ Qt::ItemFlags PropertiesModel::flags(const QModelIndex& index) const {
   return flags;
 }
 
+bool PropertiesModel::setText(const PropertyRow& edited, const QString& text) {
+  if (text.isEmpty()) return false;
+  if (text != edited.value) addEdit({edited.file, edited.element, text.toStdString()});
+  return true;
+}
+
 bool PropertiesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::EditRole || !index.isValid() || index.column() != kValue) return false;
   const PropertyRow edited = row(index.row());
   if (!edited.isEditable) return false;
+  if (edited.count == 0) return setText(edited, value.toString().trimmed());
   const auto numbers =
       propertyNumbers(value.toString(), edited.name, edited.count, titleOf(edited.name), edited.unit);
   if (!numbers) {

@@ -34,7 +34,7 @@ struct PropertyRow {
   /// Whether the user changed it, which is not in the file yet.
   bool isChanged = false;
   bool isEditable = false;
-  /// How many numbers it has.
+  /// How many numbers it has; 0: it is a text.
   int count = 1;
 };
 
@@ -76,6 +76,7 @@ class PropertiesModel final : public RowModel<PropertyRow> {
  private:
   using Place = std::pair<std::string, std::vector<std::string>>;
   static QString titleOf(const std::string& name);
+  bool setText(const PropertyRow& edited, const QString& text);
   /// Adds the properties of an object, each with the part that it belongs to.
   void addRows(const robotcontrol::WorldObject& object, const QString& part, bool isWritable,
                std::vector<PropertyRow>& rows) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/objects/PropertyRule.h"
 
+#include <Eigen/Eigenvalues>
 #include <QCoreApplication>
 #include <QStringList>
 #include <array>
@@ -17,13 +18,26 @@ struct NamedRule {
   PropertyRule rule;
 };
 constexpr std::array kPropertyRules{
-    NamedRule{"mass", {0, 1e5, true}},    NamedRule{"size", {0, 1000, true}},
-    NamedRule{"radius", {0, 1000, true}}, NamedRule{"length", {0, 1000, true}},
-    NamedRule{"friction", {0, 1000}},     NamedRule{"restitution", {0, 1}},
-    NamedRule{"noise", {0, 1e5}},         NamedRule{"delay", {0, 1}},
-    NamedRule{"dropout", {0, 1}},         NamedRule{"rate", {0, 10000}},
-    NamedRule{"intensity", {0, 100}},     NamedRule{"attenuation", {0, 1000}},
+    NamedRule{"mass", {0, 1e5, true}},
+    NamedRule{"size", {0, 1000, true}},
+    NamedRule{"radius", {0, 1000, true}},
+    NamedRule{"length", {0, 1000, true}},
+    NamedRule{"friction", {0, 1000}},
+    NamedRule{"restitution", {0, 1}},
+    NamedRule{"noise", {0, 1e5}},
+    NamedRule{"delay", {0, 1}},
+    NamedRule{"dropout", {0, 1}},
+    NamedRule{"rate", {0, 10000}},
+    NamedRule{"intensity", {0, 100}},
+    NamedRule{"attenuation", {0, 1000}},
     NamedRule{"diffuse", {0, 1}},
+    NamedRule{"damping", {0, 1e6}},
+    NamedRule{"linear_damping", {0, 100}},
+    NamedRule{"angular_damping", {0, 100}},
+    NamedRule{"maximum_speed", {0, 1000, true}},
+    NamedRule{"maximum_torque", {0, 1000, true}},
+    NamedRule{"maximum_force", {0, 1e6, true}},
+    NamedRule{"pixels", {2, 8192}},
 };
 
 struct PropertyTexts {
@@ -32,6 +46,18 @@ struct PropertyTexts {
 
 tl::unexpected<robotlink::Error> refuse(const QString& text) {
   return robotlink::failure("scene.property", text.toStdString());
+}
+
+/// Whether a body can have these moments of inertia: xx, yy, zz, xy, xz, yz. Those about its principal axes
+/// are positive, and none exceeds the sum of the other two, but for rounding.
+bool arePossibleMoments(const std::vector<double>& moments) {
+  constexpr double kRounding = 1.001;
+  Eigen::Matrix3d matrix;
+  matrix << moments[0], moments[3], moments[4], moments[3], moments[1], moments[5], moments[4], moments[5],
+      moments[2];
+  const Eigen::Vector3d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+  return principal[0] > 0 && principal[2] <= kRounding * (principal[0] + principal[1]);
 }
 
 }  // namespace
@@ -69,6 +95,10 @@ robotlink::Result<std::vector<double>> propertyNumbers(const QString& typed, con
                         .trimmed());
     numbers.push_back(number);
   }
+  if (name == "inertia" && numbers.size() == 6 && !arePossibleMoments(numbers))
+    return refuse(PropertyTexts::tr(
+        "No body has these moments of inertia: about its principal axes they are positive, and "
+        "none of the three exceeds the sum of the other two"));
   return numbers;
 }
 

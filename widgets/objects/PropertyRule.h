@@ -20,7 +20,8 @@ struct PropertyRule {
 PropertyRule propertyRule(const std::string& name);
 
 /// Reads the numbers that were typed for a property, separated by blanks. Fails, in words for users, if there
-/// are not `count` of them, or one is not as the rule says. `title` and `unit` are for these words.
+/// are not `count` of them, one is not as the rule says, or no body has them as its inertia. `title` and
+/// `unit` are for these words.
 robotlink::Result<std::vector<double>> propertyNumbers(const QString& typed, const std::string& name,
                                                        int count, const QString& title, const QString& unit);
 

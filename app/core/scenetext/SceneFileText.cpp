@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <sstream>
 
 #include "robotlink/base/AtomicFile.h"
 
@@ -136,6 +137,16 @@ std::pair<std::string, std::string> stepParts(const std::string& step) {
   return {step.substr(0, bracket), step.substr(bracket + 1, step.size() - bracket - 2)};
 }
 
+/// The words between separators.
+std::vector<std::string> wordsOf(const std::string& text, char separator) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, separator);) {
+    if (!word.empty()) words.push_back(word);
+  }
+  return words;
+}
+
 /// Whether a name is one of the alternatives in "lidar|ray".
 bool isOneOf(const std::string& name, const std::string& alternatives) {
   return ("|" + alternatives + "|").find("|" + name + "|") != std::string::npos;
@@ -229,6 +240,26 @@ std::string added(std::string text, const Element& parent, const std::string& xm
   return text;
 }
 
+/// Whether a pose says that something is turned.
+bool isTurned(const std::string& pose) {
+  std::istringstream stream(pose);
+  int at = 0;
+  for (double number = 0; stream >> number; ++at) {
+    if (at >= 3 && number != 0) return true;
+  }
+  return false;
+}
+
+/// Moments of inertia are in the axes of the pose beside them; others know them in the axes of the link.
+Result<void> checkAxes(const std::string& text, const std::string& file, const Element& parent,
+                       const std::string& name) {
+  const Element* pose = name == "inertia" ? childOf(parent, "pose") : nullptr;
+  if (pose == nullptr || !isTurned(contentOf(text, *pose))) return {};
+  return failure("scene.file",
+                 "these moments are in the axes of the turned <pose> beside them; change them by hand",
+                 {file, lineAt(text, pose->begin), 0});
+}
+
 /// The text with another value in an element.
 Result<std::string> withContent(const std::string& text, const std::string& file, const Element& element,
                                 const std::string& value) {
@@ -252,10 +283,27 @@ Result<std::string> withContent(const std::string& text, const std::string& file
   return result;
 }
 
+/// The text with a value for each name in the last step.
+Result<std::string> withEachElement(const std::string& text, const std::string& file,
+                                    std::vector<std::string> element,
+                                    const std::vector<std::string>& values) {
+  const auto names = wordsOf(element.back(), ',');
+  if (names.size() != values.size())
+    return failure("scene.file", "as many values are needed as elements: " + element.back(), {file, 0, 0});
+  Result<std::string> changed = text;
+  for (std::size_t i = 0; changed && i < names.size(); ++i) {
+    element.back() = names[i];
+    changed = withElement(*changed, file, element, values[i]);
+  }
+  return changed;
+}
+
 }  // namespace
 
 Result<std::string> withElement(const std::string& text, const std::string& file,
                                 const std::vector<std::string>& element, const std::string& value) {
+  const auto names = element.empty() ? std::vector<std::string>() : wordsOf(element.back(), ',');
+  if (names.size() > 1) return withEachElement(text, file, element, wordsOf(value, ' '));
   Scanner scanner(text);
   const auto all = scanner.scan();
   if (!all) {
@@ -276,6 +324,8 @@ Result<std::string> withElement(const std::string& text, const std::string& file
                    {file, 0, 0}, {name});
   }
   for (std::size_t i = 1; i < element.size(); ++i) {
+    if (const auto checked = checkAxes(text, file, *at, element[i]); !checked)
+      return tl::unexpected(checked.error());
     const Element* next = childOf(*at, element[i]);
     if (next != nullptr) {
       at = next;

@@ -11,8 +11,10 @@ namespace app {
 
 /// A change of one element in a file of a scene. The steps to it are those of robotcontrol.WorldProperty:
 /// names of elements, perhaps with the value of their attribute "name" in brackets ("link[body]"), perhaps
-/// with alternatives ("lidar|ray"). The first one is "model", the first model of the file, or
-/// "instance[NAME]", the model of this name or the <include> that has it, or "light[NAME]".
+/// with alternatives ("lidar|ray"); a last one of several names, separated by commas ("ixx,iyy,izz"), is for
+/// as many values, separated by blanks, each in an element of its own. The first one is "model", the first
+/// model of the file, or "instance[NAME]", the model of this name or the <include> that has it, or
+/// "light[NAME]".
 struct SceneFileChange {
   std::string file;
   std::vector<std::string> element;

@@ -20,9 +20,12 @@ std::vector<double> componentsOf(const robotlink::Vector3& vector) {
   return {vector.x(), vector.y(), vector.z()};
 }
 
-void addMotor(WorldObject& to, bool slides, double speed, double torque) {
-  addNumbers(to, "maximum_speed", {speed}, slides ? "m/s" : "rad/s");
-  addNumbers(to, slides ? "maximum_force" : "maximum_torque", {torque}, slides ? "N" : "N m");
+std::pair<robotcontrol::WorldProperty*, robotcontrol::WorldProperty*> addMotor(WorldObject& to, bool slides,
+                                                                               double speed, double torque) {
+  auto& fastest = addNumbers(to, "maximum_speed", {speed}, slides ? "m/s" : "rad/s");
+  auto& strongest =
+      addNumbers(to, slides ? "maximum_force" : "maximum_torque", {torque}, slides ? "N" : "N m");
+  return {&fastest, &strongest};
 }
 
 void addText(WorldObject& to, const char* name, const std::string& text) {

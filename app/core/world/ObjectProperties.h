@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robotcontrol/World.pb.h"
@@ -18,8 +19,11 @@ robotcontrol::WorldProperty& addNumbers(robotcontrol::WorldObject& to, const cha
                                         const std::vector<double>& values, const char* unit = "");
 /// Adds nothing if the text is empty.
 void addText(robotcontrol::WorldObject& to, const char* name, const std::string& text);
-/// Adds what the motor of a joint reaches at most; that of one that slides has a force instead of a torque.
-void addMotor(robotcontrol::WorldObject& to, bool slides, double speed, double torque);
+/// Adds what the motor of a joint reaches at most, and returns its speed and its torque; that of one that
+/// slides has a force instead of a torque.
+std::pair<robotcontrol::WorldProperty*, robotcontrol::WorldProperty*> addMotor(robotcontrol::WorldObject& to,
+                                                                               bool slides, double speed,
+                                                                               double torque);
 
 /// The standard deviation of white noise; of several channels that of the first.
 double whiteNoise(const simcore::SensorErrors& errors);

@@ -123,8 +123,18 @@ class PortWriter {
     const bool isFacettes =
         sensor->kind == Kind::kImage && sensor->image.kind == simcore::ImageGeometry::Kind::kFacette;
     const bool isCamera = sensor->kind == Kind::kCamera;
+    const bool isInScene = model->type->file == simulation_.scene().file().string();
+    const auto locate = [&](robotcontrol::WorldProperty& property, const ElementPath& steps) {
+      if (model->type->file.empty()) return;
+      property.set_file(model->type->file);
+      property.add_element(isInScene ? "instance[" + object.model() + "]" : "model");
+      property.add_element("link[" + link + "]");
+      property.add_element("sensor[" + name + "]");
+      for (const std::string& step : steps) property.add_element(step);
+    };
     if (isCamera || (sensor->kind == Kind::kImage && !isFacettes)) {
-      addNumbers(object, "size", {double(sensor->width), double(sensor->height)}, "px");
+      locate(addNumbers(object, "pixels", {double(sensor->width), double(sensor->height)}, "px"),
+             {"camera", "image", "width,height"});
       addNumbers(object, "opening_angles", {sensor->horizontalAngle, sensor->verticalAngle}, "rad");
     }
     if (isFacettes) {
@@ -137,17 +147,8 @@ class PortWriter {
       addNumbers(object, "opening_angle", {sensor->range.openingAngle}, "rad");
     if (sensor->kind == Kind::kLaser)
       addNumbers(object, "angles", {sensor->range.startAngle, sensor->range.endAngle}, "rad");
-    if (sensor->rate > 0) addNumbers(object, "rate", {sensor->rate}, "Hz");
+    if (sensor->rate > 0) locate(addNumbers(object, "rate", {sensor->rate}, "Hz"), {"update_rate"});
     if (sensor->kind == Kind::kContact) return;
-    const bool isInScene = model->type->file == simulation_.scene().file().string();
-    const auto locate = [&](robotcontrol::WorldProperty& property, const ElementPath& steps) {
-      if (model->type->file.empty()) return;
-      property.set_file(model->type->file);
-      property.add_element(isInScene ? "instance[" + object.model() + "]" : "model");
-      property.add_element("link[" + link + "]");
-      property.add_element("sensor[" + name + "]");
-      for (const std::string& step : steps) property.add_element(step);
-    };
     locate(addNumbers(object, "delay", {sensor->errors.delay}, "s"), {"robotcontrol:delay"});
     locate(addNumbers(object, "dropout", {sensor->errors.dropout}), {"robotcontrol:dropout"});
     auto& noise = addNumbers(object, "noise", {whiteNoise(sensor->errors)},

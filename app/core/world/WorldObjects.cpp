@@ -173,11 +173,20 @@ class ModelWriter {
     WorldObject& object = add(WorldObject::LINK, linkPath(index), link.name, parent);
     place(object, index, Pose3::Identity());
     if (!type_.isStatic) {
-      locate(addNumbers(object, "mass", {link.mass}, "kg"), {"link[" + link.name + "]", "inertial", "mass"});
+      const std::string own = "link[" + link.name + "]";
+      locate(addNumbers(object, "mass", {link.mass}, "kg"), {own, "inertial", "mass"});
       const auto& center = link.centerOfMass;
       addNumbers(object, "center_of_mass", {center.x(), center.y(), center.z()}, "m");
-      const auto& inertia = link.inertia;
-      addNumbers(object, "inertia", {inertia(0, 0), inertia(1, 1), inertia(2, 2)}, "kg m^2");
+      const auto& moments = link.inertia;
+      locate(addNumbers(
+                 object, "inertia",
+                 {moments(0, 0), moments(1, 1), moments(2, 2), moments(0, 1), moments(0, 2), moments(1, 2)},
+                 "kg m^2"),
+             {own, "inertial", "inertia", "ixx,iyy,izz,ixy,ixz,iyz"});
+      locate(addNumbers(object, "linear_damping", {link.linearDamping}, "1/s"),
+             {own, "velocity_decay", "linear"});
+      locate(addNumbers(object, "angular_damping", {link.angularDamping}, "1/s"),
+             {own, "velocity_decay", "angular"});
     }
     if (!hasShapes_) return;
     for (const auto& visual : link.visuals) addVisual(index, visual);
@@ -193,7 +202,11 @@ class ModelWriter {
     const robotlink::Rgb color = visual.teamColor && model_.teamColor ? *model_.teamColor : visual.color;
     auto& property = addNumbers(object, "color", {double(color.r), double(color.g), double(color.b)});
     property.set_text(visual.teamColor ? "team" : visual.colorName);
-    if (!property.text().empty()) return;
+    if (visual.teamColor) return;
+    if (!visual.colorName.empty()) {
+      addText(object, "palette_color", visual.colorName);
+      return locate(*object.mutable_properties()->rbegin(), {start[0], start[1], "robotcontrol:color"});
+    }
     // Where the palette has no part in it, the material says the color.
     auto& diffuse = addNumbers(object, "diffuse", {color.r / 255.0, color.g / 255.0, color.b / 255.0});
     locate(diffuse, {start[0], start[1], "material", "diffuse"});
@@ -244,15 +257,23 @@ class ModelWriter {
     addNumbers(object, "axis_in_link",
                componentsOf(modelInLink * (isUniversal ? joint.secondAxisInModel : joint.axisInModel)));
     if (isUniversal) return;
+    const auto ofAxis = [&](const char* group, const char* name) -> Steps {
+      return {"joint[" + joint.name + "]", "axis", group, name};
+    };
     if (joint.upper > joint.lower && std::isfinite(joint.upper - joint.lower)) {
-      const auto limit = [&](const char* name) -> Steps {
-        return {"joint[" + joint.name + "]", "axis", "limit", name};
-      };
-      locate(addNumbers(object, "lower_limit", {joint.lower}, unit), limit("lower"));
-      locate(addNumbers(object, "upper_limit", {joint.upper}, unit), limit("upper"));
+      locate(addNumbers(object, "lower_limit", {joint.lower}, unit), ofAxis("limit", "lower"));
+      locate(addNumbers(object, "upper_limit", {joint.upper}, unit), ofAxis("limit", "upper"));
+    }
+    if (!joint.servo && !joint.wheel) {
+      locate(addNumbers(object, "damping", {joint.damping}, slides ? "N s/m" : "N m s"),
+             ofAxis("dynamics", "damping"));
+      locate(addNumbers(object, "friction", {joint.friction}, slides ? "N" : "N m"),
+             ofAxis("dynamics", "friction"));
     }
     if (!joint.servo) return;
-    addMotor(object, slides, joint.maximumSpeed, joint.maximumTorque);
+    const auto [speed, torque] = addMotor(object, slides, joint.maximumSpeed, joint.maximumTorque);
+    locate(*speed, ofAxis("limit", "velocity"));
+    locate(*torque, ofAxis("limit", "effort"));
     addNumbers(object, "noise", {whiteNoise(joint.positionErrors)}, unit);
   }
 

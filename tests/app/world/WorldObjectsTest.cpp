@@ -28,6 +28,9 @@ const char* const kLift =
 <joint name="rail" type="prismatic"><parent>mast</parent><child>fork</child>
 <axis><xyz>0 0 1</xyz><limit><lower>0</lower><upper>0.5</upper><velocity>0.2</velocity><effort>50</effort></limit></axis>
 <robotcontrol:servo/></joint>
+<link name="lid"><inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial></link>
+<joint name="flap" type="revolute"><parent>mast</parent><child>lid</child>
+<axis><xyz>0 1 0</xyz><dynamics><damping>0.1</damping><friction>0.2</friction></dynamics></axis></joint>
 <joint name="wrist" type="revolute"><parent>fork</parent><child>hand</child>
 <axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper><velocity>2</velocity><effort>3</effort></limit></axis>
 <robotcontrol:servo/></joint></model>
@@ -96,8 +99,28 @@ TEST_F(WorldObjectsTest, linksLieBelowTheJointThatMovesThem) {
 }
 
 TEST_F(WorldObjectsTest, theMassOfAModelIsThatOfAllItsLinks) {
-  EXPECT_EQ(number("lift", "mass"), "7 kg");
+  EXPECT_EQ(number("lift", "mass"), "8 kg");
   EXPECT_EQ(number("lift/link:fork", "mass"), "1 kg");
+}
+
+TEST_F(WorldObjectsTest, inertiaDampingAndMotorsCanBeChangedInTheFile) {
+  const auto place = [this](const std::string& path, const std::string& name) {
+    for (const auto& property : object(path).properties()) {
+      std::string steps = std::to_string(property.values_size());
+      for (const std::string& step : property.element()) steps += " " + step;
+      if (property.name() == name) return steps;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(place("lift/link:fork", "inertia"),
+            "6 instance[lift] link[fork] inertial inertia ixx,iyy,izz,ixy,ixz,iyz");
+  EXPECT_EQ(number("lift/link:fork", "inertia"), "0.01 kg m^2");
+  EXPECT_EQ(place("lift/link:fork", "linear_damping"), "1 instance[lift] link[fork] velocity_decay linear");
+  EXPECT_EQ(place("lift/joint:rail", "maximum_speed"), "1 instance[lift] joint[rail] axis limit velocity");
+  EXPECT_EQ(place("lift/joint:rail", "maximum_force"), "1 instance[lift] joint[rail] axis limit effort");
+  EXPECT_EQ(place("lift/joint:rail", "damping"), "") << "it has a servo";
+  EXPECT_EQ(place("lift/joint:flap", "damping"), "1 instance[lift] joint[flap] axis dynamics damping");
+  EXPECT_EQ(number("lift/joint:flap", "friction"), "0.2 N m");
 }
 
 TEST_F(WorldObjectsTest, propertiesOfLampsAreFoundInTheFile) {

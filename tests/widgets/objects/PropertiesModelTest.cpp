@@ -76,6 +76,19 @@ TEST_F(PropertiesModelTest, numbersOfFilesAreEditableAndTextsAreNot) {
   EXPECT_FALSE(type(0, "3"));
 }
 
+TEST_F(PropertiesModelTest, aTextOfAFileIsEdited) {
+  auto& color = *box.add_properties();
+  color.set_name("palette_color");
+  color.set_text("orange");
+  color.set_file("/scenes/box.sdf");
+  color.add_element("robotcontrol:color");
+  show();
+  EXPECT_TRUE(type(3, " blue "));
+  EXPECT_FALSE(type(3, " "));
+  ASSERT_EQ(model.edits().size(), 1U);
+  EXPECT_EQ(model.edits()[0].value, "blue");
+}
+
 TEST_F(PropertiesModelTest, anEditIsKeptForItsElement) {
   show();
   QSignalSpy changes(&model, &PropertiesModel::editsChanged);
