@@ -2,6 +2,8 @@
 // MainWindow: commands about views of the scene: how objects are drawn, what the camera follows.
 #include <qtadvanceddocking/DockWidget.h>
 #include <QPointer>
+#include <algorithm>
+#include <iterator>
 #include <variant>
 
 #include "app/robotcontrol/MainWindow.h"
@@ -63,15 +65,16 @@ void MainWindow::attachSceneViewCommands() {
   };
   using Run = std::function<Result<void>(SceneView&, const Values&)>;
   // The view is the last argument of all of them.
-  const auto add = [&](const char* name, Run run) {
+  const auto addFor = [&](const char* name, Run run, robotlink::CommandTable::Offer offer) {
     attach(
         name,
         [run = std::move(run)](MainWindow& window, const Values& values) {
           return window.inSceneViews(sceneWord(values, values.size() - 1),
                                      [&](SceneView& view) { return run(view, values); });
         },
-        paths);
+        std::move(offer));
   };
+  const auto add = [&](const char* name, Run run) { addFor(name, std::move(run), paths); };
   add("scene.view",
       [](SceneView& view, const Values& values) { return view.drawObject({}, sceneWord(values, 0)); });
   add("scene.draw", [](SceneView& view, const Values& values) {
@@ -82,8 +85,16 @@ void MainWindow::attachSceneViewCommands() {
   });
   add("scene.hide",
       [](SceneView& view, const Values& values) { return view.hideObject(sceneWord(values, 0)); });
-  add("scene.show",
-      [](SceneView& view, const Values& values) { return view.showObject(sceneWord(values, 0)); });
+  addFor(
+      "scene.show",
+      [](SceneView& view, const Values& values) { return view.showObject(sceneWord(values, 0)); },
+      [window = QPointer(this)](const std::vector<std::string>& before) {
+        std::vector<std::string> hidden;
+        if (!window || !before.empty()) return hidden;
+        for (const SceneView* view : openSceneViews(*window->docks_))
+          std::ranges::copy(view->hiddenPaths(), std::back_inserter(hidden));
+        return hidden;
+      });
   add("scene.layer", [](SceneView& view, const Values& values) {
     return view.showLayer(sceneWord(values, 0), std::get<bool>(values[1]));
   });

@@ -38,6 +38,8 @@ const ViewRegistration kSceneTreeRegistration{
 
 /// So many values of one sensor are plotted, the first ones.
 constexpr int kMaxCurves = 12;
+constexpr int kMaxLevels = 100;
+constexpr int kTicksUntilHiddenShown = 10;
 
 /// How many values a port has; images count as none.
 int valueCount(const robotcontrol::WorldPort& port) {
@@ -200,6 +202,7 @@ void SceneTreeView::runForObject(const char* command, std::vector<std::string> w
   if (object == nullptr) return;
   words.insert(words.begin(), object->path());
   run(command, words);
+  showHidden();
 }
 
 void SceneTreeView::createViews() {
@@ -270,6 +273,8 @@ void SceneTreeView::tick() {
                          ? nullptr
                          : std::dynamic_pointer_cast<const robotcontrol::PortReadings>(message->value));
   readShown();
+  // What other views hide is looked for less often: of a large scene that takes a while.
+  if (++ticks_ % kTicksUntilHiddenShown == 0) showHidden();
   actuators_->refresh();
   hint_->setHint(
       model_.rowCount() == 0
@@ -327,9 +332,11 @@ void SceneTreeView::showSelected() {
   columns_->setEnabled(hasValues);
   for (QAction* action : {image_, gray_}) action->setEnabled(hasImages);
   stereogram_->setEnabled(hasImages && object->port().type() == "depth");
-  for (QAction* action :
-       {alone_, around_, hide_, showAgain_, follow_, turnWith_, lookOut_, goToText_, properties_, copyPath_})
-    action->setEnabled(object != nullptr);
+  for (QAction* action : {goToText_, properties_, copyPath_}) action->setEnabled(object != nullptr);
+  const bool isSomewhere = object != nullptr && hasPlace(*object);
+  for (QAction* action : {alone_, around_, hide_, follow_, turnWith_, lookOut_})
+    action->setEnabled(isSomewhere);
+  showHidden();
   // What belongs to something else is changed in its text.
   const bool isWhole = object != nullptr && object->parent().empty();
   for (QAction* action : {duplicate_, erase_, rename_}) action->setEnabled(isWhole);
@@ -340,12 +347,30 @@ void SceneTreeView::showSelected() {
   actuators_->show(std::move(actuators));
 }
 
+bool SceneTreeView::hasPlace(const robotcontrol::WorldObject& object) const {
+  const auto* at = &object;
+  for (int level = 0; at != nullptr && level < kMaxLevels; ++level) {
+    if (at->has_pose_in_frame()) return true;
+    at = model_.object(model_.indexOf(at->parent()));
+  }
+  return false;
+}
+
+void SceneTreeView::showHidden() {
+  const auto* object = selected();
+  const auto* command = context().commands.find("scene.show");
+  const bool isAsked = object != nullptr && command != nullptr && command->offer;
+  const auto hidden = isAsked ? command->offer({}) : std::vector<std::string>();
+  showAgain_->setEnabled(isAsked && std::ranges::find(hidden, object->path()) != hidden.end());
+}
+
 void SceneTreeView::showMenu(const QPoint& at) {
   QMenu menu(this);
   menu.setObjectName(QStringLiteral("sceneTreeMenu"));
   menu.addActions({plot_, columns_, image_, gray_, stereogram_});
   menu.addSeparator();
-  if (selected() != nullptr) addSceneEntries(menu);
+  showHidden();
+  if (selected() != nullptr && hasPlace(*selected())) addSceneEntries(menu);
   menu.addSeparator();
   menu.addActions({duplicate_, erase_, rename_});
   menu.addSeparator();

@@ -48,6 +48,10 @@ class SceneTreeView final : public View {
   /// Adapts actions and sliders to the selected row.
   void showSelected();
   void showMenu(const QPoint& at);
+  /// Whether an object, or what it belongs to, is somewhere in the scene.
+  bool hasPlace(const robotcontrol::WorldObject& object) const;
+  /// Offers to show the selected object again if a view of the scene hides it, or parts of it.
+  void showHidden();
   /// The selected object; null: none.
   const robotcontrol::WorldObject* selected() const;
   void plot();
@@ -90,6 +94,7 @@ class SceneTreeView final : public View {
   robotlink::PackagePtr objects_;
   /// What a saved state had unfolded, until there are objects.
   std::set<std::string> wanted_;
+  int ticks_ = 0;
 };
 
 }  // namespace widgets

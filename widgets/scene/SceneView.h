@@ -67,6 +67,8 @@ class SceneView final : public PictureView {
   robotlink::Result<void> showOnly(const std::string& path, bool alone);
   /// The paths of all objects, for completion.
   std::vector<std::string> objectPaths() const;
+  /// The paths of those that showObject() would change: what is hidden, and what has hidden parts.
+  std::vector<std::string> hiddenPaths() const;
 
  private:
   void createActions();

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "robotcontrol/World.pb.h"
 #include "robotlink/config/RobotDescription.h"
@@ -127,6 +128,18 @@ std::vector<std::string> SceneView::objectPaths() const {
   if (const auto* all = parts_.objects().all())
     for (const auto& object : all->objects()) paths.push_back(object.path());
   return paths;
+}
+
+std::vector<std::string> SceneView::hiddenPaths() const {
+  std::set<std::string> hidden;
+  const auto& objects = parts_.objects();
+  const std::vector<std::string> all =
+      parts_.looks().hiddenCount() > 0 ? objectPaths() : std::vector<std::string>();
+  for (const std::string& path : all) {
+    if (!parts_.looks().isHidden(path, objects)) continue;
+    for (const std::string& above : objects.lineage(path)) hidden.insert(above);
+  }
+  return {hidden.begin(), hidden.end()};
 }
 
 void SceneView::limitTo(const std::string& path) {

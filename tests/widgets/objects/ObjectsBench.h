@@ -92,6 +92,7 @@ struct ObjectsBench : Bench {
       lines.push_back(line);
       return {};
     };
+    if (name == "scene.show") command.offer = [this](const auto&) { return hidden; };
     commands.add(std::move(command));
   }
   /// Publishes readings of the angle and the laser, and at which value the servo is held.
@@ -114,6 +115,8 @@ struct ObjectsBench : Bench {
   robotcontrol::WorldObjects objects;
   /// The commands that were run.
   std::vector<std::string> lines;
+  /// What scene.show would show again.
+  std::vector<std::string> hidden;
   int published = 0;
 };
 

@@ -98,7 +98,11 @@ class SceneTreeViewTest : public QObject {
     QVERIFY(alone.isEnabled());
     alone.trigger();
     QVERIFY2(!bench.lines.empty(), qPrintable(child<QLabel>(*view, "sceneTreeOutcome").text()));
+    auto& showAgain = child<QAction>(*view, "sceneTreeShowAgainAction");
+    QVERIFY2(!showAgain.isEnabled(), "nothing is hidden");
+    bench.hidden = {"red1"};
     QTest::keyClick(&tree, Qt::Key_H, Qt::ControlModifier | Qt::AltModifier);
+    QVERIFY(showAgain.isEnabled());
     for (const char* action :
          {"sceneTreeShowAgainAction", "sceneTreeTurnWithAction", "sceneTreeLookOutAction"})
       child<QAction>(*view, action).trigger();
@@ -107,6 +111,20 @@ class SceneTreeViewTest : public QObject {
     std::string said;
     for (const std::string& line : bench.lines) said += line + "; ";
     QVERIFY2(bench.lines == expected, said.c_str());
+  }
+
+  void whatIsNowhereIsNotShown() {
+    ObjectsBench bench;
+    bench.add(robotcontrol::WorldObject::CONTROLLER, "keeper", "");
+    bench.push("objects", bench.objects, 1.5);
+    auto view = bench.open<SceneTreeView>();
+    sceneSelection(bench.context).select("red1/laser");
+    for (const char* name : {"sceneTreeAloneAction", "sceneTreeHideAction", "sceneTreeFollowAction"})
+      QVERIFY2(child<QAction>(*view, name).isEnabled(), name);
+    sceneSelection(bench.context).select("keeper");
+    for (const char* name : {"sceneTreeAloneAction", "sceneTreeHideAction", "sceneTreeFollowAction"})
+      QVERIFY2(!child<QAction>(*view, name).isEnabled(), name);
+    QVERIFY(child<QAction>(*view, "sceneTreePropertiesAction").isEnabled());
   }
 
   void theMenuChoosesHowObjectsAreDrawn() {
