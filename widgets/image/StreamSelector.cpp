@@ -2,6 +2,7 @@
 #include "widgets/image/StreamSelector.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "robotcontrol/World.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -9,6 +10,18 @@
 #include "widgets/TypedStreams.h"
 
 namespace widgets {
+namespace {
+
+/// Whether a camera of the scene has these images; unset: no scene is known. Streams outlive their cameras.
+std::optional<bool> isOfScene(robotlink::Session& session, const std::string& path) {
+  const auto* world = session.store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
+                                                                           session.timeline().newest());
+  if (world == nullptr) return std::nullopt;
+  return std::ranges::any_of(world->objects(),
+                             [&](const auto& object) { return object.port().image_stream() == path; });
+}
+
+}  // namespace
 
 StreamSelector::StreamSelector(std::string type, QString choice, QWidget* parent)
     : QComboBox(parent), type_(std::move(type)), initial_(std::move(choice)), choice_(initial_) {
@@ -57,11 +70,7 @@ bool StreamSelector::isOfOthers(robotlink::Session& session) const {
       std::ranges::find(robots, robot) != robots.end())
     return false;
   // A camera of the scene sends images once somebody asks for them.
-  const auto* world = session.store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
-                                                                           session.timeline().newest());
-  return world == nullptr || std::ranges::none_of(world->objects(), [&](const auto& object) {
-           return object.port().image_stream() == path;
-         });
+  return !isOfScene(session, path).value_or(false);
 }
 
 QString StreamSelector::substitute(const QStringList& ofSelected, const QStringList& paths,
@@ -73,8 +82,10 @@ QString StreamSelector::substitute(const QStringList& ofSelected, const QStringL
   if (!ofSelected.isEmpty()) return ofSelected.front();
   if (isGone) return initial_;
   const auto& robots = session.robots();
-  const auto found = std::ranges::find_if(paths, [&](const QString& path) {
-    return std::ranges::find(robots, robotPart(path.toStdString())) == robots.end();
+  const auto found = std::ranges::find_if(paths, [&](const QString& each) {
+    const std::string path = each.toStdString();
+    return std::ranges::find(robots, robotPart(path)) == robots.end() &&
+           isOfScene(session, path).value_or(true);
   });
   return found == paths.end() ? QString() : *found;
 }

@@ -177,6 +177,17 @@ class ImageStreamsTest : public QObject {
     QVERIFY(s.canvas().hint().contains(QStringLiteral("tower/eye")));
   }
 
+  void imagesOfARobotThatHasGoneAreNotShownInsteadOfNone() {
+    ShownStreams s;
+    s.world.session.setRobots({"burger1"});
+    s.world.session.selectRobot("burger1");
+    s.world.push("objects", robotcontrol::WorldObjects(), 1);
+    s.push("red1/camera/image", kDarkImage);
+    s.step();
+    QVERIFY(!s.shows(kDarkImage));
+    QVERIFY(!s.streams->currentText().startsWith(QStringLiteral("red1")));
+  }
+
   void aRobotWithoutACameraIsSaidToHaveNone() {
     ShownStreams s;
     s.world.session.setRobots({"burger1"});
