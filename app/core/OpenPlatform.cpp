@@ -253,7 +253,10 @@ void OpenPlatform::apply(Outcome outcome) {
   if (outcome.change != Change::kRobots) openings_.pop_front();
   if (!outcome.loaded) {
     const robotlink::Errors& errors = outcome.loaded.error();
-    if (outcome.refused) return outcome.refused(errors);
+    if (outcome.refused) {
+      openingErrors_ = errors;
+      return outcome.refused(errors);
+    }
     if (bodyQuestion_.ask(errors)) return;
     openingErrors_ = errors;
     const bool wanted =

@@ -81,10 +81,11 @@ QByteArray fromText(const QJsonValue& value) {
 
 }  // namespace
 
-MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFolder)
+MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFolder, Owner owner)
     : workbench_(workbench),
       context_{workbench.session(), workbench.commands(), nullptr, {}},
-      perspectives_(userFolder / "window.json") {
+      perspectives_(userFolder / "window.json"),
+      isOfScript_(owner == Owner::kScript) {
   context_.gamepad = std::make_shared<widgets::GamepadSettings>(userFolder / "gamepad.json");
   if (context_.gamepad->problem()) startProblems_.push_back(*context_.gamepad->problem());
   offerSceneFiles();
@@ -299,6 +300,7 @@ void MainWindow::forgetErrors(const std::string& id) {
 
 void MainWindow::tick() {
   workbench_.tick();
+  followRenames();
   if (!workbench_.history().isLosing()) forgetErrors("history.slow");
   toolBar_->refresh();
   recordingBar_->refresh();

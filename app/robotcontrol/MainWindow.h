@@ -14,6 +14,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/commands/CommandTable.h"
+#include "robotlink/process/Link.h"
 #include "widgets/View.h"
 
 class QLabel;
@@ -74,8 +75,11 @@ inline constexpr int kWindowTickMs = 33, kExportingTickMs = 2;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
+  /// Whose window it is. A script's keeps nothing for the next start but perspectives that are saved by name:
+  /// neither how it is arranged nor what is unsaved; and what others left unsaved is not restored in it.
+  enum class Owner : std::uint8_t { kUser, kScript };
   /// `userFolder`: the folder of the file and of recovered color samples, motions and scenes.
-  MainWindow(Workbench& workbench, const std::filesystem::path& userFolder);
+  MainWindow(Workbench& workbench, const std::filesystem::path& userFolder, Owner owner = Owner::kUser);
   ~MainWindow() override;
 
   /// Shows a perspective as soon as no dock is being dragged; the current one is saved first.
@@ -105,9 +109,6 @@ class MainWindow : public QMainWindow {
   void keep();
   /// Saves what the user arranged and what is open, for the case of a crash; the timer calls it.
   void keepWindow();
-  /// From now on the window is a script's: how it is arranged is not kept for the next start, only
-  /// perspectives that are saved by name.
-  void setOfScript() { isOfScript_ = true; }
 
  Q_SIGNALS:
   /// The user closed the window, so that the program ends, together with floating docks and dialogs.
@@ -235,6 +236,8 @@ class MainWindow : public QMainWindow {
   /// The same for the motion and the scene files that are edited.
   bool mayLoseMotion();
   bool mayLoseScenes();
+  /// Has views and selection go on with an object of the scene that was renamed.
+  void followRenames();
   /// The bar above the views that shows errors.
   void addRegisteredToolBars();
   void createErrorBar();
@@ -293,11 +296,17 @@ class MainWindow : public QMainWindow {
   QString beginning_;
   /// The file of the simulated scene whose views are shown; empty: none.
   std::string shownScene_;
+  /// The objects of the scene when followRenames() was called last.
+  robotlink::PackagePtr objects_;
+  /// The robot that was selected then, and whether it has another name now under which it is still to be
+  /// selected.
+  std::string selectedRobot_;
+  bool isRobotRenamed_ = false;
   /// Whether a perspective was chosen for what is opened next.
   bool isPerspectiveWanted_ = false;
   /// Whether the window closes, so that nothing that is open was left so by a crash.
   bool isEnding_ = false;
-  bool isOfScript_ = false;
+  const bool isOfScript_;
   bool isFirstStart_ = false;
   /// The parts of the window; Qt owns them as children.
   CommandActions* actions_ = nullptr;

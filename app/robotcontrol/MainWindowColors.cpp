@@ -31,7 +31,7 @@ void MainWindow::createColors(const std::filesystem::path& userFolder) {
     forgetErrors("color.failed");
     statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kMessageShownMs);
   });
-  files.startRecovery(userFolder / "colors");
+  if (!isOfScript_) files.startRecovery(userFolder / "colors");
 }
 
 void MainWindow::createMotions(const std::filesystem::path& userFolder) {
@@ -43,7 +43,7 @@ void MainWindow::createMotions(const std::filesystem::path& userFolder) {
       statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kMessageShownMs);
     if (!bad) forgetErrors("motion.failed");
   });
-  files.startRecovery(userFolder / "motions");
+  if (!isOfScript_) files.startRecovery(userFolder / "motions");
 }
 
 bool MainWindow::mayLoseMotion() {

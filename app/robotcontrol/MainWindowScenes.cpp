@@ -3,16 +3,24 @@
 #include <QAction>
 #include <QMenu>
 #include <QStatusBar>
+#include <algorithm>
+#include <utility>
 
 #include "app/core/Workbench.h"
 #include "app/core/scenetext/SceneFileText.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/Session.h"
 #include "widgets/Icon.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneDialogs.h"
 #include "widgets/sceneedit/SceneEdits.h"
 #include "widgets/sceneedit/SceneFile.h"
+#include "widgets/world/SceneRename.h"
+#include "widgets/world/SceneSelection.h"
 
 namespace app {
 namespace {
@@ -62,7 +70,31 @@ void MainWindow::createScenes(const std::filesystem::path& userFolder) {
             .arg(all),
         kSceneMessageShownMs);
   });
-  bench.startRecovery(userFolder / "scenes");
+  if (!isOfScript_) bench.startRecovery(userFolder / "scenes");
+}
+
+void MainWindow::followRenames() {
+  auto& session = context_.session;
+  if (isRobotRenamed_) session.selectRobot(selectedRobot_);
+  const bool isThere = std::ranges::find(session.robots(), selectedRobot_) != session.robots().end();
+  if (isThere) {
+    selectedRobot_ = session.selectedRobot();
+    isRobotRenamed_ = false;
+  }
+  const auto* message = session.store().latest(robotlink::streams::kObjects, session.timeline().newest());
+  const robotlink::PackagePtr value = message == nullptr ? nullptr : message->value;
+  if (value == objects_) return;
+  const robotlink::PackagePtr last = std::exchange(objects_, value);
+  const auto* before = dynamic_cast<const robotcontrol::WorldObjects*>(last.get());
+  const auto* now = dynamic_cast<const robotcontrol::WorldObjects*>(value.get());
+  const auto rename =
+      before == nullptr || now == nullptr ? std::nullopt : widgets::renameBetween(*before, *now);
+  isRobotRenamed_ = rename && rename->from == selectedRobot_;
+  selectedRobot_ = isRobotRenamed_ ? rename->to : session.selectedRobot();
+  if (!rename) return;
+  docks_->follow(*rename);
+  auto& selection = widgets::sceneSelection(context_);
+  selection.select(widgets::withRename(QString::fromStdString(selection.object()), *rename).toStdString());
 }
 
 void MainWindow::addSceneEntries(QMenu& menu) {

@@ -255,13 +255,11 @@ int run(const Arguments& arguments) {
   app::Workbench workbench(robotlink::userDirectory());
   const robotlink::SteadyClock clock;
   robotlink::CommandSocket socket(app::scriptsOf(workbench));
-  app::MainWindow window(workbench, robotlink::userDirectory());
-  // What a script opens, shows and switches is not what its user wants to find next time.
+  // What a script opens, shows, switches and writes is not what its user wants to find next time.
   const bool isOfScript = !arguments.script.empty() && !arguments.keepOpen;
-  if (isOfScript) {
-    window.setOfScript();
-    workbench.keepNothing();
-  }
+  if (isOfScript) workbench.keepNothing();
+  app::MainWindow window(workbench, robotlink::userDirectory(),
+                         isOfScript ? app::MainWindow::Owner::kScript : app::MainWindow::Owner::kUser);
   if (const std::string perspective = perspectiveOf(arguments); !perspective.empty()) {
     window.choosePerspective(QString::fromStdString(perspective));
   }

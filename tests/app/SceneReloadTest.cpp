@@ -133,6 +133,7 @@ TEST_F(SceneReloadTest, whatDoesNotFitNowIsRefusedWhereItMust) {
   ASSERT_TRUE(waitFor([&refusal] { return !refusal.empty(); }));
   EXPECT_NE(refusal.find("there is no room for 'jar'"), std::string::npos) << refusal;
   EXPECT_TRUE(errors.empty()) << "it is said once";
+  EXPECT_EQ(workbench.takeOpeningErrors().size(), 1U) << "the script that asked for it has failed";
   EXPECT_FALSE(hasModel("jar"));
 }
 

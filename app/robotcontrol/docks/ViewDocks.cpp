@@ -16,6 +16,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/HiddenTick.h"
 #include "widgets/Icon.h"
+#include "widgets/world/SceneRename.h"
 
 namespace app {
 namespace {
@@ -142,6 +143,7 @@ ads::CDockWidget* ViewDocks::bringToFront(ads::CDockWidget* dock) {
 
 ads::CDockWidget* ViewDocks::open(const QString& id) {
   Q_EMIT placesWanted();
+  if (id.contains(QLatin1Char('#'))) return bringToFront(named(id));
   const auto existing = docks(id);
   const auto open =
       std::find_if(existing.begin(), existing.end(), [](auto* dock) { return !dock->isClosed(); });
@@ -206,6 +208,15 @@ bool ViewDocks::isInFront(const QString& id) const {
   return std::any_of(docks_.begin(), docks_.end(), [&](const Dock& dock) {
     return dock.id == id && !dock.dock->isClosed() && dock.dock->isCurrentTab();
   });
+}
+
+void ViewDocks::follow(const widgets::SceneRename& rename) {
+  for (const Dock& dock : docks_) {
+    if (!dock.view) continue;
+    const QJsonObject state = dock.view->saveState();
+    const QJsonObject renamed = widgets::withRename(QJsonValue(state), rename).toObject();
+    if (renamed != state) dock.view->restoreState(renamed);
+  }
 }
 
 void ViewDocks::tick() {

@@ -13,6 +13,10 @@ class CDockAreaWidget;
 class CDockWidget;
 }  // namespace ads
 
+namespace widgets {
+struct SceneRename;
+}
+
 namespace app {
 
 class DockSpace;
@@ -32,7 +36,7 @@ class ViewDocks : public QObject {
   ViewDocks(DockSpace& space, widgets::ViewContext& context, QObject* parent);
 
   /// Brings a view to the front: an open one of this kind, else a closed one at its place, else a new one as
-  /// a tab of the largest area. Returns null if there is no such kind.
+  /// a tab of the largest area. Returns null if there is no such kind. "field#2" is a certain one of several.
   ads::CDockWidget* open(const QString& id);
   /// Opens one more view of a kind: a closed one, else a new one. Like open() for kinds that may be open only
   /// once.
@@ -53,6 +57,9 @@ class ViewDocks : public QObject {
   bool isOpen(const QString& id) const;
   /// Whether a view of a kind is open and not behind another tab.
   bool isInFront(const QString& id) const;
+
+  /// Has all views go on with an object of the scene under its new name.
+  void follow(const widgets::SceneRename& rename);
 
   /// Updates all visible views.
   void tick();

@@ -112,6 +112,21 @@ TEST_F(RobotcontrolScripts, whatCannotBeOpenedOrIsRefusedFails) {
   EXPECT_THAT(refused.errors(), HasSubstr("b.script:1:1: refused: "));
 }
 
+TEST_F(RobotcontrolScripts, whatDoesNotFitIntoTheSceneFailsItsLine) {
+  folder_.write("here/a.script", "scene.insert box 1 1\nscene.insert box 1 1\nprint 1");
+  StartedProgram workbench = started("a.script", {"pioneer"});
+  EXPECT_EQ(workbench.wait(), 1);
+  EXPECT_THAT(workbench.errors(), HasSubstr("a.script:2: there is no room for 'box2'"));
+}
+
+TEST_F(RobotcontrolScripts, whatAScriptLeavesUnsavedIsNotRestored) {
+  folder_.write("here/a.script", "scene.insert box 1 1\nwait 3");
+  StartedProgram workbench = started("a.script", {"pioneer"});
+  EXPECT_EQ(workbench.wait(), 0) << workbench.errors();
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(home_))
+    EXPECT_NE(entry.path().extension(), ".scenes") << entry.path();
+}
+
 TEST_F(RobotcontrolScripts, aShippedSceneIsOpenedByItsName) {
   folder_.write("here/a.script", "robot.select blue1\n");
   StartedProgram workbench = started("a.script", {"game2002-1"});

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Objects of a simulated room, added, moved, changed and saved by hand, with the simulator.
+#include <qtadvanceddocking/DockWidget.h>
 #include <QComboBox>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTableView>
@@ -34,6 +37,11 @@ struct RoomDesk : Desk {
   QString run(const std::string& line) {
     const auto done = workbench.commands().runLine(line);
     return done ? QString() : QString::fromStdString(done.error().describe());
+  }
+  google::protobuf::RepeatedPtrField<robotcontrol::WorldObject> objects() {
+    const auto* all = workbench.session().store().latestAs<robotcontrol::WorldObjects>(
+        "objects", workbench.session().timeline().newest());
+    return all == nullptr ? google::protobuf::RepeatedPtrField<robotcontrol::WorldObject>() : all->objects();
   }
   /// An object; null: there is none.
   const robotcontrol::WorldObject* object(const std::string& path) {
@@ -132,6 +140,37 @@ class SceneHandsGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(
         desk.run("scene.insert box 1 1").isEmpty() && QTest::qWaitFor([&] { return desk.has("box2"); }, 300),
         kWaitMs);
+  }
+
+  void viewsGoOnWithAnObjectUnderItsNewName() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("wall_north"), kWaitMs);
+    QCOMPARE(desk.run("scene.insert camera 1.5 1"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("camera"), kWaitMs);
+    std::string sensor;
+    for (const auto& object : desk.objects())
+      if (object.has_port() && object.model() == "camera") sensor = object.path();
+    QVERIFY(!sensor.empty());
+    for (const std::string& line :
+         {std::string("view.show scene"), std::string("scene.follow camera heading"),
+          std::string("scene.opacity camera 0.5"), "image.stream image '" + sensor + "'"})
+      QCOMPARE(desk.run(line), QString());
+    widgets::sceneSelection(desk.window.context()).select(sensor);
+    QCOMPARE(desk.run("scene.rename camera eye"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("eye"), kWaitMs);
+    const auto says = [&desk](const char* view, const char* text) {
+      const QJsonObject state =
+          qobject_cast<widgets::View*>(desk.window.docks().named(QLatin1String(view))->widget())->saveState();
+      return QJsonDocument(state).toJson().contains(text);
+    };
+    QTRY_VERIFY(says("scene", "\"followed\": \"eye\""));
+    QVERIFY(says("scene", "\"object\": \"eye\""));
+    QVERIFY(says("image", "\"eye/"));
+    QVERIFY(widgets::sceneSelection(desk.window.context()).object().starts_with("eye/"));
+    // Undo gives it its name back.
+    QCOMPARE(desk.run("scene.undo-edit"), QString());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("camera"), kWaitMs);
+    QTRY_VERIFY(says("scene", "\"followed\": \"camera\""));
   }
 
   void theDoorIsMovedInTheText() {
