@@ -17,6 +17,7 @@
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
 #include "app/robotcontrol/commands/CommandPalette.h"
+#include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/MaximizedView.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
@@ -157,7 +158,14 @@ void MainWindow::attachViewCommands() {
     };
     attach(name, act, viewNames);
   };
-  attachForView("view.show", [](MainWindow& window, const QString& id) { window.docks_->open(id); });
+  attach(
+      "view.show",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const auto dock = window.openView(std::get<std::string>(values[0]));
+        if (!dock) return tl::unexpected(dock.error());
+        return {};
+      },
+      viewNames);
   attachForView("view.another",
                 [](MainWindow& window, const QString& id) { window.docks_->openAnother(id); });
   attachForView("view.close", [](MainWindow& window, const QString& id) {
@@ -349,28 +357,29 @@ V* MainWindow::shownView(const char* id) {
 }
 
 Result<ads::CDockWidget*> MainWindow::openView(const std::string& id) {
-  const QString name = QString::fromStdString(id);
-  if (widgets::ViewRegistry::find(id) != nullptr) return docks_->open(name);
-  // One of several of a kind: "field#2".
-  if (ads::CDockWidget* dock = name.contains(QLatin1Char('#')) ? docks_->named(name) : nullptr) return dock;
+  if (ads::CDockWidget* dock = docks_->open(QString::fromStdString(id))) return dock;
   return unknownView(id);
 }
 
 void MainWindow::finishPictures(QWidget& shown) {
-  constexpr int kLimit = 3000;  // ms
+  constexpr int kLimit = 3000, kEventsLimit = 100;  // ms
+  // What a tick changes is laid out by events, and what has another size then may read more.
+  constexpr int kRounds = 4;
   QList<widgets::View*> views = shown.findChildren<widgets::View*>();
   if (auto* view = qobject_cast<widgets::View*>(&shown)) views << view;
   QElapsedTimer since;
   since.start();
-  do {
-    // Docks that were just opened get their sizes by events.
-    QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents, 20);
+  const auto isMissing = [](const widgets::View* view) {
+    return view->isVisible() && !view->isPictureReady();
+  };
+  for (int round = 0; since.elapsed() < kLimit && (round < kRounds || std::ranges::any_of(views, isMissing));
+       ++round) {
     docks_->tick();
-  } while (since.elapsed() < kLimit && std::ranges::any_of(views, [](const widgets::View* view) {
-             return view->isVisible() && !view->isPictureReady();
-           }));
-  // Tables fit their columns a moment after their contents have changed.
-  for (auto* fit : shown.findChildren<widgets::ColumnFit*>()) fit->fit();
+    dockSpace_->fitTabs();
+    // Tables fit their columns a moment after their contents have changed.
+    for (auto* fit : shown.findChildren<widgets::ColumnFit*>()) fit->fit();
+    QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents, kEventsLimit);
+  }
 }
 
 Result<void> MainWindow::saveScreenshot(const std::string& view, const std::string& file) {
@@ -421,7 +430,15 @@ Result<void> MainWindow::removePerspective(const QString& name) {
 }
 
 void MainWindow::createPalette() {
-  palette_ = new CommandPalette({*actions_, workbench_.commands(), widgets::commandLog(context_)}, this);
+  const auto views = [this] {
+    std::vector<PaletteEntry> entries;
+    for (const ads::CDockWidget* dock : docks_->openDocks())
+      entries.push_back({dock->windowTitle(), {}, {}, dock->objectName()});
+    return entries;
+  };
+  const auto go = [this](const QString& name) { ViewDocks::focusOn(docks_->open(name)); };
+  palette_ =
+      new CommandPalette({*actions_, workbench_.commands(), widgets::commandLog(context_), views, go}, this);
   auto* action = new QAction(tr("&Commands…"), this);
   action->setObjectName(QStringLiteral("help.commands"));
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+P")));
@@ -431,6 +448,15 @@ void MainWindow::createPalette() {
   addAction(action);
   if (auto* menu = findChild<QMenu*>(QStringLiteral("helpMenu")))
     menu->insertAction(menu->actions().value(0), action);
+  auto* going = new QAction(tr("&Go to view…"), this);
+  going->setObjectName(QStringLiteral("view.go"));
+  going->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+J")));
+  going->setShortcutContext(Qt::ApplicationShortcut);
+  going->setToolTip(tr("Lists the open views, of which one is found by its title and brought to the front"));
+  connect(going, &QAction::triggered, palette_, &CommandPalette::openViews);
+  addAction(going);
+  if (auto* menu = findChild<QMenu*>(QStringLiteral("viewMenu")))
+    menu->insertAction(menu->actions().value(0), going);
 }
 
 }  // namespace app

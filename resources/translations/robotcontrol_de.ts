@@ -1430,10 +1430,6 @@
 <context>
     <name>PlaceNotice</name>
     <message>
-        <source>%1 has no map for localization: connect it with one (Robot &gt; Connect a Pioneer…, Map).</source>
-        <translation>%1 hat keine Karte zur Lokalisierung: mit einer Karte verbinden (Roboter &gt; Mit einem Pioneer verbinden…, Karte).</translation>
-    </message>
-    <message>
         <source>%1 does not know yet where it is, and stands: release its stop button or STOP, so that it can drive around.</source>
         <translation>%1 weiß noch nicht, wo er ist, und steht: den Stopptaster oder STOP lösen, damit er umherfahren kann.</translation>
     </message>
@@ -1444,6 +1440,10 @@
     <message>
         <source>%1 does not know yet where it is: send it anywhere (G, and a click on the map), and it drives around until it has localized itself; or steer it with the motion tester.</source>
         <translation>%1 weiß noch nicht, wo er ist: irgendwohin schicken (G und ein Klick auf die Karte), dann fährt er umher, bis er sich lokalisiert hat; oder mit dem Bewegungstester steuern.</translation>
+    </message>
+    <message>
+        <source>%1 has no map for localization: connect it with one (menu Robot, Map).</source>
+        <translation>%1 hat keine Karte zur Lokalisierung: mit einer Karte verbinden (Menü Roboter, Karte).</translation>
     </message>
 </context>
 <context>
@@ -1958,6 +1958,14 @@
     <message>
         <source>%1 is no number; the decimal point is a point</source>
         <translation>%1 ist keine Zahl; das Dezimaltrennzeichen ist ein Punkt</translation>
+    </message>
+    <message>
+        <source>No body has these moments of inertia: about its principal axes they are positive, and none of the three exceeds the sum of the other two</source>
+        <translation>Kein Körper hat diese Trägheitsmomente: Um seine Hauptachsen sind sie positiv, und keines der drei ist größer als die Summe der beiden anderen</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 number; %3 were typed</source>
+        <translation>%1 hat %2 Zahl; %3 wurden eingegeben</translation>
     </message>
 </context>
 <context>
@@ -2701,6 +2709,10 @@
     <message>
         <source>Return runs it.</source>
         <translation>Die Eingabetaste führt es aus.</translation>
+    </message>
+    <message>
+        <source>Where to go: words of the title of a view</source>
+        <translation>Wohin: Wörter aus dem Titel einer Ansicht</translation>
     </message>
 </context>
 <context>
@@ -3654,6 +3666,14 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
     <message>
         <source>The simulation goes on with what is saved. The editor keeps unsaved changes: %1; scene.apply has it go on with them.</source>
         <translation>Die Simulation geht mit dem weiter, was gespeichert ist. Der Editor behält nicht gespeicherte Änderungen: %1; mit scene.apply geht sie mit ihnen weiter.</translation>
+    </message>
+    <message>
+        <source>&amp;Go to view…</source>
+        <translation>&amp;Gehe zu Ansicht…</translation>
+    </message>
+    <message>
+        <source>Lists the open views, of which one is found by its title and brought to the front</source>
+        <translation>Listet die offenen Ansichten auf, von denen eine nach ihrem Titel gefunden und nach vorne geholt wird</translation>
     </message>
 </context>
 <context>
@@ -6240,10 +6260,6 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Abgelehnt: %1</translation>
     </message>
     <message>
-        <source>No robot. Open a map or scene with robots on wheels, or connect to one (Robot &gt; Connect a Pioneer…).</source>
-        <translation>Kein Roboter. Eine Karte oder Szene mit Robotern auf Rädern öffnen oder einen verbinden (Roboter &gt; Mit einem Pioneer verbinden…).</translation>
-    </message>
-    <message>
         <source>%1 has no wheels. Choose a robot that drives.</source>
         <translation>%1 hat keine Räder. Einen Roboter wählen, der fährt.</translation>
     </message>
@@ -6362,6 +6378,10 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     <message>
         <source>%1 times</source>
         <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>No robot. Open a map or scene with robots on wheels, or connect to one (menu Robot).</source>
+        <translation>Kein Roboter. Eine Karte oder Szene mit Robotern auf Rädern öffnen oder einen verbinden (Menü Roboter).</translation>
     </message>
 </context>
 <context>
@@ -12001,16 +12021,16 @@ Verzeichnung %8</translation>
         <translation>%1 Namen ausgeblendet</translation>
     </message>
     <message>
-        <source>No robot. Connect to one (Robot &gt; Connect a Pioneer…), or open a recorded conversation.</source>
-        <translation>Kein Roboter. Einen verbinden (Roboter &gt; Mit einem Pioneer verbinden…) oder eine aufgezeichnete Kommunikation öffnen.</translation>
-    </message>
-    <message>
         <source>No packets yet to or from %1. They appear when its line is open; a recorded conversation can be opened.</source>
         <translation>Noch keine Datenpakete zu oder von %1. Sie erscheinen, wenn die Leitung offen ist; eine aufgezeichnete Kommunikation lässt sich öffnen.</translation>
     </message>
     <message>
         <source>No packet passes the filters. Clear the filter, or show all names.</source>
         <translation>Kein Datenpaket passiert die Filter. Den Filter leeren oder alle Namen zeigen.</translation>
+    </message>
+    <message>
+        <source>No robot. Connect to one (menu Robot), or open a recorded conversation.</source>
+        <translation>Kein Roboter. Einen verbinden (Menü Roboter) oder eine aufgezeichnete Kommunikation öffnen.</translation>
     </message>
 </context>
 <context>
@@ -13180,10 +13200,6 @@ Verzeichnung %8</translation>
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>inertia</source>
-        <translation>Trägheit</translation>
-    </message>
-    <message>
         <source>place at the start</source>
         <translation>Ort am Anfang</translation>
     </message>
@@ -13342,6 +13358,30 @@ Verzeichnung %8</translation>
     <message>
         <source>team</source>
         <translation>Team</translation>
+    </message>
+    <message>
+        <source>damping of turns</source>
+        <translation>Dämpfung der Drehung</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>inertia: ixx, iyy, izz, ixy, ixz, iyz</source>
+        <translation>Trägheit: ixx, iyy, izz, ixy, ixz, iyz</translation>
+    </message>
+    <message>
+        <source>damping of moves</source>
+        <translation>Dämpfung der Bewegung</translation>
+    </message>
+    <message>
+        <source>color of the palette</source>
+        <translation>Farbe der Palette</translation>
+    </message>
+    <message>
+        <source>width, height</source>
+        <translation>Breite, Höhe</translation>
     </message>
 </context>
 <context>
@@ -13584,10 +13624,6 @@ Verzeichnung %8</translation>
         <translation>%1 m bei %2°</translation>
     </message>
     <message>
-        <source>No robot. Open a map or scene with robots on wheels, or connect to one (Robot &gt; Connect a Pioneer…).</source>
-        <translation>Kein Roboter. Eine Karte oder Szene mit Robotern auf Rädern öffnen oder einen verbinden (Roboter &gt; Mit einem Pioneer verbinden…).</translation>
-    </message>
-    <message>
         <source>%1 has neither sonars nor a laser. Choose a robot on wheels.</source>
         <translation>%1 hat weder Sonare noch einen Laser. Einen Roboter auf Rädern wählen.</translation>
     </message>
@@ -13630,6 +13666,10 @@ Verzeichnung %8</translation>
     <message>
         <source>laser</source>
         <translation>Laser</translation>
+    </message>
+    <message>
+        <source>No robot. Open a map or scene with robots on wheels, or connect to one (menu Robot).</source>
+        <translation>Kein Roboter. Eine Karte oder Szene mit Robotern auf Rädern öffnen oder einen verbinden (Menü Roboter).</translation>
     </message>
 </context>
 <context>

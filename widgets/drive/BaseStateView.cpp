@@ -212,8 +212,7 @@ void BaseStateView::tick() {
   hint_->setHint(
       drives ? QString()
       : robot_.empty()
-          ? tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect a "
-               "Pioneer…).")
+          ? tr("No robot. Open a map or scene with robots on wheels, or connect to one (menu Robot).")
           : tr("%1 has no wheels. Choose a robot that drives.").arg(QString::fromStdString(robot_)));
 }
 

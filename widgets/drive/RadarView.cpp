@@ -123,9 +123,7 @@ std::vector<WorldDrawing> RadarView::drawingsOf(const std::string& robot) const 
 
 QString RadarView::hint(const std::string& robot, bool hasContents) const {
   if (robot.empty())
-    return tr(
-        "No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect a "
-        "Pioneer…).");
+    return tr("No robot. Open a map or scene with robots on wheels, or connect to one (menu Robot).");
   if (hasContents) return {};
   const QString name = QString::fromStdString(robot);
   const auto description = context().robots.find(robot);

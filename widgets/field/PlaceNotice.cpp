@@ -25,8 +25,7 @@ QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* ba
   if (!onMap) {
     return robot.truth
                ? QString()
-               : PlaceText::tr(
-                     "%1 has no map for localization: connect it with one (Robot > Connect a Pioneer…, Map).")
+               : PlaceText::tr("%1 has no map for localization: connect it with one (menu Robot, Map).")
                      .arg(name);
   }
   if (base != nullptr && base->emergency_stop())

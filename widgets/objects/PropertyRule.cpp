@@ -73,7 +73,8 @@ robotlink::Result<std::vector<double>> propertyNumbers(const QString& typed, con
                                                        int count, const QString& title, const QString& unit) {
   const QStringList words = typed.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
   if (words.size() != count)
-    return refuse(PropertyTexts::tr("%1 takes %2 numbers, separated by blanks; %3 were typed")
+    return refuse((count == 1 ? PropertyTexts::tr("%1 takes %2 number; %3 were typed")
+                              : PropertyTexts::tr("%1 takes %2 numbers, separated by blanks; %3 were typed"))
                       .arg(title)
                       .arg(count)
                       .arg(words.size()));

@@ -360,12 +360,11 @@ void PacketInspector::showState() {
   save_->setEnabled(all > 0);
   if (all == 0) {
     const QString name = QString::fromStdString(robot_);
-    hint_->setHint(
-        robot_.empty()
-            ? tr("No robot. Connect to one (Robot > Connect a Pioneer…), or open a recorded conversation.")
-            : tr("No packets yet to or from %1. They appear when its line is open; a recorded "
-                 "conversation can be opened.")
-                  .arg(name));
+    hint_->setHint(robot_.empty()
+                       ? tr("No robot. Connect to one (menu Robot), or open a recorded conversation.")
+                       : tr("No packets yet to or from %1. They appear when its line is open; a recorded "
+                            "conversation can be opened.")
+                             .arg(name));
   } else {
     hint_->setHint(shown == 0 ? tr("No packet passes the filters. Clear the filter, or show all names.")
                               : QString());

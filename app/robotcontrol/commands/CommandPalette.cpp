@@ -39,7 +39,6 @@ CommandPalette::CommandPalette(const Parts& parts, QWidget* window) : QFrame(win
 void CommandPalette::createViews() {
   input_ = new QLineEdit(this);
   widgets::describe(*input_, {"paletteInput", tr("Command or menu entry"), {}});
-  input_->setPlaceholderText(tr("What to do: words of a command or menu entry"));
   hint_ = widgets::makeNote(this, "paletteHint", tr("What comes next"));
   hint_->setTextFormat(Qt::RichText);
   list_ = new QListView(this);
@@ -72,14 +71,24 @@ void CommandPalette::connectSignals() {
 
 void CommandPalette::open() {
   const auto* window = qobject_cast<QMainWindow*>(parentWidget());
-  if (window == nullptr) return;
+  if (window != nullptr) show(paletteEntries(*window->menuBar(), parts_.commands), false);
+}
+
+void CommandPalette::openViews() {
+  show(parts_.views(), true);
+}
+
+void CommandPalette::show(std::vector<PaletteEntry> entries, bool areViews) {
   if (!isVisible()) before_ = QApplication::focusWidget();
-  entries_ = paletteEntries(*window->menuBar(), parts_.commands);
+  entries_ = std::move(entries);
+  areViews_ = areViews;
+  input_->setPlaceholderText(areViews ? tr("Where to go: words of the title of a view")
+                                      : tr("What to do: words of a command or menu entry"));
   input_->clear();
   refresh();
   place();
   parentWidget()->activateWindow();
-  show();
+  QFrame::show();
   raise();
   input_->setFocus(Qt::ShortcutFocusReason);
 }
@@ -139,6 +148,7 @@ bool CommandPalette::press(int key) {
 }
 
 QString CommandPalette::begunCommand() const {
+  if (areViews_) return {};
   const QString typed = input_->text();
   const int blank = typed.indexOf(QLatin1Char(' '));
   if (blank <= 0) return {};
@@ -149,7 +159,7 @@ QString CommandPalette::begunCommand() const {
 
 std::vector<PaletteEntry> CommandPalette::recentLines() const {
   std::vector<PaletteEntry> lines;
-  for (const QString& id : recent_) {
+  for (const QString& id : areViews_ ? QStringList() : recent_) {
     const bool isLine = id.contains(QLatin1Char(' '));
     if (isLine) lines.push_back({id, tr("used before"), {}, id});
   }
@@ -197,7 +207,8 @@ void CommandPalette::take(const QString& candidate) {
 void CommandPalette::complete() {
   const PaletteEntry* chosen = model_.entry(list_->currentIndex());
   if (begunCommand().isEmpty()) {
-    if (chosen != nullptr && !chosen->line.isEmpty()) input_->setText(chosen->line + QLatin1Char(' '));
+    if (chosen != nullptr && !chosen->line.isEmpty())
+      input_->setText(areViews_ ? chosen->title : chosen->line + QLatin1Char(' '));
     return;
   }
   if (chosen != nullptr) return take(chosen->line);
@@ -213,6 +224,10 @@ void CommandPalette::accept() {
 }
 
 void CommandPalette::run(const PaletteEntry& entry) {
+  if (areViews_) {
+    hide();
+    return parts_.go(entry.line);
+  }
   if (entry.isUnfinished) return input_->setText(entry.line + QLatin1Char(' '));
   if (!entry.line.isEmpty()) return runLine(entry.line);
   remember(entry.id());

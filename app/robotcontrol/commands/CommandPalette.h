@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <QPointer>
 #include <QStringList>
+#include <functional>
 #include <vector>
 
 #include "app/robotcontrol/commands/PaletteEntries.h"
@@ -34,6 +35,10 @@ class CommandPalette final : public QFrame {
     const CommandActions& actions;
     const robotlink::CommandTable& commands;
     widgets::CommandLog& log;
+    /// The open views; their lines are the names with which `go` brings one to the front and gives it the
+    /// focus.
+    std::function<std::vector<PaletteEntry>()> views;
+    std::function<void(const QString& name)> go;
   };
   /// The number of entries and lines that are remembered.
   static constexpr int kMaxRecent = 30;
@@ -41,6 +46,8 @@ class CommandPalette final : public QFrame {
   CommandPalette(const Parts& parts, QWidget* window);
 
   void open();
+  /// The same with the open views instead of commands.
+  void openViews();
   /// What was run last, the newest last, to be kept over restarts.
   const QStringList& recent() const { return recent_; }
   void setRecent(const QStringList& recent);
@@ -52,6 +59,7 @@ class CommandPalette final : public QFrame {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void show(std::vector<PaletteEntry> entries, bool areViews);
   void createViews();
   void connectSignals();
   /// Lies in the middle of the window, at its top.
@@ -77,6 +85,7 @@ class CommandPalette final : public QFrame {
   Parts parts_;
   PaletteModel model_;
   std::vector<PaletteEntry> entries_;
+  bool areViews_ = false;
   QStringList recent_;
   QLineEdit* input_ = nullptr;
   QListView* list_ = nullptr;

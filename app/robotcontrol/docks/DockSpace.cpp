@@ -110,7 +110,10 @@ void fitTabsOf(const ads::CDockAreaTitleBar& bar) {
     if (!tab.isActiveTab()) others.push_back(title);
   }
   // The title in front is whole, if it does not take all; of the others the longest are cut first.
-  const int cut = commonWidth(others, std::max(forTitles, room / 3));
+  // Where that leaves nothing to be read, the tabs are scrolled.
+  constexpr int kMinLetters = 7;
+  const int least = kMinLetters * bar.fontMetrics().averageCharWidth();
+  const int cut = std::max(commonWidth(others, std::max(forTitles, room / 3)), least);
   for (const TabLabels& tab : tabs) {
     const auto* owner = static_cast<const ads::CDockWidgetTab*>(tab.title->parentWidget());
     const int title = tab.title->sizeHint().width();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The palette of commands, as a person uses it: by keys, in the window.
+#include <qtadvanceddocking/DockWidget.h>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -49,6 +50,23 @@ class PaletteGuiTest : public WindowTest {
     desk.press(Qt::Key_Return);
     QVERIFY(!desk.palette().isVisible());
     QVERIFY(desk.window.docks().isInFront(QStringLiteral("bookmarks")));
+  }
+
+  void anOpenViewIsFoundByItsTitle() {
+    PaletteDesk desk(home_);
+    desk.window.docks().openAnother(QStringLiteral("image"));
+    QVERIFY(!desk.window.docks().isInFront(QStringLiteral("processes")));
+    QTest::keyClick(&desk.window, Qt::Key_J, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(desk.input().hasFocus());
+    desk.type("proces");
+    QCOMPARE(desk.list().model()->rowCount(), 1);
+    desk.press(Qt::Key_Return);
+    QVERIFY(desk.window.docks().isInFront(QStringLiteral("processes")));
+    const ads::CDockWidget* dock = desk.window.docks().named(QStringLiteral("processes"));
+    QVERIFY(dock->isAncestorOf(QApplication::focusWidget()));
+    QVERIFY(desk.workbench.commands().runLine("view.show image#2").has_value());
+    QVERIFY(desk.window.docks().named(QStringLiteral("image#2"))->isCurrentTab());
+    QCOMPARE(desk.workbench.commands().runLine("view.show image#7").error().id, std::string("view.unknown"));
   }
 
   void aCommandWithoutArgumentsIsRunAtOnce() {

@@ -3,6 +3,8 @@
 #include <qtadvanceddocking/DockWidget.h>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QLabel>
+#include <algorithm>
 
 #include "robotlink/commands/CommandTable.h"
 #include "robotlink/session/Session.h"
@@ -53,6 +55,8 @@ class SceneViewsGuiTest : public WindowTest {
          {"scene.view flat", "scene.hide ball", "scene.opacity red1 0.5", "scene.draw red1/link:head wire",
           "scene.layer solids", "scene.layer shadows off", "scene.follow ball heading"})
       QCOMPARE(desk.run(line), QString());
+    const auto hidden = desk.workbench.commands().find("scene.show")->offer({});
+    QVERIFY(std::ranges::count(hidden, "ball") == 1 && std::ranges::count(hidden, "red1") == 0);
     const QJsonObject state = desk.state();
     QCOMPARE(state[QStringLiteral("looks")].toArray().size(), 3);
     QCOMPARE(state[QStringLiteral("followed")].toString(), QStringLiteral("ball"));
@@ -65,6 +69,28 @@ class SceneViewsGuiTest : public WindowTest {
     QCOMPARE(desk.scenes().size(), std::size_t{2});
     QCOMPARE(desk.state(1)[QStringLiteral("only")].toString(), QStringLiteral("red1"));
     QVERIFY(desk.scenes().at(1)->windowTitle().contains(QStringLiteral("red1")));
+  }
+
+  void aScreenshotShowsViewsThatWereJustOpenedInFull() {
+    ScenesDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.hasObjects(), 20000);
+    const std::string picture = "'" + (home_ / "window.png").string() + "'";
+    QCOMPARE(desk.run("view.perspective Drive"), QString());
+    QCOMPARE(desk.run(("view.screenshot window " + picture).c_str()), QString());
+    const auto& robot = desk.find<QLabel>("motionRobot");
+    QCOMPARE(robot.text(), QStringLiteral("red1"));
+    QVERIFY(robot.width() >= robot.sizeHint().width());
+  }
+
+  void aRobotThatIsRenamedStaysSelected() {
+    ScenesDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.hasObjects(), 20000);
+    QVERIFY(desk.open("mixed"));
+    auto& session = desk.workbench.session();
+    session.selectRobot("red1");
+    desk.window.tick();
+    QCOMPARE(desk.run("scene.rename red1 rex"), QString());
+    QTRY_COMPARE_WITH_TIMEOUT(QString::fromStdString(session.selectedRobot()), QStringLiteral("rex"), 20000);
   }
 
   void eachSceneHasTheViewsWithWhichItWasLeft() {

@@ -20,7 +20,7 @@ TEST(PropertyRule, numbersAreReadWithBlanksBetweenThem) {
   ASSERT_TRUE(size.has_value());
   EXPECT_THAT(*size, ElementsAre(1, 2.5, 0.1));
   EXPECT_THAT(refusal("1 2", "size", 3), HasSubstr("3 numbers"));
-  EXPECT_THAT(refusal("", "mass"), HasSubstr("1 numbers"));
+  EXPECT_THAT(refusal("", "mass"), HasSubstr("mass takes 1 number;"));
   EXPECT_THAT(refusal("1,5", "mass"), HasSubstr("1,5 is no number"));
   EXPECT_THAT(refusal("nan", "mass"), HasSubstr("no number"));
 }
