@@ -56,7 +56,7 @@ robotlink::Result<int> SimulationState::movableModel(const std::string& name) co
   if (world.models[static_cast<std::size_t>(index)].type->isStatic) return tl::unexpected(fixedModel(name));
   if (!physics->isMovedByForces(index)) {
     return failure("simulation.kinematic-model",
-                   "'" + name + "' follows its odometry, so that forces do not move it; it can be placed", {},
+                   "'" + name + "' moves without forces, so that they do not move it; it can be placed", {},
                    {name});
   }
   return index;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,11 +13,13 @@
 
 namespace simcore {
 
+class Scene;
+
 /// The state of a simulation at an instant, in memory or in a file; see SNAPSHOTS.md. A plain value, which
 /// any number of simulations of the same scene can be put into.
 struct Snapshot {
   /// The version of the files that are written; files of others are refused.
-  static constexpr std::uint32_t kVersion = 6;
+  static constexpr std::uint32_t kVersion = 7;
   /// No file is larger.
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;
 
@@ -29,6 +32,8 @@ struct Snapshot {
   std::vector<std::uint8_t> state;
   /// What the owner of the simulation keeps with it, by name.
   std::map<std::string, std::vector<std::uint8_t>> parts = {};
+  /// The scene; null where it comes from a file. With it, what an edited scene still has can be put back.
+  std::shared_ptr<const Scene> of = {};
   /// Whether it comes from a file, so that its contents are checked.
   bool isForeign = false;
 

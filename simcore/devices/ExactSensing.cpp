@@ -129,7 +129,8 @@ void ExactSensing::readJoint(const SensorSource& source, std::vector<double>& va
   if (source.kind == SourceKind::kJointSpeed) values[0] = physics_.rate(source.hinge);
   if (source.kind == SourceKind::kJointLoad) values[0] = physics_.torque(source.hinge);
   if (source.kind != SourceKind::kForceTorque) return;
-  const Physics::Wrench wrench = physics_.reaction(source.hinge);
+  const Physics::Wrench wrench =
+      source.isFixed ? physics_.fixedReaction(source.hinge) : physics_.reaction(source.hinge);
   const Eigen::Matrix3d worldInLink = physics_.linkInWorld(source.body).linear().transpose();
   Eigen::Map<Vector3>(values.data()) = source.sign * (worldInLink * wrench.force);
   Eigen::Map<Vector3>(values.data() + 3) = source.sign * (worldInLink * wrench.torque);

@@ -68,6 +68,8 @@ class Collector {
     type_ = model.type.get();
     if (type_->isStatic) return addStatic(model);
     firstHinge_ = hinge_;
+    firstMeasured_ = measured_;
+    for (const JointDescription& joint : type_->joints) measured_ += joint.isMeasured ? 1 : 0;
     firstDoor_ = ports_.doors.size();
     servos_.assign(model.type->joints.size(), kNoServo);
     for (const JointDescription& joint : model.type->joints) {
@@ -131,7 +133,8 @@ class Collector {
     } else {
       from.stream = {kNamedStream, hashOfPath(info.path)};
     }
-    if (info.maximum <= info.minimum) limit(info, from.minimum, from.maximum);
+    const bool isLimited = from.maximum < SensorDescription::kNoRange;
+    if (isLimited && info.maximum <= info.minimum) limit(info, from.minimum, from.maximum);
     ports_.sensors.push_back({std::move(info), std::move(values)});
     ports_.sources.push_back(std::move(from));
   }
@@ -344,7 +347,10 @@ class Collector {
       from.drive = static_cast<int>(ports_.drives.size());
       from.track = type_->drive->track;
     }
-    if (sensor.kind == SensorDescription::Kind::kForceTorque) from.hinge = hingeOf(sensor.joint);
+    if (sensor.kind == SensorDescription::Kind::kForceTorque) {
+      from.isFixed = type_->joints[static_cast<std::size_t>(sensor.joint)].isMeasured;
+      from.hinge = from.isFixed ? measuredOf(sensor.joint) : hingeOf(sensor.joint);
+    }
     const int size = static_cast<int>(reading.size);
     PortInfo info =
         port(sensor.name, reading.type, size > 1 ? std::vector{size} : std::vector<int>{}, reading.unit);
@@ -361,6 +367,13 @@ class Collector {
       if (other.hasPosition()) ++hinge;
     }
     return hinge;
+  }
+
+  /// The number of a fixed joint among those that are measured.
+  std::size_t measuredOf(int joint) const {
+    std::size_t number = firstMeasured_;
+    for (int i = 0; i < joint; ++i) number += type_->joints[static_cast<std::size_t>(i)].isMeasured ? 1 : 0;
+    return number;
   }
 
   void addImage(const SensorDescription& sensor) {
@@ -430,6 +443,8 @@ class Collector {
   const ModelDescription* type_ = nullptr;
   int model_ = 0;
   std::size_t body_ = 0, hinge_ = 0, firstHinge_ = 0, firstDoor_ = 0;
+  // Fixed joints that are measured, in the numbering of Physics.
+  std::size_t measured_ = 0, firstMeasured_ = 0;
   // Wheels of vehicles, in the numbering of Physics.
   std::size_t wheel_ = 0, firstWheel_ = 0;
   static constexpr std::size_t kNoServo = static_cast<std::size_t>(-1);

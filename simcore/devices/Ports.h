@@ -39,8 +39,9 @@ struct SensorSource {
   };
   Kind kind = Kind::kAngle;
   int model = 0;
-  /// Only for joints.
+  /// Only for joints. Of a fixed one, which kForceTorque may be in, it is the number among those of its kind.
   std::size_t hinge = 0;
+  bool isFixed = false;
   /// For all other kinds, and for kForceTorque the child of the joint.
   std::size_t body = 0;
   Pose3 poseInLink = Pose3::Identity();

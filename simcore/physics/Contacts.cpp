@@ -350,9 +350,9 @@ Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note, double tolera
   return query.found;
 }
 
-Overlap deepestSideways(OdeWorld& ode, int model, bool pushes, NoteTouches note) {
-  OverlapQuery query{ode, model, note, {}, true, pushes};
-  compareWithOthers(ode, model, query, &compareDepth);
+Overlap deepestInWay(OdeWorld& ode, const OdeFollower& follower, NoteTouches note) {
+  OverlapQuery query{ode, follower.model, note, {}, follower.travels, follower.pushes};
+  compareWithOthers(ode, follower.model, query, &compareDepth);
   return query.found;
 }
 

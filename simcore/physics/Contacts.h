@@ -27,9 +27,9 @@ enum class NoteTouches : std::uint8_t { kNo, kYes };
 /// Pairs of solids are counted that overlap by more than `tolerance`, m.
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note = NoteTouches::kNo, double tolerance = 0);
 
-/// The same for a model that is moved in the plane: floors and ramps do not count. If it pushes, models that
-/// can be moved count only where they are squeezed.
-Overlap deepestSideways(OdeWorld& ode, int model, bool pushes, NoteTouches note);
+/// The same for a model that follows: for what travels, floors and ramps do not count. If it pushes, models
+/// that can be moved count only where they are squeezed.
+Overlap deepestInWay(OdeWorld& ode, const OdeFollower& follower, NoteTouches note);
 
 /// The models, in ascending order, that a moving model touches.
 std::vector<int> touchingModels(OdeWorld& ode, int model);

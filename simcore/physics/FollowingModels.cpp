@@ -2,10 +2,12 @@
 #include "simcore/physics/FollowingModels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "simcore/physics/Contacts.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeJoints.h"
+#include "simcore/physics/OdeRays.h"
 #include "simcore/physics/Step.h"
 #include "simcore/world/ModelGeometry.h"
 
@@ -30,16 +32,17 @@ class FollowerStep {
   void move() {
     if (!follower_.known) learn();
     const std::vector<Pose3> before = bodies();
+    const std::vector<double> joints = follower_.joints;
     turnJoints();
     const Pose2 from = follower_.place;
     follower_.place = next();
     stand();
-    const double depth = sideways(NoteTouches::kNo);
+    const double depth = inTheWay(NoteTouches::kNo);
     follower_.stopped = false;
     // A touch would push what can be moved.
     if (depth > (follower_.pushes ? kTouching : 0)) {
-      sideways(NoteTouches::kYes);
-      stopOr(from, depth);
+      inTheWay(NoteTouches::kYes);
+      stopOr(from, joints, depth);
     }
     turnWheels();
     setVelocities(before);
@@ -61,6 +64,7 @@ class FollowerStep {
 
  private:
   void learn() {
+    if (follower_.travels) comeDown(ode_, follower_.model);
     const Pose3 model = ode_.linkPose(model_.firstBody) * type_.links.front().poseInModel.inverse();
     follower_.place = robotlink::groundPose(model);
     follower_.lean =
@@ -111,7 +115,7 @@ class FollowerStep {
     return follower_.place * Pose2{way.x(), way.y(), turn};
   }
 
-  /// Poses all links for the present place and joints, with the lowest solid on the ground.
+  /// Poses all links for the present place and joints, of what travels with the lowest solid on the ground.
   void stand() {
     Pose3 model = Pose3::Identity();
     model.translation() = Vector3(follower_.place.x, follower_.place.y, follower_.height);
@@ -120,27 +124,26 @@ class FollowerStep {
     follower_.links = linksAt(type_, follower_.joints);
     for (Pose3& link : follower_.links) link = model * link;
     pose();
+    if (!follower_.travels) return;
     const double up = follower_.ground - lowest();
     follower_.height += up;
     for (Pose3& link : follower_.links) link.translation().z() += up;
     pose();
   }
 
-  double sideways(NoteTouches note) const {
-    return deepestSideways(ode_, follower_.model, follower_.pushes, note).depth;
-  }
+  double inTheWay(NoteTouches note) const { return deepestInWay(ode_, follower_, note).depth; }
 
-  /// Stays at `from` unless the model is deeper in something there than the `depth` where it would go.
-  void stopOr(const Pose2& from, double depth) {
-    const Pose2 to = follower_.place;
-    follower_.place = from;
+  /// Stays at `from` unless the model is deeper in something there than the `depth` where it would go. Of
+  /// what does not travel, the joints stay.
+  void stopOr(const Pose2& from, std::vector<double> joints, double depth) {
+    const Pose2 to = std::exchange(follower_.place, from);
+    if (!follower_.travels) follower_.joints.swap(joints);
     stand();
-    if (sideways(NoteTouches::kNo) >= depth) {
-      follower_.place = to;
-      stand();
-    } else {
-      follower_.stopped = true;
-    }
+    follower_.stopped = inTheWay(NoteTouches::kNo) < depth;
+    if (follower_.stopped) return;
+    follower_.place = to;
+    if (!follower_.travels) follower_.joints.swap(joints);
+    stand();
   }
 
   void turnWheels() {
@@ -179,11 +182,14 @@ void addFollower(OdeWorld& ode, const ModelInstance& model, int index) {
   OdeFollower& follower = ode.followers.emplace_back();
   follower.model = index;
   follower.pushes = model.chosenMotion() != MotionMode::kStopping;
-  for (std::size_t i = added.firstBody; i < ode.bodies.size(); ++i) {
-    if (ode.hasBody(i)) dBodySetKinematic(ode.bodies[i].id);
-  }
+  follower.travels = model.type->walk || model.type->guided;
   // Joints between bodies of infinite mass have nothing to do; they still know their angles.
-  for (std::size_t i = added.firstHinge; i < ode.hinges.size(); ++i) dJointDisable(ode.hinges[i]);
+  for (std::size_t i = added.firstBody; i < ode.bodies.size(); ++i) {
+    if (!ode.hasBody(i)) continue;
+    const dBodyID body = ode.bodies[i].id;
+    dBodySetKinematic(body);
+    for (int k = 0; k < dBodyGetNumJoints(body); ++k) dJointDisable(dBodyGetJoint(body, k));
+  }
 }
 
 void moveFollowers(OdeWorld& ode) {

@@ -2,8 +2,10 @@
 #include "simcore/physics/KinematicDrives.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "simcore/physics/Contacts.h"
+#include "simcore/physics/OdeRays.h"
 #include "simcore/physics/Step.h"
 
 namespace simcore {
@@ -188,6 +190,11 @@ class Mover {
 
 void moveKinematicModels(OdeWorld& ode) {
   if (!ode.hasKinematic) return;
+  for (const OdeDrive& drive : ode.drives) {
+    OdeModel& model = ode.models[static_cast<std::size_t>(drive.model)];
+    if (!model.kinematic || std::exchange(model.hasGround, true)) continue;
+    comeDown(ode, drive.model);
+  }
   for (OdePlace& place : ode.places) updatePlace(ode, place);
   for (const OdeDrive& drive : ode.drives) updateFootprint(ode, drive);
   for (std::size_t i = 0; i < ode.drives.size(); ++i) {

@@ -11,6 +11,9 @@ namespace simcore {
 /// A model that moves in the plane as it is commanded; its servos turn its joints without any force.
 struct OdeFollower {
   int model = 0;
+  /// Whether it is commanded to move, over the ground; otherwise only its joints do, and it stays where it
+  /// is.
+  bool travels = true;
   /// What it is commanded: m/s along its own axes, and rad/s.
   double ahead = 0, sideways = 0, turning = 0;
   /// Whether movable models are pushed; otherwise it stops at them, too.

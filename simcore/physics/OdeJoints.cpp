@@ -106,6 +106,19 @@ dJointID addUniversal(OdeWorld& ode, const JointDescription& joint, const Ends& 
   return id;
 }
 
+void addFixed(OdeWorld& ode, const JointDescription& joint, const Ends& ends, const Vector3& anchor) {
+  OdeMeasuredJoint* measured = joint.isMeasured ? &ode.measuredJoints.emplace_back() : nullptr;
+  // What is one body needs no joint.
+  if (ends.child == ends.parent) return;
+  const dJointID id = attached(dJointCreateFixed(ode.world, nullptr), ends);
+  dJointSetFixed(id);
+  if (measured == nullptr) return;
+  measured->id = id;
+  measured->anchorInBody =
+      poseOf(dBodyGetPosition(ends.child), dBodyGetRotation(ends.child)).inverse() * anchor;
+  dJointSetFeedback(id, &measured->force);
+}
+
 /// Brakes one axis; `speed` is the present one.
 double brake(const OdeResistance& one, double speed) {
   return one.friction + one.damping * std::abs(speed);
@@ -120,14 +133,12 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
     return link < 0 ? nullptr : ode.bodies[firstBody + static_cast<std::size_t>(link)].id;
   };
   const Ends ends{bodyOf(joint.child), bodyOf(joint.parent)};
-  // What is one body needs no joint.
-  if (joint.kind == JointKind::kFixed && ends.child == ends.parent) return;
   const Vector3 anchor = model.poseInWorld * joint.anchorInModel;
+  if (joint.kind == JointKind::kFixed) return addFixed(ode, joint, ends, anchor);
   const Vector3 axis = model.poseInWorld.linear() * joint.axisInModel;
   dJointID id = nullptr;
   switch (joint.kind) {
     case JointKind::kFixed:
-      dJointSetFixed(attached(dJointCreateFixed(ode.world, nullptr), ends));
       return;
     case JointKind::kHinge:
       id = addHinge(ode, joint, ends, anchor, axis);

@@ -124,6 +124,14 @@ struct OdeFreeBody {
   dQuaternion quietRotation = {};
 };
 
+/// A fixed joint whose forces are measured, about its anchor in the frame of ODE's body of the child. Without
+/// a joint where the two links are one body anyway.
+struct OdeMeasuredJoint {
+  dJointID id = nullptr;
+  Vector3 anchorInBody = Vector3::Zero();
+  dJointFeedback force{};
+};
+
 /// A passive joint that resists being moved.
 struct OdeResistance {
   dJointID joint = nullptr;
@@ -142,6 +150,8 @@ struct OdeModel {
   dJointID push = nullptr, turn = nullptr;
   /// Follows its odometry, or what it is commanded, instead of forces.
   bool kinematic = false;
+  /// Whether one with a drive has come down to what is below it since it was put where it is.
+  bool hasGround = false;
   /// It pushes what it touches: an index of OdeWorld::followers; -1 if it is none.
   int follower = -1;
   /// Whether it touched anything but a floor in the last step.
@@ -208,6 +218,8 @@ struct OdeWorld {
   std::vector<int> hingeModels;
   /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
   std::deque<dJointFeedback> hingeForces;
+  /// In the order of the models and their joints.
+  std::deque<OdeMeasuredJoint> measuredJoints;
   /// What each of them exerted in the mean, since its model was last seen to move.
   std::vector<OdeWrench> restForces;
   std::vector<OdeModel> models;
@@ -261,8 +273,9 @@ struct OdeWorld {
   }
   /// A side of the drives: 2 i is the left one of drive i, 2 i + 1 the right one.
   OdeWheelSide& driveSide(std::size_t side) { return wheelSides[drives[side / 2].firstSide + side % 2]; }
-  /// Has a model that follows find out again how it stands, after it was moved by others.
-  void forgetFollower(const OdeModel& model) {
+  /// Has a model that forces do not move find out again how it stands, after it was moved by others.
+  void forgetGround(OdeModel& model) {
+    model.hasGround = false;
     if (model.follower >= 0) followers[static_cast<std::size_t>(model.follower)].known = false;
   }
   /// Whether a link has a body of its own: it is neither a wheel nor a part of another link's body.

@@ -145,12 +145,13 @@ class WorldBuilder {
     return part;
   }
 
-  /// Whether a model may rest on others: it has no wheels and is not guided, and no joint ties it to the
-  /// world.
+  /// Whether a model may rest on others: it has no wheels and is not guided, no joint ties it to the world,
+  /// and in none are forces measured that nobody would compute.
   bool maySleep(const ModelInstance& model) const {
     const ModelDescription& type = *model.type;
     if (!ode_.sleeps || type.drive || type.vehicle || type.guided || model.follows()) return false;
-    return std::ranges::none_of(type.joints, [](const JointDescription& joint) { return joint.parent < 0; });
+    return std::ranges::none_of(
+        type.joints, [](const JointDescription& joint) { return joint.parent < 0 || joint.isMeasured; });
   }
 
   bool isKinematic(MotionMode mode) const {

@@ -12,6 +12,7 @@
 #include "simcore/physics/KinematicDrives.h"
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeJoints.h"
+#include "simcore/physics/OdeRays.h"
 #include "simcore/physics/OdeWheels.h"
 #include "simcore/physics/OdeWorld.h"
 #include "simcore/physics/OdeWorldBuilder.h"
@@ -23,19 +24,12 @@ namespace {
 
 constexpr int kBlockedSteps = 25;
 
-struct RayQuery {
-  int ownModel = 0;
-  double distance = 0;
-};
-
-void hitByRay(void* data, dGeomID a, dGeomID b) {
-  auto& query = *static_cast<RayQuery*>(data);
-  if (descend(&query, a, b, &hitByRay)) return;
-  const dGeomID other = dGeomGetClass(a) == dRayClass ? b : a;
-  if (infoOf(other).model == query.ownModel) return;
-  dContactGeom contact;
-  if (dCollide(a, b, 1, &contact, sizeof contact) == 1)
-    query.distance = std::min(query.distance, contact.depth);
+/// What a joint exerts on its first body, about a point in the world.
+Physics::Wrench wrenchAbout(const Vector3& point, const dJointFeedback& exerted, dBodyID body) {
+  const dReal* center = dBodyGetPosition(body);
+  const Vector3 arm = Vector3(center[0], center[1], center[2]) - point;
+  const Vector3 force(exerted.f1[0], exerted.f1[1], exerted.f1[2]);
+  return {force, Vector3(exerted.t1[0], exerted.t1[1], exerted.t1[2]) + arm.cross(force)};
 }
 
 }  // namespace
@@ -98,11 +92,15 @@ double Physics::rate(std::size_t hinge) const {
 
 Physics::Wrench Physics::reaction(std::size_t hinge) const {
   const dJointID id = ode_->hinges[hinge];
-  const dJointFeedback& exerted = ode_->hingeForces[hinge];
-  const dReal* center = dBodyGetPosition(dJointGetBody(id, 0));
-  const Vector3 arm = Vector3(center[0], center[1], center[2]) - jointAnchor(id);
-  const Vector3 force(exerted.f1[0], exerted.f1[1], exerted.f1[2]);
-  return {force, Vector3(exerted.t1[0], exerted.t1[1], exerted.t1[2]) + arm.cross(force)};
+  return wrenchAbout(jointAnchor(id), ode_->hingeForces[hinge], dJointGetBody(id, 0));
+}
+
+Physics::Wrench Physics::fixedReaction(std::size_t joint) const {
+  const OdeMeasuredJoint& measured = ode_->measuredJoints[joint];
+  if (measured.id == nullptr) return {};
+  const dBodyID child = dJointGetBody(measured.id, 0);
+  const Vector3 anchor = poseOf(dBodyGetPosition(child), dBodyGetRotation(child)) * measured.anchorInBody;
+  return wrenchAbout(anchor, measured.force, child);
 }
 
 double Physics::torque(std::size_t hinge) const {
@@ -268,17 +266,7 @@ bool Physics::touchedObstacle(int model) const {
 
 double Physics::castRay(const Vector3& origin, const Vector3& direction, double length, int ownModel) const {
   prepareOdeForThread();
-  dGeomRaySetLength(ode_->ray, length);
-  dGeomRaySet(ode_->ray, origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
-  RayQuery query{ownModel, length};
-  dSpaceCollide2(ode_->ray, reinterpret_cast<dGeomID>(ode_->top), &query, &hitByRay);
-  if (ode_->usesGrid) {
-    StaticGrid::Bounds bounds;
-    dGeomGetAABB(ode_->ray, bounds.data());
-    ode_->grid.near(bounds, ode_->nearby);
-    for (const dGeomID geom : ode_->nearby) hitByRay(&query, ode_->ray, geom);
-  }
-  return query.distance;
+  return simcore::castRay(*ode_, origin, direction, length, ownModel);
 }
 
 Pose3 Physics::modelInWorld(int model) const {
@@ -291,7 +279,7 @@ Pose3 Physics::modelInWorld(int model) const {
 void Physics::moveModel(int model, const Pose3& transform) {
   OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
   wake(*ode_, entry);
-  ode_->forgetFollower(entry);
+  ode_->forgetGround(entry);
   for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
     if (!ode_->hasBody(i)) continue;
     const dBodyID body = ode_->bodies[i].id;
@@ -323,7 +311,7 @@ std::vector<Physics::BodyMotion> Physics::motionOf(int model) const {
 void Physics::setMotion(int model, const std::vector<BodyMotion>& motion) {
   OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
   wake(*ode_, entry);
-  ode_->forgetFollower(entry);
+  ode_->forgetGround(entry);
   for (BodyMotion was : motion) {
     const std::size_t i = entry.firstBody + was.link;
     if (was.link >= entry.bodyCount || !ode_->hasBody(i)) continue;

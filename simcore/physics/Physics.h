@@ -60,6 +60,8 @@ class Physics {
     Vector3 force = Vector3::Zero(), torque = Vector3::Zero();
   };
   Wrench reaction(std::size_t hinge) const;
+  /// The same of a fixed joint, by its number among those that are measured.
+  Wrench fixedReaction(std::size_t joint) const;
   /// The mechanical power of all motors of a model in the last step, W; braking counts as driving.
   double motorPower(int model) const;
   /// The distance between a hinge's two anchors, m: the drift of the solver; 0 for a slider.

@@ -89,6 +89,11 @@ void transferDrive(StateStream& stream, OdeDrive& drive) {
   drive.freeWay = stream.isReading() ? 0 : drive.freeWay;
 }
 
+void transferForces(StateStream& stream, dJointFeedback& force) {
+  for (dReal* part : {force.f1, force.t1, force.f2, force.t2})
+    for (int i = 0; i < 3; ++i) stream.within(part[i], -1e15, 1e15);
+}
+
 void transferFollower(StateStream& stream, OdeFollower& follower, std::size_t joints) {
   for (double* command : {&follower.ahead, &follower.sideways, &follower.turning}) stream.number(*command);
   stream.flag(follower.stopped);
@@ -139,13 +144,14 @@ void Physics::transfer(StateStream& stream) {
     transferBody(stream, ode.bodies[i].id);
   }
   transferSleep(stream, ode);
-  for (dJointFeedback& force : ode.hingeForces) {
-    for (dReal* part : {force.f1, force.t1, force.f2, force.t2})
-      for (int i = 0; i < 3; ++i) stream.within(part[i], -1e15, 1e15);
-  }
+  for (dJointFeedback& force : ode.hingeForces) transferForces(stream, force);
+  for (OdeMeasuredJoint& joint : ode.measuredJoints) transferForces(stream, joint.force);
   for (OdeWheel& wheel : ode.wheels) stream.within(wheel.load, 0, 1e12);
   for (OdeWheelSide& side : ode.wheelSides) transferSide(stream, side);
-  for (OdeDrive& drive : ode.drives) transferDrive(stream, drive);
+  for (OdeDrive& drive : ode.drives) {
+    transferDrive(stream, drive);
+    stream.flag(ode.models[static_cast<std::size_t>(drive.model)].hasGround);
+  }
   for (OdeFollower& follower : ode.followers) {
     const ModelInstance& model = ode.description.models[static_cast<std::size_t>(follower.model)];
     transferFollower(stream, follower, model.type->joints.size());

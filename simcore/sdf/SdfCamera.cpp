@@ -107,8 +107,7 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
   result.horizontalAngle =
       context.within(camera.HorizontalFov().Radian(), 0.01, 3, "horizontal_fov", element);
   // Without a rate, or with 0, cameras of other simulators are as fast as these are.
-  const double rate = sensor.UpdateRate() > 0 ? sensor.UpdateRate() : kUsualRate;
-  result.rate = context.within(rate, 0.1, 250, "a camera's update_rate", sensor.Element());
+  result.rate = sensor.UpdateRate() > 0 ? updateRate(sensor, 0.1, context) : kUsualRate;
   result.errors.noise = {readNoise(camera.ImageNoise(), 100, element, context)};
   result.verticalAngle = 2 * std::atan(std::tan(result.horizontalAngle / 2) * result.height / result.width);
   result.verticalAngle = ownNumber(element, "vertical_fov", result.verticalAngle, 0.01, 3, context);

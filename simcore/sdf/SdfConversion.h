@@ -45,6 +45,10 @@ struct SdfContext {
   /// Whether the model that is being converted never moves.
   bool isStatic = false;
 
+  /// The same with another place for errors.
+  SdfContext reportingTo(robotlink::Errors& other) const {
+    return {file, root, palette, other, leftOut, meshes, search, isStatic};
+  }
   /// The file and the line of an element.
   robotlink::FilePosition placeOf(const sdf::ElementPtr& element) const;
   /// The path of the object that an element is, or is in: "lift/cabin".
@@ -87,8 +91,12 @@ void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const 
 
 /// Reads the lights of a world.
 void readLamps(const sdf::World& world, WorldDescription& result, const SdfContext& context);
-/// Reads the sensors of a link; kinds that this simulator does not know are left out.
+/// Reads the sensors of a link; kinds that this simulator does not know are left out, and so are those of
+/// SDFormat with values that it cannot have.
 void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context);
+/// The update_rate of a sensor, Hz, from `slowest` on; the fastest possible one if it is higher, which is
+/// noted.
+double updateRate(const sdf::Sensor& sensor, double slowest, const SdfContext& context);
 /// Reads a lidar: a laser or, if it has one ray, a distance sensor.
 void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);
 void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);

@@ -34,6 +34,8 @@ class NameChecker {
 
   void checkWorld(XMLElement& world) {
     checkCount(world);
+    forEach(world, "include",
+            [&](const XMLElement& include) { checkPathPart(include, childText(include, "name")); });
     checkUnique(world, {"model", "light", "frame"});
     const Scope scope = scopeOf(world, {"model", "frame"}, {"world"});
     for (const char* part : {"model", "frame", "light", "include"})
@@ -43,6 +45,12 @@ class NameChecker {
 
   void checkModel(XMLElement& model) {
     checkCount(model);
+    checkPathPart(model, nameOf(model));
+    for (const char* part : {"link", "joint"})
+      forEach(model, part, [&](XMLElement& child) {
+        checkPathPart(child, nameOf(child));
+        forEach(child, "sensor", [&](XMLElement& sensor) { checkPathPart(sensor, nameOf(sensor)); });
+      });
     const bool hasParts = model.FirstChildElement("link") != nullptr ||
                           model.FirstChildElement("model") != nullptr ||
                           model.FirstChildElement("include") != nullptr;
@@ -67,6 +75,13 @@ class NameChecker {
   }
 
  private:
+  /// Names are parts of the paths of ports.
+  void checkPathPart(const XMLElement& element, const std::string& name) {
+    if (name.find('/') == std::string::npos) return;
+    fail(element, "scene.name",
+         "the name '" + name + "' must have no slash, which is between the parts of a path: MODEL/SENSOR");
+  }
+
   /// The names that may be used in a world or a model; unset if there are some that only libsdformat knows.
   using Scope = std::optional<std::set<std::string>>;
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "simcore/sdf/SceneFiles.h"
@@ -102,6 +104,19 @@ void readAllControllers(const sdf::Model& source, const std::string& prefix, Mod
   }
 }
 
+/// Sensors of different links may have one name; then those of the links are before it, because paths of
+/// ports have only one name.
+void separateSensors(ModelDescription& model) {
+  std::map<std::string, std::set<int>> links;
+  for (const SensorDescription& sensor : model.sensors) links[sensor.name].insert(sensor.link);
+  for (SensorDescription& sensor : model.sensors) {
+    if (links[sensor.name].size() < 2) continue;
+    const std::size_t nested = sensor.name.rfind("::");
+    const std::string own = nested == std::string::npos ? sensor.name : sensor.name.substr(nested + 2);
+    sensor.name = model.links[static_cast<std::size_t>(sensor.link)].name + "::" + own;
+  }
+}
+
 ModelDescription readModel(const sdf::Model& source, const SdfContext& context) {
   ModelDescription model;
   const sdf::ElementPtr element = source.Element();
@@ -122,6 +137,7 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
   if (!model.links.empty()) orderJoints(model, element, context);
   readDrive(source, model, context);
   readJointSensors(source, model, context);
+  separateSensors(model);
   readDoors(source, model, context);
   readGuided(element, model, context);
   readVehicle(source, model, context);

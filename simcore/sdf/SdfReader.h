@@ -55,6 +55,7 @@ inline constexpr const char* kMotionRule =
 inline constexpr const char* kDrivesStop =
     "a model with <robotcontrol:drive> stops at objects when it moves kinematically; it cannot push them";
 inline constexpr const char* kMotionNeeds =
-    "only a model with <robotcontrol:drive>, vehicle, walk, or guided on the ground can move kinematically";
+    "only a model with servos, <robotcontrol:drive>, vehicle, walk, or guided on the ground can move "
+    "kinematically";
 
 }  // namespace simcore

@@ -37,7 +37,8 @@ void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfCont
                  "the sensor measures the acceleration; another imu, with <angular_velocity> alone, is a "
                  "gyroscope");
   }
-  result.maximum = ownNumber(sensor.Element(), "range", 1e6, 0.01, 1e6, context);
+  constexpr double kNoRange = SensorDescription::kNoRange;
+  result.maximum = ownNumber(sensor.Element(), "range", kNoRange, 0.01, kNoRange, context);
   result.minimum = -result.maximum;
 }
 
@@ -144,19 +145,46 @@ bool readByType(const sdf::Sensor& sensor, const LinkDescription& link, SensorDe
   return true;
 }
 
+/// Whether something of ours is written in an element.
+bool hasOwn(const sdf::ElementPtr& element) {
+  for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (child->GetName().starts_with("robotcontrol:") || hasOwn(child)) return true;
+  }
+  return false;
+}
+
+/// Calls `read`. What is wrong with a sensor as SDFormat has it only leaves that sensor out; one of ours has
+/// to be right. Returns false if it is left out.
+template <typename Read>
+bool readOrLeaveOut(const sdf::Sensor& sensor, const SdfContext& context, Read read) {
+  const sdf::ElementPtr element = sensor.Element();
+  if (hasOwn(element)) return read(context);
+  robotlink::Errors errors;
+  const bool isRead = read(context.reportingTo(errors));
+  const std::string path = SdfContext::pathOf(element), prefix = path + ": ";
+  for (robotlink::Error& error : errors) {
+    if (error.text.starts_with(prefix)) error.text.erase(0, prefix.size());
+    leaveOut(context.leftOut, {error.where, path, "sensor '" + sensor.Name() + "'", std::move(error.text)});
+  }
+  return isRead && errors.empty();
+}
+
 void readForceTorque(const sdf::Sensor& sensor, int joint, ModelDescription& model,
                      const SdfContext& context) {
   const sdf::ElementPtr element = sensor.Element();
-  const JointDescription& of = model.joints[static_cast<std::size_t>(joint)];
+  JointDescription& of = model.joints[static_cast<std::size_t>(joint)];
   if (sensor.ForceTorqueSensor() == nullptr) {
     return context.omit(element, "sensor of type '" + sensor.TypeStr() + "'",
                         "of sensors of joints, only force_torque is known");
   }
-  if (!of.hasPosition()) {
-    return context.omit(
-        element, "force_torque sensor '" + sensor.Name() + "'",
-        "only revolute, continuous and prismatic joints that are not wheels of a drive have one");
+  // A model with a drive is moved as one body where it follows its odometry.
+  const bool isFixed = of.kind == JointDescription::Kind::kFixed && !model.drive;
+  if (!of.hasPosition() && !isFixed) {
+    return context.omit(element, "force_torque sensor '" + sensor.Name() + "'",
+                        "only revolute, continuous and prismatic joints that are not wheels have one, and "
+                        "fixed ones of models without a drive");
   }
+  of.isMeasured = isFixed;
   const sdf::ForceTorque& meter = *sensor.ForceTorqueSensor();
   if (meter.Frame() != sdf::ForceTorqueFrame::CHILD) {
     context.omit(element, "<frame> of a force_torque sensor", "it measures in the frame of the child");
@@ -185,15 +213,20 @@ void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, 
     SensorDescription result;
     result.name = sensor.Name();
     result.link = linkIndex;
-    result.poseInLink = resolvedPose(sensor.SemanticPose(), "", sensor.Element(), context);
-    if (!readByType(sensor, model.links[static_cast<std::size_t>(linkIndex)], result, context)) continue;
+    const LinkDescription& in = model.links[static_cast<std::size_t>(linkIndex)];
+    const bool isRead = readOrLeaveOut(sensor, context, [&](const SdfContext& own) {
+      result.poseInLink = resolvedPose(sensor.SemanticPose(), "", sensor.Element(), own);
+      if (!readByType(sensor, in, result, own)) return false;
+      readOwnErrors(sensor.Element(), result.errors, own);
+      return true;
+    });
+    if (!isRead) continue;
     if (context.isStatic && !looksAround(result.kind)) {
       context.omit(
           sensor.Element(), "sensor '" + sensor.Name() + "' of a static model",
           "of its sensors, only cameras, lidars and sonars work; fix the model to the world by a joint");
       continue;
     }
-    readOwnErrors(sensor.Element(), result.errors, context);
     model.sensors.push_back(result);
     for (SensorDescription& depth : depthOfColorCamera(sensor, result)) model.sensors.push_back(depth);
   }

@@ -57,8 +57,10 @@ struct SensorDescription {
   robotlink::Pose3 poseInLink = robotlink::Pose3::Identity();
   /// In the unit of the reading; for cameras in gray values.
   SensorErrors errors;
-  /// Distance, whiskers and ranges: m; accelerometers and gyroscopes: range of each axis, m/s^2 or rad/s.
+  /// Distance, whiskers and ranges: m; accelerometers and gyroscopes: range of each axis, m/s^2 or rad/s, or
+  /// kNoRange.
   double minimum = 0, maximum = 0;
+  static constexpr double kNoRange = 1e6;
   /// Contact only: index in the link's collisions.
   int collision = 0;
   /// Force-torque only: index of the joint.

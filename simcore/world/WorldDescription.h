@@ -116,6 +116,8 @@ struct JointDescription {
   SensorErrors positionErrors;
   /// Driven by the model's drive.
   bool wheel = false;
+  /// A fixed one whose forces a sensor measures, so that its links are no rigid body.
+  bool isMeasured = false;
   bool slides() const { return kind == Kind::kSlider; }
   /// Whether it has one degree of freedom, with a sensor of its position.
   bool hasPosition() const { return (kind == Kind::kHinge || kind == Kind::kSlider) && !wheel; }
@@ -177,6 +179,12 @@ struct ModelDescription {
   MotionMode motion = MotionMode::kUnset;
   std::vector<HomeDescription> homes;
   std::vector<ControllerDescription> controllers;
+  /// Whether it has something that can be commanded without forces; drives have a motion of their own.
+  bool canFollow() const {
+    if (isStatic || drive) return false;
+    if (guided) return vehicle || guided->kind != GuidedMotion::Kind::kFree;
+    return walk || std::ranges::any_of(joints, [](const JointDescription& joint) { return joint.servo; });
+  }
   /// Whether a joint holds it at the world, so that it cannot be elsewhere, whatever its links do: a
   /// pendulum, a door with its frame.
   bool isFixedToWorld() const {
@@ -199,12 +207,8 @@ struct ModelInstance {
   /// What its <include> chooses; kUnset: what its type says.
   MotionMode motion = MotionMode::kUnset;
   MotionMode chosenMotion() const { return motion != MotionMode::kUnset ? motion : type->motion; }
-  /// Whether it moves in the plane as it is commanded, with its joints turning without forces.
-  bool follows() const {
-    const bool canFollow =
-        type->walk || (type->guided && (type->vehicle || type->guided->kind != GuidedMotion::Kind::kFree));
-    return canFollow && !type->isStatic && chosenMotion() >= MotionMode::kKinematic;
-  }
+  /// Whether it moves in the plane as it is commanded, and its joints, without forces.
+  bool follows() const { return type->canFollow() && chosenMotion() >= MotionMode::kKinematic; }
   /// The position of its <include> or <model> in the file.
   robotlink::FilePosition where;
 };

@@ -190,7 +190,6 @@ TEST_F(SceneTest, whatOnlyResolvingFindsHasItsLineToo) {
   EXPECT_THAT(errorsWithModel("<effort>2</effort>", ""),
               StartsWith(file + "19: small/hip: a servo's <effort> must be between 1e-09 and 1000, not "));
   EXPECT_THAT(errorsWithModel("<parent>foot</parent>", "<parent>arm</parent>"), StartsWith(file));
-  EXPECT_THAT(errorsWithModel("type=\"contact\"", "type=\"sonar\""), StartsWith(file + "17: "));
 }
 
 TEST_F(SceneTest, aRobotThatStartsInsideAnotherModelCannotBeSimulated) {

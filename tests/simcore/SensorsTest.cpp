@@ -124,6 +124,26 @@ TEST(SensorsTest, aJointFeelsItsSpeedAndTheWeightThatItHolds) {
   EXPECT_NEAR(reading(*simulation, "cart/shoulder/speed")[0], 4, 0.5);
 }
 
+TEST(SensorsTest, aFixedJointFeelsTheWeightThatItHolds) {
+  const auto simulation = cartWith("", R"(<link name="arm"><pose>0 0 0.5 0 0 0</pose>
+      <inertial><pose>0.3 0 0 0 0 0</pose><mass>0.2</mass><inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>0.001</izz>
+      </inertia></inertial></link>
+    <joint name="mount" type="fixed"><parent>base</parent><child>arm</child>
+      <sensor name="wrist" type="force_torque"/></joint>)");
+  ASSERT_TRUE(simulation);
+  run(*simulation, 250);
+  double force = 0, torque = 0;
+  constexpr int kSteps = 50;
+  for (int i = 0; i < kSteps; ++i) {
+    run(*simulation, 1);
+    force += reading(*simulation, "cart/wrist")[2] / kSteps;
+    torque += reading(*simulation, "cart/wrist")[4] / kSteps;
+  }
+  const double weight = 0.2 * 9.81;
+  EXPECT_NEAR(force, -weight, 0.05);
+  EXPECT_NEAR(torque, 0.3 * weight, 0.02);
+}
+
 TEST(SensorsTest, aBatteryIsDrainedByTimeAndByWork) {
   const std::string battery = custom(
       "battery",
@@ -221,7 +241,7 @@ TEST(SensorsTest, everythingIsAPortThatIsFoundByItsPath) {
 TEST(SensorsTest, sensorsThatAreNotKnownAreLeftOut) {
   const auto simulation =
       cartWith("<sensor name='s' type='custom'/>", R"(<link name="arm"><pose>0 0 1 0 0 0</pose></link>
-      <joint name="shoulder" type="fixed"><parent>base</parent><child>arm</child>
+      <joint name="shoulder" type="ball"><parent>base</parent><child>arm</child>
         <sensor name="wrist" type="force_torque"/><sensor name="skin" type="contact"/></joint>)");
   ASSERT_TRUE(simulation);
   std::vector<std::string> left;
@@ -230,6 +250,17 @@ TEST(SensorsTest, sensorsThatAreNotKnownAreLeftOut) {
        {"sensor of type 'custom'", "force_torque sensor 'wrist'", "sensor of type 'contact'"}) {
     EXPECT_EQ(std::ranges::count(left, std::string(what)), 1) << what;
   }
+}
+
+TEST(SensorsTest, sensorsOfOneNameInSeveralLinksAreNamedAfterThem) {
+  const auto simulation = cartWith("<sensor name='imu' type='imu'/>", R"(<link name="arm">
+      <pose>0 0 1 0 0 0</pose><sensor name="imu" type="imu"/><sensor name="gps" type="navsat"/></link>
+      <joint name="shoulder" type="fixed"><parent>base</parent><child>arm</child></joint>)");
+  ASSERT_TRUE(simulation);
+  for (const char* path : {"cart/base::imu", "cart/arm::imu", "cart/gps"})
+    EXPECT_NE(simulation->port(path), nullptr) << path;
+  EXPECT_EQ(simulation->port("cart/imu"), nullptr);
+  EXPECT_EQ(simulation->port("cart/arm::imu")->info.maximum, 0) << "without a range it is not known";
 }
 
 TEST(SensorsTest, aStaticModelLooksAround) {

@@ -73,8 +73,9 @@ std::vector<int> rigidParts(const ModelDescription& model) {
   const auto isCarried = [&](int link) { return carriers[static_cast<std::size_t>(link)] != link; };
   LinkSets sets(model.links.size());
   for (const JointDescription& joint : model.joints) {
-    if (joint.kind == JointDescription::Kind::kFixed && joint.parent >= 0 && !isCarried(joint.parent) &&
-        !isCarried(joint.child) && moveAlike(linkAt(joint.parent), linkAt(joint.child)))
+    if (joint.kind == JointDescription::Kind::kFixed && !joint.isMeasured && joint.parent >= 0 &&
+        !isCarried(joint.parent) && !isCarried(joint.child) &&
+        moveAlike(linkAt(joint.parent), linkAt(joint.child)))
       sets.join(joint.parent, joint.child);
   }
   // A joint cannot connect a body with itself.

@@ -22,10 +22,6 @@ void readThree(const sdf::ElementPtr& parent, const char* name, double minimum, 
   }
 }
 
-bool canFollow(const ModelDescription& model) {
-  return model.drive || model.walk || (model.guided && model.guided->kind != GuidedMotion::Kind::kFree);
-}
-
 }  // namespace
 
 void readWalk(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context) {
@@ -59,7 +55,8 @@ void readMotion(const sdf::ElementPtr& element, ModelDescription& model, const S
                                  source->HasAttribute("objects") ? source->Get<std::string>("objects") : "");
   if (!mode) return context.fail(source, "scene.motion", kMotionRule);
   model.motion = *mode;
-  if (*mode != MotionMode::kPhysics && !canFollow(model)) context.fail(source, "scene.motion", kMotionNeeds);
+  if (*mode != MotionMode::kPhysics && !model.drive && !model.canFollow())
+    context.fail(source, "scene.motion", kMotionNeeds);
   if (model.drive && source->HasAttribute("objects") && source->Get<std::string>("objects") == "push")
     context.fail(source, "scene.motion", kDrivesStop);
 }

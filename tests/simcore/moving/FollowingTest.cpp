@@ -124,6 +124,50 @@ TEST(Following, aDriveIsMovedAsItsIncludeSays) {
   EXPECT_GT(groundPlace(*simulation, "b").x, b.x + 0.005);
 }
 
+TEST(Following, whatIsPutIntoTheAirComesDownToWhatIsBelow) {
+  const auto simulation = yardWith(walker() + including("p3at", "0 3 0.5 0 0 0", kMovedKinematically) +
+                                   including("car", "0 -3 0 0 0 0", kMovedKinematically) +
+                                   boxAt("table", {3, 0, 0.2}, {1, 1, 0.4}));
+  const auto height = [&](const char* model) { return simulation->modelPose(model)->translation().z(); };
+  runFor(*simulation, 0.1);
+  const double standing = height("ers210");
+  EXPECT_NEAR(height("p3at"), 0, 0.01) << "its scene has put it there";
+  ASSERT_TRUE(simulation->placeModel("ers210", {1, 0, 0}, ModelPosture{.height = 1}));
+  ASSERT_TRUE(simulation->placeModel("p3at", {1, 3, 0}, ModelPosture{.height = 1}));
+  ASSERT_TRUE(simulation->placeModel("car", {3, 0, 0}, ModelPosture{.height = 1}));
+  commandPort(*simulation, "p3at/drive", {0.2, 0.2});
+  runFor(*simulation, 1);
+  EXPECT_NEAR(height("ers210"), standing, 1e-3);
+  EXPECT_NEAR(height("p3at"), 0, 0.01);
+  EXPECT_NEAR(groundPlace(*simulation, "p3at").x, 1.2, 0.01);
+  EXPECT_NEAR(height("car"), 0.4, 0.01);
+}
+
+TEST(Following, anArmTurnsItsJointsWithoutForces) {
+  const auto simulation = yardWith(
+      "<model name='arm'><robotcontrol:motion>kinematic</robotcontrol:motion><link name='base'>"
+      "<inertial><mass>1</mass></inertial><collision name='c'><pose>0 0 0.1 0 0 0</pose><geometry><box>"
+      "<size>0.1 0.1 0.2</size></box></geometry></collision></link><joint name='foot' type='fixed'>"
+      "<parent>world</parent><child>base</child></joint><link name='boom'><inertial><mass>5</mass></inertial>"
+      "<collision name='c'><pose>0.4 0 0.1 0 0 0</pose><geometry><box><size>0.6 0.04 0.04</size></box>"
+      "</geometry></collision></link><joint name='turn' type='revolute'><parent>base</parent>"
+      "<child>boom</child><axis><xyz>0 0 "
+      "1</xyz><limit><lower>-3</lower><upper>3</upper><velocity>1</velocity>"
+      "<effort>0.001</effort></limit></axis><robotcontrol:servo/></joint></model>" +
+      parcelAt("parcel", 0.5, 0.3) + boxAt("wall", {-0.5, 0.5, 0.25}, {0.1, 0.6, 0.5}));
+  commandPort(*simulation, "arm/turn/request", {-1.5});
+  runFor(*simulation, 2);
+  EXPECT_NEAR(portReading(*simulation, "arm/turn/position"), -1.5, 1e-3) << "however weak its motor is";
+  commandPort(*simulation, "arm/turn/request", {2.9});
+  runFor(*simulation, 6);
+  EXPECT_GT(groundPlace(*simulation, "parcel").y, 0.4) << "it pushes what can be moved";
+  EXPECT_LT(portReading(*simulation, "arm/turn/position"), 2.5) << "the wall stops it";
+  EXPECT_NEAR(simulation->modelPose("arm")->translation().norm(), 0, 1e-9);
+  commandPort(*simulation, "arm/turn/request", {0});
+  runFor(*simulation, 4);
+  EXPECT_NEAR(portReading(*simulation, "arm/turn/position"), 0, 1e-3);
+}
+
 TEST(Following, whatCannotFollowIsSaid) {
   const auto text = errorsOfModel("ball", "<robotcontrol:ball>",
                                   "<robotcontrol:motion>kinematic</robotcontrol:motion><robotcontrol:ball>");

@@ -165,12 +165,13 @@ TEST_F(SceneMessages, oneErrorDoesNotHideOthers) {
   const std::string camera =
       sensorOf("camera",
                "<camera><horizontal_fov>7</horizontal_fov>\n<image><width>1</width><height>-3</height>"
-               "</image>\n<clip><near>5</near><far>1</far></clip></camera>");
+               "</image>\n<clip><near>5</near><far>1</far></clip><robotcontrol:exposure>7"
+               "</robotcontrol:exposure></camera>");
   EXPECT_THAT(
       errorsOf(bodyWith(camera + camera + sensorOf("flux", ""))),
       AllOf(HasSubstr("<height> must be a whole number from 0 on, not '-3'"),
             HasSubstr("the name 's' appears here twice"), HasSubstr("an image's width must be"),
-            HasSubstr("horizontal_fov must be"),
+            HasSubstr("horizontal_fov must be"), HasSubstr("exposure"),
             HasSubstr("world.sdf:5: m/l/s: <near> of <clip> must be at least 0 and below its <far>")));
   EXPECT_EQ(errorsOf("\n<gravity>0 0 -2000</gravity>"),
             "world.sdf:4: test: gravity must be below 1000 m/s^2");
@@ -178,6 +179,32 @@ TEST_F(SceneMessages, oneErrorDoesNotHideOthers) {
             "world.sdf:3: test/m/l: <mass> must be between 0 and 1e+09 kg, not -1");
   EXPECT_EQ(errorsOf(bodyWith(visualWith("<diffuse>5 0 -1 1</diffuse>"))),
             "world.sdf:3: test/m/l/v: the numbers of <diffuse> must be between 0 and 1, not '5 0 -1 1'");
+}
+
+TEST_F(SceneMessages, aSensorThatCannotBeHadIsLeftOutAlone) {
+  EXPECT_EQ(leftOutOf(bodyWith("\n" + cameraWith("", "7"))),
+            "4 m/l/s: sensor 's': horizontal_fov must be between 0.01 and 3, not 7\n");
+  EXPECT_EQ(leftOutOf(bodyWith(sensorOf("gpu_lidar", ""))),
+            "3 m/l/s: sensor 's': a lidar must say in <lidar> where it measures\n");
+  EXPECT_EQ(leftOutOf(bodyWith(sensorOf("sonar", ""))),
+            "3 m/l/s: sensor 's': a sonar must say in <sonar> where it measures\n");
+  EXPECT_EQ(leftOutOf(bodyWith(sensorOf("camera", "<update_rate>1000</update_rate><camera/>"))),
+            "3 m/l/s: update_rate above 250: the sensor has 250 Hz\n");
+  EXPECT_EQ(
+      leftOutOf(bodyWith(sensorOf("sonar",
+                                  "<sonar><geometry>sphere</geometry><min>0</min><max>2</max>"
+                                  "<radius>0.3</radius></sonar>"))),
+      "3 m/l/s: <geometry> sphere of a sonar: it measures in a cone whose radius is that at its <max>\n");
+}
+
+TEST_F(SceneMessages, namesThatArePartsOfPathsHaveNoSlash) {
+  EXPECT_EQ(errorsOf("<model name='a/b'><link name='l'/></model>"),
+            "world.sdf:3: test/a/b: the name 'a/b' must have no slash, which is between the parts of a path: "
+            "MODEL/SENSOR");
+  EXPECT_THAT(errorsOf(bodyWith("<sensor name='x/y' type='imu'/>", "<link name='k/'/>")),
+              AllOf(HasSubstr("the name 'x/y' must have no slash"), HasSubstr("the name 'k/' must have no")));
+  EXPECT_EQ(errorsOf("<model name='a b::c'><link name='l m'/></model>"), "");
+  EXPECT_EQ(errorsOf(bodyWith(visualWith("<diffuse>1 0 0</diffuse>"))), "");
 }
 
 TEST_F(SceneMessages, ourOwnElementsAreCheckedAsAWhole) {
@@ -228,9 +255,9 @@ TEST_F(SceneMessages, aDriveCannotPushWhenItMovesKinematically) {
 
 TEST_F(SceneMessages, aDistortionCanBeInverted) {
   const auto lens = [&](const std::string& k1) {
-    return errorsOf(bodyWith(cameraWith("<distortion><k1>" + k1 + "</k1></distortion>", "1.2")));
+    return leftOutOf(bodyWith(cameraWith("<distortion><k1>" + k1 + "</k1></distortion>", "1.2")));
   };
-  EXPECT_THAT(lens("-5"), HasSubstr("m/l/s: no lens has this <distortion>"));
+  EXPECT_THAT(lens("-5"), HasSubstr("m/l/s: sensor 's': no lens has this <distortion>"));
   EXPECT_EQ(lens("-0.3"), "");
   EXPECT_EQ(lens("0.5"), "");
 }
