@@ -152,11 +152,16 @@ class Simulation {
   /// The errors of a sensor, camera, range or image sensor by its path ("red1/accelerometer"); null if there
   /// is none.
   const SensorErrors* sensorErrors(const std::string& path) const;
+  /// The same as far as they count: none where noise is off, unless they were replaced.
+  SensorErrors errorsInUse(const std::string& path) const;
   /// Replaces them from now on, even where noise is off; a reset keeps them. Of cameras the timing and the
   /// standard deviation count. Fails, changing nothing, if there is no such sensor or a value is out of
   /// range.
   robotlink::Result<void> setSensorErrors(const std::string& path, const SensorErrors& errors);
 
+  /// The sensor whose readings without errors a path names ("red1/psd/true"), or the camera whose true
+  /// percepts it names; null if it names none.
+  const Port* portOfTruth(const std::string& path) const;
   /// All that can be read or commanded, by path; constant. Truth is what the oracle knows: for each model its
   /// pose (MODEL/true_pose) and its velocity (MODEL/true_velocity).
   std::span<const Port> ports() const;
@@ -255,8 +260,9 @@ class Simulation {
   std::uint64_t fingerprint() const;
   /// Goes back (or on) to a snapshot, of this simulation or another one of the same scene: from then on
   /// everything is as it was then, to the last bit. Whether forces are read stays. Fails, changing nothing,
-  /// if it is of another scene, or is not possible.
-  robotlink::Result<void> restore(const Snapshot& snapshot);
+  /// if it is of another scene, or is not possible. If the scene was edited since then, what it still has is
+  /// put back, as by continueIn(); returns the models that are where its file has them instead.
+  robotlink::Result<std::vector<std::string>> restore(const Snapshot& snapshot);
   /// From now on keeps a snapshot each simulated second and all commands, in at most so many bytes, of which
   /// the oldest are given up. 0 bytes: no longer.
   void keepForRewind(std::size_t maxBytes);
@@ -291,6 +297,8 @@ class Simulation {
   using Implementation = SimulationState;
   /// Makes the controllers again.
   void startControllers();
+  /// restore() of a snapshot of the scene as it was before it was edited.
+  robotlink::Result<std::vector<std::string>> restoreInEdited(const Snapshot& snapshot);
   /// Has new controllers go on by what those of a snapshot remembered.
   void resumeControllers();
 

@@ -81,9 +81,19 @@ const Port* Simulation::port(const std::string& path) const {
   return found == implementation_->portsByPath.end() ? nullptr : &ports[found->second];
 }
 
+const Port* Simulation::portOfTruth(const std::string& path) const {
+  constexpr std::string_view kTrue = "/true";
+  if (!path.ends_with(kTrue)) return nullptr;
+  const Port* found = port(path.substr(0, path.size() - kTrue.size()));
+  return found != nullptr && sensorErrors(found->info.path) != nullptr ? found : nullptr;
+}
+
 robotlink::Result<std::vector<double>> Simulation::read(const std::string& path) const {
   const Port* found = port(path);
-  if (found == nullptr) return unknownPort(path, "port");
+  if (found == nullptr) {
+    if (const Port* of = portOfTruth(path)) return readTruth(of->info.path);
+    return unknownPort(path, "port");
+  }
   Implementation& i = *implementation_;
   switch (found->kind) {
     case Port::Kind::kSensor:
@@ -243,6 +253,12 @@ const SensorErrors* Simulation::sensorErrors(const std::string& path) const {
     default:
       return nullptr;
   }
+}
+
+SensorErrors Simulation::errorsInUse(const std::string& path) const {
+  const SensorErrors* errors = sensorErrors(path);
+  const bool areUsed = implementation_->options.noise || implementation_->errorsByPath().contains(path);
+  return errors != nullptr && areUsed ? *errors : SensorErrors{};
 }
 
 robotlink::Result<void> Simulation::setSensorErrors(const std::string& path, const SensorErrors& errors) {

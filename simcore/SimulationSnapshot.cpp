@@ -202,6 +202,7 @@ std::uint64_t Simulation::fingerprint() const {
 Snapshot Simulation::snapshot() const {
   Snapshot snapshot;
   snapshot.scene = scene().file().string();
+  snapshot.of = implementation_->scene;
   snapshot.fingerprint = implementation_->fingerprint();
   snapshot.step = implementation_->steps;
   StateStream stream(snapshot.state);
@@ -209,8 +210,37 @@ Snapshot Simulation::snapshot() const {
   return snapshot;
 }
 
-robotlink::Result<void> Simulation::restore(const Snapshot& snapshot) {
+robotlink::Result<std::vector<std::string>> Simulation::restoreInEdited(const Snapshot& snapshot) {
+  auto present =
+      std::exchange(implementation_, std::make_unique<Implementation>(snapshot.of, implementation_->options));
+  auto before = std::move(before_);
+  startControllers();
+  // What was added since then stays where it is.
+  Continuation how{.otherPorts = true};
+  for (std::size_t i = 0; i < present->world.models.size(); ++i) {
+    const ModelInstance& model = present->world.models[i];
+    if (!model.type->isStatic)
+      how.motions[model.name] = std::make_shared<const ModelMotion>(
+          ModelMotion{model, present->physics->motionOf(static_cast<int>(i))});
+  }
+  auto restored = restore(snapshot);
+  robotlink::Result<SceneChange> gone;
+  if (restored) gone = continueIn(present->scene, how);
+  before_ = std::move(before);
+  if (!restored || !gone) {
+    implementation_ = std::move(present);
+    return tl::unexpected(restored ? gone.error() : restored.error());
+  }
+  implementation_->rewind = std::move(present->rewind);
+  implementation_->beginRewindAnew();
+  readForces(present->readsForces);
+  return std::move(gone->putBack);
+}
+
+robotlink::Result<std::vector<std::string>> Simulation::restore(const Snapshot& snapshot) {
   Implementation& i = *implementation_;
+  const bool isEdited = snapshot.of && snapshot.of != i.scene && snapshot.of->file() == i.scene->file();
+  if (isEdited && snapshot.fingerprint != i.fingerprint()) return restoreInEdited(snapshot);
   if (snapshot.fingerprint != i.fingerprint()) {
     const std::string own = scene().file().string();
     return robotlink::failure(
@@ -238,7 +268,7 @@ robotlink::Result<void> Simulation::restore(const Snapshot& snapshot) {
   }
   resumeControllers();
   i.beginRewindAnew();
-  return {};
+  return std::vector<std::string>();
 }
 
 void SimulationState::keepForRewind() {

@@ -51,13 +51,14 @@ constexpr std::size_t kMaxRefusals = 1000;
 /// Nobody scrolls back here; what clients get late is kept for each of them.
 constexpr robotlink::StreamStore::Limits kHistory{std::chrono::seconds(2), 64U << 20U};
 
-Request startOf(const LoadedPlatform& platform, double speed) {
+Request startOf(const LoadedPlatform& platform, double speed, bool isPaused) {
+  using Simulation = robotcontrol::ControlSimulation;
   Request request;
   if (platform.isLogged()) {
     request.mutable_control_replay()->set_action(robotcontrol::ControlReplay::PLAY);
     if (speed > 0) request.mutable_control_replay()->set_speed(speed);
   } else {
-    request.mutable_control_simulation()->set_action(robotcontrol::ControlSimulation::START);
+    request.mutable_control_simulation()->set_action(isPaused ? Simulation::PAUSE : Simulation::START);
     request.mutable_control_simulation()->set_speed(speed);
   }
   return request;
@@ -265,11 +266,13 @@ void Service::offerRobots(const LoadedPlatform& loaded) {
 void Service::begin(const LoadedPlatform& loaded) {
   offerRobots(loaded);
   if (!options_.resources.empty()) tables_.begin();
-  if (!loaded.isReal()) session_.request(startOf(loaded, options_.speed));
+  if (!loaded.isReal()) session_.request(startOf(loaded, options_.speed, options_.isPaused));
   tick();  // who connects at once finds everything
   announcer_.emplace(listener_->address(), *access_);
   announcer_->update(robotsToAnnounce(session_));
   out_ << offerOf(loaded, access_->scheme(), *listener_) << std::endl;
+  if (options_.isPaused)
+    out_ << "It is paused until a client calls control_simulation with {\"action\": \"START\"}" << std::endl;
 }
 
 void Service::tick() {

@@ -24,6 +24,8 @@ struct ServeOptions {
   double speed = 1;
   /// Seconds of the platform's time after which it ends; empty: when the user wants it to.
   std::optional<double> seconds = {};
+  /// A simulation waits until a client starts it.
+  bool isPaused = false;
   /// Prints the programs' text messages.
   bool texts = false;
   /// The folder where clients may record, and fetch recordings from (RecordingServices); empty: none.

@@ -2,6 +2,7 @@
 #include "app/core/SimulationCommands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/core/CommandValues.h"
@@ -187,11 +188,14 @@ void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
     robotcontrol::Request request;
     robotcontrol::SetSensorErrors& errors = *request.mutable_set_sensor_errors();
     errors.set_sensor(text(values, 0));
-    errors.set_noise(number(values, 1));
-    errors.set_bias(number(values, 2));
-    errors.set_delay(number(values, 3));
-    errors.set_rate(number(values, 4));
-    errors.set_dropout(number(values, 5));
+    constexpr void (robotcontrol::SetSensorErrors::*kSetters[])(double) = {
+        &robotcontrol::SetSensorErrors::set_noise,      &robotcontrol::SetSensorErrors::set_bias,
+        &robotcontrol::SetSensorErrors::set_delay,      &robotcontrol::SetSensorErrors::set_rate,
+        &robotcontrol::SetSensorErrors::set_dropout,    &robotcontrol::SetSensorErrors::set_drift,
+        &robotcontrol::SetSensorErrors::set_drift_time, &robotcontrol::SetSensorErrors::set_precision};
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      if (!std::isnan(number(values, i))) (errors.*kSetters[i - 1])(number(values, i));
+    }
     open.ask(std::move(request));
     return {};
   });

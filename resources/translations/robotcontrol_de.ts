@@ -226,10 +226,6 @@
         <translation>Vergisst das gemerkte Token eines entfernten Roboters</translation>
     </message>
     <message>
-        <source>Gives a sensor of the simulation other errors than those of its scene, from now on; what is left out is 0. Numbers are in the unit of its readings; of a camera only noise, delay, rate and dropout count</source>
-        <translation>Gibt einem Sensor der Simulation von nun an andere Fehler als die seiner Szene; was fehlt, ist 0. Zahlen haben die Einheit seiner Messwerte; bei einer Kamera zählen nur noise, delay, rate und dropout</translation>
-    </message>
-    <message>
         <source>Gives a view all the space</source>
         <translation>Gibt einer Ansicht allen Platz</translation>
     </message>
@@ -1040,6 +1036,10 @@
     <message>
         <source>Holds an actuator of the simulation at a value, whatever the robot&apos;s program asks for; of one with several values those that are left out are 0</source>
         <translation>Hält einen Aktor der Simulation auf einem Wert, was das Programm des Roboters auch verlangt; bei mehreren Werten sind weggelassene 0</translation>
+    </message>
+    <message>
+        <source>Changes errors of a sensor of the simulation from now on; what is left out stays. With the sensor alone, it measures what is true. Numbers are in the unit of its readings; of a camera only noise, delay, rate and dropout count</source>
+        <translation>Ändert von jetzt an Fehler eines Sensors der Simulation; was wegbleibt, bleibt, wie es ist. Mit dem Sensor allein misst er, was wahr ist. Zahlen sind in der Einheit seiner Messwerte; bei einer Kamera zählen nur noise, delay, rate und dropout</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,11 @@ using Command = CommandTable::Command;
 using Type = CommandTable::Type;
 using Rows = std::vector<Command>;
 
+/// A number that may be left out.
+CommandTable::Argument maybe(const char* name, const char* help) {
+  return {.name = name, .type = Type::kNumber, .help = help, .mayBeMissing = true};
+}
+
 Rows simulationRows() {
   return {
       {"simulation.start", "Runs the simulation"},
@@ -45,14 +50,18 @@ Rows simulationRows() {
        "at its start",
        {{"on", Type::kBool, "off: they measure what is true"}}},
       {"simulation.sensor-errors",
-       "Gives a sensor of the simulation other errors than those of its scene, from now on; what is left out "
-       "is 0. Numbers are in the unit of its readings; of a camera only noise, delay, rate and dropout count",
+       "Changes errors of a sensor of the simulation from now on; what is left out stays. With the sensor "
+       "alone, it measures what is true. Numbers are in the unit of its readings; of a camera only noise, "
+       "delay, rate and dropout count",
        {{"sensor", Type::kText, "its port: red1/psd, red1/legFL1/position, red1/camera/image"},
-        {"noise", Type::kNumber, "standard deviation of white noise", 0.0},
-        {"bias", Type::kNumber, "added to each reading", 0.0},
-        {"delay", Type::kNumber, "s until a reading arrives, 0 to 1", 0.0},
-        {"rate", Type::kNumber, "readings per second; 0: in each step", 0.0},
-        {"dropout", Type::kNumber, "share of readings that are lost, 0 to 1", 0.0}}},
+        maybe("noise", "standard deviation of white noise"),
+        maybe("bias", "added to each reading"),
+        maybe("delay", "s until a reading arrives, 0 to 1"),
+        maybe("rate", "readings per second; 0: in each step"),
+        maybe("dropout", "share of readings that are lost, 0 to 1"),
+        maybe("drift", "standard deviation that a wandering bias gains in a second"),
+        maybe("drift_time", "s after which that forgets; 0: never"),
+        maybe("precision", "readings are multiples of this; 0: they are not rounded")}},
       {"simulation.door",
        "Opens a door of the simulation for its time, or closes it at once",
        {{"door", Type::kText, "its port: gate/hinge/door"},

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 #include "robotlink/base/ParsedNumber.h"
 #include "robotlink/base/Spelling.h"
@@ -176,10 +177,10 @@ Result<Places> withoutEnd(const Command& command, Places places, int column) {
     if (i >= places.size() || !places[i]) return wrongCount(command, given, column);
   }
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (places[i] || command.arguments[i].initial) continue;
-    return failure("command.argument-order",
-                   command.arguments[i].name + " must be given, too: " + usage(command),
-                   {{}, 0, places.back()->column}, {command.name, command.arguments[i].name});
+    const Argument& argument = command.arguments[i];
+    if (places[i] || argument.initial || argument.type == Type::kNumber) continue;
+    return failure("command.argument-order", argument.name + " must be given, too: " + usage(command),
+                   {{}, 0, places.back()->column}, {command.name, argument.name});
   }
   return places;
 }
@@ -296,7 +297,7 @@ Result<void> CommandTable::runLine(const std::string& line, const std::filesyste
   Values values;
   for (std::size_t i = 0; i < given->size(); ++i) {
     if (!(*given)[i]) {
-      values.push_back(*wanted[i].initial);
+      values.push_back(wanted[i].initial.value_or(std::numeric_limits<double>::quiet_NaN()));
       continue;
     }
     const CommandWord& word = *(*given)[i];

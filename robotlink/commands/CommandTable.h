@@ -42,7 +42,8 @@ class CommandTable {
     std::optional<Value> initial = {};
     /// The only texts that it may be; empty: any.
     std::vector<std::string> choices = {};
-    /// Whether the handler gets fewer values if it is left out.
+    /// Whether the handler gets fewer values if it is left out. A number before others that are given is NaN
+    /// then.
     bool mayBeMissing = false;
 
     bool isOptional() const { return initial.has_value() || mayBeMissing; }

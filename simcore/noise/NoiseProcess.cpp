@@ -40,6 +40,7 @@ void NoiseProcess::examine() {
 void NoiseProcess::change(std::vector<NoiseModel> noise, std::uint64_t seed, std::uint64_t step) {
   continueDrift(seed, step);
   noise_ = std::move(noise);
+  if (noise_.empty()) std::ranges::fill(drift_, 0.0);
   examine();
 }
 

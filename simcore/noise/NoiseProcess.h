@@ -25,7 +25,7 @@ class NoiseProcess {
   /// `biases`: how many channels have a bias and a drift of their own; the others share the last one.
   NoiseProcess(Stream stream, std::size_t biases, double step, std::vector<NoiseModel> noise);
 
-  /// Replaces the noise from this step on; what has drifted stays.
+  /// Replaces the noise from this step on. What has drifted stays, unless there is no noise any more.
   void change(std::vector<NoiseModel> noise, std::uint64_t seed, std::uint64_t step);
   /// Writes or reads all on which later samples depend. `step` is the present one of the simulation.
   void transfer(StateStream& stream, std::uint64_t seed, std::uint64_t step);

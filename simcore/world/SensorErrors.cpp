@@ -8,7 +8,7 @@
 namespace simcore {
 namespace {
 
-constexpr double kMaxAmount = 1e9;
+constexpr double kMaxAmount = NoiseModel::kForever;
 constexpr double kMaxRate = 1e6;  // Hz
 /// Sensors whose channels have errors of their own.
 constexpr std::size_t kMaxChannels = 1024;

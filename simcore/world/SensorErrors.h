@@ -15,6 +15,8 @@ struct NoiseModel {
   /// The drift is a Gauss-Markov process that begins at 0: per second it gains a standard deviation of
   /// driftStddev, and forgets with the time constant driftTime (s). With a time constant of 0 there is none.
   double driftStddev = 0, driftTime = 0;
+  /// With this time constant it forgets nothing: a random walk.
+  static constexpr double kForever = 1e9;
   /// Readings are multiples of this; 0: they are not rounded.
   double precision = 0;
   bool operator==(const NoiseModel&) const = default;

@@ -99,6 +99,10 @@ TEST_F(SimulationFeedTest, aSensorGetsOtherErrorsWhileItRuns) {
   run("simulation.step");
   ASSERT_TRUE(waitFor([this] { return status()->steps() == 2; }));
   EXPECT_TRUE(errors.empty()) << robotlink::describe(errors);
+  run("simulation.sensor-errors red1/headPan/position --drift 0.1 --precision 0.01");
+  run("simulation.step");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 4; }));
+  EXPECT_TRUE(errors.empty()) << robotlink::describe(errors);
   run("simulation.sensor-errors red1/headPan/position --delay 7");
   ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
   EXPECT_NE(robotlink::describe(errors).find("a delay must be between 0 and 1 s"), std::string::npos);

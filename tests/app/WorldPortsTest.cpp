@@ -289,5 +289,53 @@ TEST_F(WorldPortsTest, aResetReleasesAll) {
   EXPECT_FALSE(ports_.holdsAny());
 }
 
+TEST_F(WorldPortsTest, errorsOfASensorThatARequestDoesNotNameStay) {
+  const auto after = [this](const auto& set) {
+    robotcontrol::Request request;
+    auto& errors = *request.mutable_set_sensor_errors();
+    errors.set_sensor("red1/psd");
+    set(errors);
+    EXPECT_TRUE(changeWorld(run_->world(), request, {}));
+    return simulation().errorsInUse("red1/psd");
+  };
+  auto expected = simulation().errorsInUse("red1/psd");
+  if (expected.noise.empty()) expected.noise.emplace_back();
+  expected.delay = 0.1;
+  expected.noise[0].precision = 0.01;
+  EXPECT_EQ(after([](auto& errors) {
+              errors.set_delay(0.1);
+              errors.set_precision(0.01);
+            }),
+            expected);
+  expected.noise[0].driftStddev = 0.2;
+  expected.noise[0].driftTime = simcore::NoiseModel::kForever;
+  EXPECT_EQ(after([](auto& errors) { errors.set_drift(0.2); }), expected);
+  expected.delay = 0;
+  EXPECT_EQ(after([](auto& errors) { errors.set_delay(0); }), expected) << "0 can be named, too";
+  EXPECT_EQ(after([](auto&) {}), simcore::SensorErrors()) << "nothing named: it measures what is true";
+}
+
+TEST_F(WorldPortsTest, whatTheOracleKnowsIsRead) {
+  robotcontrol::ReadPorts read;
+  for (const char* port : {"red1/true_pose", "red1/headPan/position/true", "red1/camera/image/true"})
+    read.add_ports(port);
+  ASSERT_TRUE(ports_.read(read));
+  const auto readings = ports_.readings();
+  ASSERT_EQ(readings->readings_size(), 3);
+  const auto& camera = readings->readings(0);
+  EXPECT_EQ(camera.port(), "red1/camera/image/true");
+  ASSERT_GT(camera.percepts_size(), 0);
+  EXPECT_EQ(camera.percepts(0).model(), "field");
+  EXPECT_GT(camera.percepts(0).pixels(), 100);
+  EXPECT_TRUE(camera.percepts(0).has_model_in_camera());
+  EXPECT_EQ(readings->readings(1).values_size(), 1);
+  EXPECT_EQ(readings->readings(2).values_size(), 7);
+  for (const char* port : {"red1/headPan/request/true", "red1/nose/true", "red1/true_pose/true"}) {
+    read.clear_ports();
+    read.add_ports(port);
+    EXPECT_FALSE(ports_.read(read)) << port;
+  }
+}
+
 }  // namespace
 }  // namespace app

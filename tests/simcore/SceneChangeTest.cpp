@@ -50,6 +50,29 @@ class SceneChangeTest : public testing::Test {
   std::unique_ptr<Simulation> simulation_;
 };
 
+TEST_F(SceneChangeTest, aSnapshotPutsBackWhatTheEditedSceneStillHas) {
+  const std::string stone = ball("stone", "0 0 1 0 0 0");
+  start(stone + ball("pebble", "1 0 1 0 0 0") + ball("gone", "2 0 1 0 0 0"));
+  run(50);
+  const Vector3 before = position("stone");
+  const Snapshot snapshot = simulation_->snapshot();
+  run(100);
+  const auto edited = sceneOf(stone + ball("pebble", "1 1 1 0 0 0") + ball("added", "3 0 0.05 0 0 0"));
+  ASSERT_TRUE(simulation_->continueIn(edited).has_value());
+  ASSERT_TRUE(simulation_->placeModel("added", {3, 1, 0}));
+  run(10);
+  const auto restored = simulation_->restore(snapshot);
+  ASSERT_TRUE(restored) << restored.error().text;
+  EXPECT_THAT(*restored, ElementsAre("pebble"));
+  EXPECT_EQ(simulation_->steps(), 50U);
+  EXPECT_EQ(position("stone"), before);
+  EXPECT_NEAR(position("pebble").z(), 1, 1e-9);
+  EXPECT_NEAR(position("added").y(), 1, 1e-3) << "what was added stays where it is";
+  EXPECT_FALSE(simulation_->modelPose("gone"));
+  run(50);
+  EXPECT_LT(position("stone").z(), before.z() - 0.1) << "it goes on falling";
+}
+
 TEST_F(SceneChangeTest, aFallingModelGoesOnFalling) {
   const std::string falling = ball("stone", "0 0 1 0 0 0");
   start(falling);

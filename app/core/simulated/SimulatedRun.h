@@ -183,8 +183,8 @@ class SimulatedRun {
   /// Keeps the state of the world and the game, and what is needed to run the programs again.
   simcore::Snapshot snapshot() const;
   /// Puts the world to where it was; the programs run on, and their time does, too. Fails, changing nothing,
-  /// if the snapshot is of another scene or is not possible.
-  robotlink::Result<void> restore(const simcore::Snapshot& snapshot);
+  /// if the snapshot is of another scene or is not possible. Returns what SimulatedWorld::restore() does.
+  robotlink::Result<std::vector<std::string>> restore(const simcore::Snapshot& snapshot);
   /// The same in the recent past; see SimulatedWorld::rewind().
   robotlink::Result<void> rewind(robotlink::Duration back);
   /// Begins to bring world and programs to the state of a snapshot: all start over, and each step() repeats
@@ -400,6 +400,7 @@ class SimulatedRun {
   void beginJournal();
   /// Puts what the radio has on the way to where it was.
   void restoreRadio(const simcore::Snapshot& snapshot);
+  void restoreGame(const simcore::Snapshot& snapshot);
   /// The run cannot be repeated from here on; `what` is a clause: "the layout was changed".
   void spoilJournal(const std::string& what);
   robotlink::Result<RunJournal> journalToRepeat(const simcore::Snapshot& snapshot) const;

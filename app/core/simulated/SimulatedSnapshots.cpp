@@ -96,27 +96,32 @@ simcore::Snapshot SimulatedRun::snapshot() const {
   return snapshot;
 }
 
-Result<void> SimulatedRun::restore(const simcore::Snapshot& snapshot) {
+Result<std::vector<std::string>> SimulatedRun::restore(const simcore::Snapshot& snapshot) {
   const bool isFresh = stepsMade_ == 0;
-  if (auto restored = world_->restore(snapshot); !restored) return restored;
+  auto restored = world_->restore(snapshot);
+  if (!restored) return restored;
   again_.reset();
   spoilJournal(isFresh ? "it began with a snapshot" : "the world was put to a snapshot without the programs");
   restoreRadio(snapshot);
-  if (!umpire_) return {};
+  restoreGame(snapshot);
+  return restored;
+}
+
+/// A game that cannot be read is that of before.
+void SimulatedRun::restoreGame(const simcore::Snapshot& snapshot) {
+  if (!umpire_) return;
   umpire_->worldJumped();
   const auto part = snapshot.parts.find(kGamePart);
-  if (part == snapshot.parts.end()) return {};
+  if (part == snapshot.parts.end()) return;
   std::vector<std::uint8_t> before;
   simcore::StateStream keep(before);
   umpire_->transfer(keep);
   simcore::StateStream stream(part->second, snapshot.isForeign ? simcore::StateStream::Trust::kForeign
                                                                : simcore::StateStream::Trust::kOwn);
   umpire_->transfer(stream);
-  if (stream.complete()) return {};
-  // A game that cannot be read is that of before.
+  if (stream.complete()) return;
   simcore::StateStream back(before, simcore::StateStream::Trust::kOwn);
   umpire_->transfer(back);
-  return {};
 }
 
 /// What cannot be read leaves the radio as it is.
@@ -143,7 +148,6 @@ Result<void> SimulatedRun::rewind(robotlink::Duration back) {
 }
 
 Result<RunJournal> SimulatedRun::journalToRepeat(const simcore::Snapshot& snapshot) const {
-  if (snapshot.fingerprint != world_->simulation().fingerprint()) return RunJournal();
   if (options_.executor() != ExecutorKind::kLockstep)
     return cannotRunAgain("programs in threads do not do the same again");
   if (options_.instead) return cannotRunAgain("they run elsewhere");
@@ -162,11 +166,13 @@ Result<RunJournal> SimulatedRun::journalToRepeat(const simcore::Snapshot& snapsh
 }
 
 Result<void> SimulatedRun::runAgain(const simcore::Snapshot& snapshot) {
-  if (robots_.empty()) return restore(snapshot);
+  const bool isOther = snapshot.fingerprint != world_->simulation().fingerprint();
+  if (isOther && snapshot.of && !robots_.empty())
+    return cannotRunAgain("the scene was changed since it was taken");
+  // Says what is wrong with a snapshot of another scene.
+  if (robots_.empty() || isOther) return restore(snapshot).map([](const auto&) {});
   auto journal = journalToRepeat(snapshot);
   if (!journal) return tl::unexpected(journal.error());
-  // Says what is wrong with a snapshot of another scene.
-  if (snapshot.fingerprint != world_->simulation().fingerprint()) return restore(snapshot);
   std::map<std::string, ProgramOverrides> overrides;
   for (const auto& robot : robots_) overrides[robot->name()];
   for (const auto& request : journal->overrides()) overrides[request.robot()].note(request);

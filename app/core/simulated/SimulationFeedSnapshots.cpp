@@ -117,12 +117,16 @@ robotlink::Result<void> SimulationFeed::restoreSnapshot(const robotcontrol::Requ
   }
   stepsWanted_ = 0;
   const std::string name = isFile ? control.file() : control.name();
-  if (auto done = control.programs() ? run_->runAgain(snapshot) : run_->restore(snapshot); !done) return done;
   if (!control.programs()) {
+    const auto restored = run_->restore(snapshot);
+    if (!restored) return tl::unexpected(restored.error());
     publishJump(fmt::format("The world is at {:.3f} s again (snapshot '{}'); the programs run on.",
                             worldTime(snapshot), name));
+    for (const std::string& model : *restored)
+      say(model + " was changed since then; it is where the scene's file puts it.");
     return {};
   }
+  if (auto done = run_->runAgain(snapshot); !done) return done;
   restartPace();
   publishScene();
   say(fmt::format("The programs are run again up to snapshot '{}' at {:.3f} s.", name, worldTime(snapshot)),

@@ -85,12 +85,24 @@ Result<void> setLighting(SimulatedWorld& world, const Request& request) {
 
 Result<void> setSensorErrors(SimulatedWorld& world, const Request& request) {
   const auto& wanted = request.set_sensor_errors();
-  simcore::SensorErrors errors;
-  if (wanted.noise() != 0 || wanted.bias() != 0)
-    errors.noise = {{.mean = wanted.bias(), .stddev = wanted.noise()}};
-  errors.delay = wanted.delay();
-  errors.rate = wanted.rate();
-  errors.dropout = wanted.dropout();
+  const bool ofNumbers = wanted.has_noise() || wanted.has_bias() || wanted.has_drift() ||
+                         wanted.has_drift_time() || wanted.has_precision();
+  const bool ofTiming = wanted.has_delay() || wanted.has_rate() || wanted.has_dropout();
+  if (!ofNumbers && !ofTiming) return world.setSensorErrors(wanted.sensor(), {});
+  simcore::SensorErrors errors = world.simulation().errorsInUse(wanted.sensor());
+  if (ofNumbers && errors.noise.empty()) errors.noise.emplace_back();
+  for (simcore::NoiseModel& noise : errors.noise) {
+    if (wanted.has_noise()) noise.stddev = wanted.noise();
+    if (wanted.has_bias()) noise.mean = wanted.bias();
+    if (wanted.has_drift()) noise.driftStddev = wanted.drift();
+    if (wanted.has_drift_time()) noise.driftTime = wanted.drift_time();
+    if (wanted.has_precision()) noise.precision = wanted.precision();
+    if (ofNumbers && noise.driftStddev > 0 && noise.driftTime == 0)
+      noise.driftTime = simcore::NoiseModel::kForever;
+  }
+  if (wanted.has_delay()) errors.delay = wanted.delay();
+  if (wanted.has_rate()) errors.rate = wanted.rate();
+  if (wanted.has_dropout()) errors.dropout = wanted.dropout();
   return world.setSensorErrors(wanted.sensor(), errors);
 }
 

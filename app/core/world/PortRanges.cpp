@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "robotlink/base/Geometry.h"
 #include "robotlink/packages/PortUnits.h"
 #include "simcore/Simulation.h"
 
@@ -29,6 +30,7 @@ std::vector<ValueRange> rangesOf(const simcore::Simulation& simulation, const Po
   for (std::size_t i = 0; i < numbers; ++i) {
     const std::string unit = robotlink::unitOfNumber(port.info.unit, i, numbers);
     if (port.info.type == "battery" && unit == "share") ranges[i] = {0, 1};
+    if (port.info.type == "odometry" && unit == "rad") ranges[i] = {-robotlink::kPi, robotlink::kPi};
     if (port.kind != Port::Kind::kGuide) continue;
     const double limit = motionLimit(simulation.guides()[port.index].motion, unit);
     if (limit > 0) ranges[i] = {-limit, limit};

@@ -92,8 +92,9 @@ class SimulatedWorld {
   static std::uint64_t digestOf(const simcore::Snapshot& snapshot);
   /// Goes back (or on) to a snapshot. Its clock goes on, and so do microcontrollers with their odometry:
   /// whoever reads a clock must not see it jump. From before the first step, the clock is that of the
-  /// snapshot. Fails, changing nothing, if the snapshot is of another scene or is not possible.
-  robotlink::Result<void> restore(const simcore::Snapshot& snapshot);
+  /// snapshot. Fails, changing nothing, if the snapshot is of another scene or is not possible. Returns the
+  /// models that an edited scene has where its file puts them.
+  robotlink::Result<std::vector<std::string>> restore(const simcore::Snapshot& snapshot);
   /// How far it can go back.
   robotlink::Duration rewindable() const;
   /// Goes back in the simulation by at least a step of kStep, to the nearest one, as restore() does; digest()

@@ -9,6 +9,7 @@
 
 #include "app/core/world/PortObjects.h"
 #include "app/core/world/SimulatedWorld.h"
+#include "app/core/world/control/ControlMessages.h"
 #include "app/core/world/control/ExternalControllers.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -119,8 +120,7 @@ WorldPorts::WorldPorts(SimulatedWorld& world, const ExternalControllers* externa
 
 std::vector<std::string> WorldPorts::readable() const {
   std::vector<std::string> names;
-  for (const simcore::Port& port : world_.simulation().ports())
-    if (!port.isTruth()) names.push_back(port.info.path);
+  for (const simcore::Port& port : world_.simulation().ports()) names.push_back(port.info.path);
   if (external_ == nullptr) return names;
   for (const auto* output : external_->outputs()) names.push_back(output->info.path);
   return names;
@@ -138,6 +138,17 @@ void WorldPorts::addOutputs(robotcontrol::PortReadings& to) const {
   }
 }
 
+void WorldPorts::addTruth(robotcontrol::PortReadings& to) const {
+  for (const std::string& path : read_) {
+    const simcore::Port* const port = world_.simulation().port(path);
+    const bool isTruth = port != nullptr ? port->isTruth() : world_.simulation().portOfTruth(path) != nullptr;
+    if (!isTruth) continue;
+    auto reading = readingOf(world_.simulation(), path);
+    if (reading && static_cast<std::size_t>(reading->values_size()) <= kMaxNumbers)
+      *to.add_readings() = *std::move(reading);
+  }
+}
+
 robotlink::Result<void> WorldPorts::read(const robotcontrol::ReadPorts& request) {
   if (request.ended()) {
     if (request.ports().empty()) read_.clear();
@@ -146,7 +157,9 @@ robotlink::Result<void> WorldPorts::read(const robotcontrol::ReadPorts& request)
   }
   const auto known = readable();
   for (const std::string& port : request.ports()) {
-    if (std::ranges::find(known, port) == known.end()) {
+    const bool isKnown =
+        std::ranges::find(known, port) != known.end() || world_.simulation().portOfTruth(port) != nullptr;
+    if (!isKnown) {
       return robotlink::failure("simulation.port",
                                 "there is no sensor or actuator " + port + robotlink::suggestion(port, known),
                                 {}, {port});
@@ -214,6 +227,7 @@ std::shared_ptr<const robotcontrol::PortReadings> WorldPorts::readings() const {
                  simulation.read(port.info.path).value_or(std::vector<double>()));
   }
   addOutputs(*message);
+  addTruth(*message);
   for (const auto& [port, held] : world_.held().all())
     addReading(*message->mutable_held(), port, held.values);
   return message;

@@ -23,8 +23,8 @@ class SimulatedWorld;
 
 /// The ports of a simulated world that are read or held by whoever watches it: fulfills ReadPorts and
 /// SetActuator, and makes what the streams `ports` and those of cameras show. What controllers show is read
-/// like sensors; of an actuator it is read what became of its last command. Used by one thread, that of the
-/// world, which must outlive it.
+/// like sensors, and so is the truth about models and sensors; of an actuator it is read what became of its
+/// last command. Used by one thread, that of the world, which must outlive it.
 class WorldPorts {
  public:
   /// `external` are the controllers elsewhere, and must outlive it; null: there are none. `before` is what
@@ -54,6 +54,8 @@ class WorldPorts {
   /// The paths of what can be read.
   std::vector<std::string> readable() const;
   void addOutputs(robotcontrol::PortReadings& to) const;
+  /// What the oracle knows of models and sensors.
+  void addTruth(robotcontrol::PortReadings& to) const;
 
   SimulatedWorld& world_;
   const ExternalControllers* external_;

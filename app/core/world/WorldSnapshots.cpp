@@ -65,7 +65,7 @@ std::uint64_t SimulatedWorld::digestOf(const simcore::Snapshot& snapshot) {
   return digest;
 }
 
-robotlink::Result<void> SimulatedWorld::restore(const simcore::Snapshot& snapshot) {
+robotlink::Result<std::vector<std::string>> SimulatedWorld::restore(const simcore::Snapshot& snapshot) {
   const auto part = snapshot.parts.find(kWorldPart);
   // A snapshot of a simulation alone leaves the rest as it is.
   std::optional<Kept> kept;
@@ -76,17 +76,20 @@ robotlink::Result<void> SimulatedWorld::restore(const simcore::Snapshot& snapsho
     simcore::StateStream stream(part->second, snapshot.isForeign ? simcore::StateStream::Trust::kForeign
                                                                  : simcore::StateStream::Trust::kOwn);
     kept->transfer(stream);
-    // A snapshot of another scene has other parts, which the simulation says better.
-    if (snapshot.fingerprint == simulation_->fingerprint() && !stream.complete()) {
-      return robotlink::failure("snapshot.damaged", "the snapshot of " + snapshot.scene + " is damaged", {},
-                                {snapshot.scene});
+    if (!stream.complete()) {
+      // A snapshot of another scene has other parts, which the simulation says better.
+      if (snapshot.fingerprint == simulation_->fingerprint())
+        return robotlink::failure("snapshot.damaged", "the snapshot of " + snapshot.scene + " is damaged", {},
+                                  {snapshot.scene});
+      kept.reset();
     }
   }
   const bool isFresh = simulation_->steps() == 0 && clock_.now() == robotlink::Instant();
-  if (auto restored = simulation_->restore(snapshot); !restored) return restored;
+  auto restored = simulation_->restore(snapshot);
+  if (!restored) return restored;
   if (isFresh) clock_.set(robotlink::Instant(simulation_->time()));
   settleAfterJump();
-  if (!kept) return {};
+  if (!kept) return restored;
   digest_ = kept->digest;
   costs_.images = kept->images;
   options_.lighting = kept->lighting;
@@ -95,7 +98,7 @@ robotlink::Result<void> SimulatedWorld::restore(const simcore::Snapshot& snapsho
   held_.forget();
   // What cannot be held any more need not be.
   for (const auto& [port, values] : kept->held) (void)held_.hold(*simulation_, port, values);
-  return {};
+  return restored;
 }
 
 void SimulatedWorld::settleAfterJump() {

@@ -79,6 +79,7 @@ struct SimArguments {
   std::vector<double> walk;  ///< m/s, m/s, degrees/s; empty: none
   double speed = 0;          ///< times real time; 0: as fast as possible
   bool progress = false;
+  bool isPaused = false;
   SnapshotOptions snapshots;
   ArcosOptions arcos;
   ListenOptions listen;
@@ -306,6 +307,7 @@ int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiv
     return kUsage;
   }
   ServeOptions options{.speed = speedGiven ? arguments.speed : 1, .texts = arguments.texts};
+  options.isPaused = arguments.isPaused;
   if (secondsGiven) options.seconds = arguments.seconds;
   options.troubles = std::make_shared<ProgramTroubles>(std::cerr);
   return arguments.listen.serve(SimulationFeed::opening(arguments.run), options, arguments.record);
@@ -483,6 +485,10 @@ void addSimCommand(CLI::App& app, int& status) {
   arguments->snapshots.addTo(*sim);
   arguments->arcos.addTo(*sim);
   arguments->listen.addTo(*sim);
+  sim->add_flag("--paused", arguments->isPaused,
+                "With --listen: waits before the first step until a client starts it, so that controllers "
+                "elsewhere miss none (the service control_simulation with {\"action\": \"START\"})")
+      ->needs("--listen");
   arguments->camera.addTo(*sim);
   arguments->record.addTo(*sim);
   sim->add_flag("--errors", arguments->errors,

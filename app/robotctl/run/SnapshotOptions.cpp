@@ -52,7 +52,7 @@ Result<void> SnapshotOptions::restore(SimulatedRun& run) const {
   if (restored.empty()) return {};
   const auto snapshot = simcore::Snapshot::read(restored);
   if (!snapshot) return tl::unexpected(snapshot.error());
-  if (!programs) return run.restore(*snapshot);
+  if (!programs) return run.restore(*snapshot).map([](const auto&) {});
   if (auto begun = run.runAgain(*snapshot); !begun) return begun;
   TerminalProgress progress;
   const auto show = progress.function();

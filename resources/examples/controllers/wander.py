@@ -152,6 +152,7 @@ def main():
     parser.add_argument("robot", help="its name: p3at1")
     parser.add_argument("--host", default="127.0.0.1")
     parser.add_argument("--free", action="store_true", help="the simulation does not wait for answers")
+    parser.add_argument("--start", action="store_true", help="starts the simulation, as one of robotctl sim --listen --paused")
     parser.add_argument("--steps", type=int, default=0, help="ends after so many answers; 0: never")
     options = parser.parse_args()
     laser, drive = options.robot + "/laser", options.robot + "/drive"
@@ -165,6 +166,8 @@ def main():
                           outputs=[{"path": "nearest", "type": "distance", "unit": "m", "maximum": 10}])
             if "sim/ports/wander" in new:
                 link.subscribe("sim/ports/wander")
+                if options.start:
+                    link.call("control_simulation", action="START")
         elif payload[0] == MESSAGE:
             step, readings = inputs_of(payload[13:])
             if laser not in readings:  # the last message of a controller that had this name before

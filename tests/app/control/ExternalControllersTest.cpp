@@ -106,6 +106,15 @@ TEST_F(ExternalControllersTest, aStepWaitsForTheAnswerToItsInputs) {
   EXPECT_FALSE(external_.waitsUntil());
 }
 
+TEST_F(ExternalControllersTest, aRefusedAnswerIsOneToo) {
+  ASSERT_TRUE(external_.attach(wish(true), *simulation_));
+  ASSERT_THAT(inputs(true), SizeIs(1));
+  auto wrong = answer(0, 0.4);
+  wrong.mutable_commands(0)->set_port("elevator/rail/requst");
+  EXPECT_FALSE(external_.set(wrong, *simulation_));
+  EXPECT_FALSE(external_.waitsUntil()) << "the step goes on at once";
+}
+
 TEST_F(ExternalControllersTest, whoIsLateIsNamedAndNotWaitedForUntilItAnswersAgain) {
   ASSERT_TRUE(external_.attach(wish(true), *simulation_));
   ASSERT_THAT(inputs(true), SizeIs(1));
@@ -184,6 +193,18 @@ TEST_F(ExternalControllersTest, imagesOfCamerasComeBeforeTheInputs) {
   EXPECT_EQ(image->data().size(), 2U * image->width() * image->height());
   EXPECT_EQ(messages[1].path, "sim/ports/remote");
   EXPECT_EQ(inputsOf(messages[1]).readings_size(), 1);
+}
+
+TEST_F(ExternalControllersTest, itGetsTheTruthWithTheReadings) {
+  auto curious = wish(false);
+  curious.add_sensors("elevator/rail/position/true");
+  curious.add_sensors("elevator/true_pose");
+  ASSERT_TRUE(external_.attach(curious, *simulation_));
+  const auto first = inputs(true);
+  ASSERT_THAT(first, SizeIs(1));
+  ASSERT_EQ(inputsOf(first[0]).readings_size(), 4);
+  EXPECT_EQ(inputsOf(first[0]).readings(2).values_size(), 1);
+  EXPECT_EQ(inputsOf(first[0]).readings(3).values_size(), 7);
 }
 
 TEST_F(ExternalControllersTest, whatMakesNoSenseIsRefused) {

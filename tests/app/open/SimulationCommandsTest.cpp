@@ -108,6 +108,9 @@ TEST_F(SimulationCommandsTest, doorsLightsAndSensorsAreSet) {
   EXPECT_EQ(desk_.run("simulation.light 0.5 -0.25"), "set_lighting { brightness: 0.5 warmth: -0.25 }");
   EXPECT_EQ(desk_.run("simulation.sensor-errors red1/psd --noise 0.1 --rate 5"),
             "set_sensor_errors { sensor: \"red1/psd\" noise: 0.1 rate: 5 }");
+  EXPECT_EQ(desk_.run("simulation.sensor-errors red1/psd --drift 0.01 --drift_time 0 --precision 0.1"),
+            "set_sensor_errors { sensor: \"red1/psd\" drift: 0.01 drift_time: 0 precision: 0.1 }");
+  EXPECT_EQ(desk_.run("simulation.sensor-errors red1/psd"), "set_sensor_errors { sensor: \"red1/psd\" }");
 }
 
 TEST_F(SimulationCommandsTest, noiseIsThatOfASimulation) {

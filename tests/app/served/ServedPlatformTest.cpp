@@ -32,6 +32,25 @@ class ServedPlatformTest : public test::ServedTest {
   }
 };
 
+class PausedPlatformTest : public test::ServedTest {
+ protected:
+  PausedPlatformTest() : ServedTest(SimulationFeed::opening(defaultSimulation()), {.isPaused = true}) {
+    while (!channels_.contains("simulation") || !services_.contains("control_simulation")) hear();
+  }
+};
+
+TEST_F(PausedPlatformTest, itWaitsBeforeTheFirstStepUntilAClientStartsIt) {
+  client_->send(Subscribe{{{1, channels_["simulation"]}}});
+  robotcontrol::SimulationStatus status;
+  ASSERT_TRUE(status.ParseFromString(std::string(expect<MessageData>().payload)));
+  EXPECT_FALSE(status.running());
+  EXPECT_EQ(status.steps(), 0U);
+  client_->send(ServiceCallRequest{services_["control_simulation"], 5, "json", R"({"action": "START"})"});
+  expect<MessageData>([&](const MessageData& message) {
+    return status.ParseFromString(std::string(message.payload)) && status.running() && status.steps() > 0;
+  });
+}
+
 TEST_F(ServedPlatformTest, imagesComeWhileSomebodySubscribesToThem) {
   client_->send(Subscribe{{{1, channels_["red1/camera/image"]}}});
   const auto first = expect<MessageData>();

@@ -18,8 +18,8 @@ namespace app::test {
 /// A platform that is served at a port of its own, and a client of it.
 class ServedTest : public testing::Test {
  protected:
-  explicit ServedTest(PlatformOpening opening)
-      : hall_({}, std::move(opening)),
+  explicit ServedTest(PlatformOpening opening, ServeOptions options = {})
+      : hall_(std::move(options), std::move(opening)),
         client_(std::make_unique<robotlink::websocket::test::RawClient>(hall_.port())) {}
   /// Notes what a message advertises, and returns it; its payload is valid until the next one.
   robotlink::websocket::ServerMessage hear() {

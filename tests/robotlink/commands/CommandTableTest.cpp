@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "robotlink/commands/CommandLine.h"
 
 using namespace robotlink;
@@ -122,6 +124,23 @@ TEST_F(CommandTableTest, whatIsLeftOutHasItsDefault) {
                                 ElementsAre(Value(std::string("a")), Value(2.0), Value(std::string("b")))));
   EXPECT_THAT(error("log.add"), HasSubstr("log.add takes 1 to 3 arguments, 0 were given"));
   EXPECT_EQ(argumentsInWords(*table_.find("log.add")), "<file: text> [offset: number = 0.5] [note: text]");
+}
+
+TEST_F(CommandTableTest, aNumberBeforeOthersMayBeMissing) {
+  const auto number = [](const char* name) {
+    return CommandTable::Argument{.name = name, .type = Type::kNumber, .mayBeMissing = true};
+  };
+  table_.add(
+      {"sensor.errors", "", {{"sensor"}, number("noise"), number("delay")}, [this](const auto& values) {
+         ran_.push_back(values);
+         return Result<void>();
+       }});
+  EXPECT_EQ(error("sensor.errors psd --delay 0.5"), "");
+  ASSERT_EQ(ran_.at(0).size(), 3U);
+  EXPECT_TRUE(std::isnan(std::get<double>(ran_[0][1])));
+  EXPECT_EQ(ran_[0][2], Value(0.5));
+  EXPECT_EQ(error("sensor.errors psd"), "");
+  EXPECT_EQ(ran_.at(1).size(), 1U);
 }
 
 TEST_F(CommandTableTest, aChoiceIsOneOfThem) {

@@ -149,14 +149,25 @@ TEST(NoiseProcessTest, aChangeKeepsWhatHasDrifted) {
   EXPECT_NEAR(value[0], drifted + 1, 1e-12);
 }
 
-TEST(NoiseProcessTest, whatHasDriftedStaysWhereTheNoiseIsTakenAway) {
+TEST(NoiseProcessTest, withoutAnyNoiseItIsTrueWhateverHasDrifted) {
   NoiseProcess process = processOf({.driftStddev = 1, .driftTime = 10});
-  const double drifted = errorsOf(process, 100).back();
-  ASSERT_NE(drifted, 0);
+  ASSERT_NE(errorsOf(process, 100).back(), 0);
   process.change({}, 1, 100);
   std::vector<double> value{5};
   process.apply(1, 101, value);
-  EXPECT_DOUBLE_EQ(value[0], 5 + drifted);
+  EXPECT_EQ(value[0], 5);
+}
+
+TEST(NoiseProcessTest, whatForgetsNothingIsARandomWalk) {
+  double squares = 0;
+  constexpr int kRuns = 300;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    NoiseProcess process = processOf({.driftStddev = 2, .driftTime = NoiseModel::kForever});
+    std::vector<double> value{0};
+    process.apply(seed, 250, value);
+    squares += value[0] * value[0];
+  }
+  EXPECT_NEAR(std::sqrt(squares / kRuns), 2, 0.25) << "after 1 s; after more it is larger by the root";
 }
 
 TEST(SampleClockTest, samplesComeAtTheRateWhateverTheStep) {

@@ -4,6 +4,7 @@
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "simcore/Simulation.h"
 #include "simcore/control/ControllerOutput.h"
 #include "simcore/control/Controllers.h"
 #include "simcore/world/ViewEvent.h"
@@ -67,6 +68,30 @@ void addShape(foxglove::SceneEntity& entity, const DrawnShape& shape) {
 }
 
 }  // namespace
+
+std::optional<robotcontrol::PortReading> readingOf(const simcore::Simulation& simulation,
+                                                   const std::string& path) {
+  robotcontrol::PortReading reading;
+  reading.set_port(path);
+  const simcore::Port* const of = simulation.portOfTruth(path);
+  if (of != nullptr && of->kind == simcore::Port::Kind::kCamera) {
+    for (const simcore::TruePercept& percept : simulation.truePercepts(of->index)) {
+      auto& added = *reading.add_percepts();
+      added.set_model(percept.model);
+      robotlink::assign(*added.mutable_model_in_camera(), percept.modelInCamera);
+      added.set_left(percept.left);
+      added.set_top(percept.top);
+      added.set_right(percept.right);
+      added.set_bottom(percept.bottom);
+      added.set_pixels(percept.pixels);
+    }
+    return reading;
+  }
+  const auto values = simulation.read(path);
+  if (!values) return std::nullopt;
+  reading.mutable_values()->Add(values->begin(), values->end());
+  return reading;
+}
 
 simcore::ViewEvent viewEvent(const robotcontrol::ViewEvent& from) {
   simcore::ViewEvent event;

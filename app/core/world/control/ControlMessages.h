@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "robotlink/base/Clock.h"
 
@@ -12,6 +14,7 @@ class SceneUpdate;
 }
 namespace robotcontrol {
 class ControllerState;
+class PortReading;
 class ViewEvent;
 class ViewEvents;
 }  // namespace robotcontrol
@@ -19,6 +22,7 @@ namespace simcore {
 struct ControllerOutput;
 struct ControllerStatus;
 struct ViewEvent;
+class Simulation;
 }  // namespace simcore
 
 namespace app {
@@ -30,6 +34,11 @@ void assign(robotcontrol::ViewEvent& to, const simcore::ViewEvent& from);
 std::shared_ptr<const robotcontrol::ViewEvents> viewEvents(std::span<const simcore::ViewEvent> events,
                                                            robotlink::Instant time, std::uint64_t step);
 void assign(robotcontrol::ControllerState& to, const simcore::ControllerStatus& from);
+
+/// What is read at a path: a port that yields numbers, or the truth of a sensor (Simulation::portOfTruth()).
+/// Unset if there is no such thing.
+std::optional<robotcontrol::PortReading> readingOf(const simcore::Simulation& simulation,
+                                                   const std::string& path);
 
 /// A drawing as one entity, whose id is the path of its port, in the world's frame.
 std::shared_ptr<const foxglove::SceneUpdate> drawingMessage(const simcore::ControllerOutput& output,

@@ -34,7 +34,7 @@ bool isControllerName(const std::string& name) {
 }
 
 Result<void> checkReadable(const simcore::Simulation& simulation, const std::string& path) {
-  if (simulation.port(path) != nullptr) return {};
+  if (simulation.port(path) != nullptr || simulation.portOfTruth(path) != nullptr) return {};
   std::vector<std::string> known;
   for (const Port& each : simulation.ports()) known.push_back(each.info.path);
   return failure("simulation.port",
@@ -119,6 +119,9 @@ Result<void> ExternalControllers::set(const robotcontrol::SetPorts& request,
   if (found == all_.end())
     return failure("simulation.controller", "the controller " + name + " is not attached", {}, {name});
   Attached& attached = found->second;
+  // It is waited for again; an answer to an earlier step comes too late for this one.
+  attached.isLate = false;
+  if (attached.owes && request.step() >= *attached.owes) attached.owes.reset();
   for (const auto& reading : request.outputs()) {
     const std::string path = name + "/" + reading.port();
     const auto output =
@@ -136,9 +139,6 @@ Result<void> ExternalControllers::set(const robotcontrol::SetPorts& request,
         commands_.set(simulation, name, command.port(), {command.values().begin(), command.values().end()});
     if (!done) return done;
   }
-  // It is waited for again; an answer to an earlier step comes too late for this one.
-  attached.isLate = false;
-  if (attached.owes && request.step() >= *attached.owes) attached.owes.reset();
   return {};
 }
 
@@ -204,11 +204,7 @@ std::vector<robotlink::StreamMessage> ExternalControllers::inputs(const simcore:
         messages.push_back({stream + "/" + path, time, std::move(image)});
         continue;
       }
-      const auto values = simulation.read(path);
-      if (!values) continue;
-      auto& reading = *inputs->add_readings();
-      reading.set_port(path);
-      reading.mutable_values()->Add(values->begin(), values->end());
+      if (auto reading = readingOf(simulation, path)) *inputs->add_readings() = *std::move(reading);
     }
     for (const simcore::ViewEvent& event : attached.events) assign(*inputs->add_events(), event);
     attached.events.clear();

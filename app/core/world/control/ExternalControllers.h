@@ -51,7 +51,8 @@ class ExternalControllers {
   /// Fails, changing nothing, if a sensor is unknown, a name is impossible, or there are too many.
   robotlink::Result<void> attach(const robotcontrol::AttachController& request,
                                  simcore::Simulation& simulation);
-  /// Fails if the controller is not attached or names what there is not; what precedes that is done.
+  /// Fails if the controller is not attached or names what there is not; what precedes that is done. Also an
+  /// answer that fails is one: the step does not wait for another.
   robotlink::Result<void> set(const robotcontrol::SetPorts& request, const simcore::Simulation& simulation);
   /// The simulation starts over: commands and answers are those of the past.
   void restart();
