@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "robotlink/base/Spelling.h"
+
 namespace modules {
 
 OptionMachine::State& OptionMachine::State::does(Action action) {
@@ -50,23 +52,53 @@ OptionMachine::Option& OptionMachine::option(std::string name, std::string help)
   return options_.emplace_back(std::move(name), std::move(help));
 }
 
-std::map<std::string, std::string> OptionMachine::forcedStates(const std::string& text) {
+namespace {
+
+/// The parts between the commas of a text, and what is before and after their first "="; without spaces
+/// around. Parts without it have nothing after it.
+std::vector<std::pair<std::string, std::string>> forcedPairs(const std::string& text) {
   const auto trimmed = [](const std::string& word) {
     const auto first = word.find_first_not_of(' ');
     return first == std::string::npos ? "" : word.substr(first, word.find_last_not_of(' ') - first + 1);
   };
-  std::map<std::string, std::string> forced;
+  std::vector<std::pair<std::string, std::string>> pairs;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string pair = text.substr(begin, end - begin);
-    const std::size_t equal = pair.find('=');
-    if (equal != std::string::npos) {
-      const std::string option = trimmed(pair.substr(0, equal)), state = trimmed(pair.substr(equal + 1));
-      if (!option.empty() && !state.empty()) forced[option] = state;
-    }
+    const std::size_t equal = std::min(pair.find('='), pair.size());
+    pairs.emplace_back(trimmed(pair.substr(0, equal)),
+                       equal < pair.size() ? trimmed(pair.substr(equal + 1)) : "");
     begin = end + 1;
   }
+  return pairs;
+}
+
+template <typename Named>
+std::vector<std::string> namesOf(const std::deque<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& one : all) names.push_back(one.name());
+  return names;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> OptionMachine::forcedStates(const std::string& text) {
+  std::map<std::string, std::string> forced;
+  for (auto& [option, state] : forcedPairs(text))
+    if (!option.empty() && !state.empty()) forced[option] = state;
   return forced;
+}
+
+std::string OptionMachine::wrongWith(const std::string& text) const {
+  for (const auto& [option, state] : forcedPairs(text)) {
+    const auto known = std::ranges::find(options_, option, &Option::name_);
+    if (known == options_.end())
+      return "there is no option '" + option + "'" + robotlink::suggestion(option, namesOf(options_));
+    if (known->find(state) == known->states_.size())
+      return "the option " + option + " has no state '" + state + "'" +
+             robotlink::suggestion(state, namesOf(known->states_));
+  }
+  return {};
 }
 
 void OptionMachine::seal(Option& option) const {

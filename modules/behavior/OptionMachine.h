@@ -114,6 +114,8 @@ class OptionMachine {
   /// Reads the states of Control::forced from a text: "playing=goalie, strike=kick"; what is none of these
   /// pairs is skipped.
   static std::map<std::string, std::string> forcedStates(const std::string& text);
+  /// What is wrong with such a text for this machine, as a sentence that names what there is; empty: nothing.
+  std::string wrongWith(const std::string& text) const;
 
   /// An option that is active, with its state.
   struct Active {

@@ -208,6 +208,7 @@ class Soccer final : public robotlink::Solution {
     const SoccerChoices chosen = choices(parameters_);
     player_.setOptions(chosen.player);
     player_.setControl(optionControl(parameters_.control()));
+    checkForced();
     now_ = reader_.read(chosen.situation);
     requests_.send(player_.decide(now_));
     report_.send(player_.machine());
@@ -216,6 +217,17 @@ class Soccer final : public robotlink::Solution {
   }
 
  private:
+  /// Says once what of the states that a person forces does not exist.
+  void checkForced() {
+    const std::string& forced = parameters_.control().forced();
+    if (forced == forced_) return;
+    forced_ = forced;
+    const std::string wrong = player_.machine().wrongWith(forced);
+    if (wrong.empty()) return;
+    context_.debug().text(robotlink::Level::kError, "behavior",
+                          "control.forced = \"" + forced + "\" has no effect: " + wrong);
+  }
+
   void sendToTeam() {
     sentAt_ = now_.time;
     auto message = std::make_shared<robotcontrol::TeamMessage>();
@@ -301,6 +313,8 @@ class Soccer final : public robotlink::Solution {
   robotlink::Input<robotcontrol::RobotPose> pose_;
   robotlink::Input<robotcontrol::BallModel> ball_;
   SoccerPlayer player_;
+  /// BehaviorControl::forced in the last frame.
+  std::string forced_;
   GameSituation now_;
   double sentAt_ = -1e9;
 };

@@ -93,6 +93,15 @@ TEST_F(SimulationFeedTest, theLightIsChangedAndKeptByAReset) {
   EXPECT_NE(robotlink::describe(errors).find("the brightness must be between 0 and 10"), std::string::npos);
 }
 
+TEST_F(SimulationFeedTest, keysAndClicksThatNoControllerHearsAreRefused) {
+  for (const char* line : {"simulation.key A", "simulation.click 0 0 5 0 0 0"}) {
+    errors.clear();
+    run(line);
+    ASSERT_TRUE(waitFor([this] { return !errors.empty(); })) << line;
+    EXPECT_NE(robotlink::describe(errors).find("there is no controller"), std::string::npos);
+  }
+}
+
 TEST_F(SimulationFeedTest, aSensorGetsOtherErrorsWhileItRuns) {
   run("simulation.sensor-errors red1/headPan/position --noise 0.1 --delay 0.05");
   run("simulation.sensor-errors red1/camera/image --noise 3");

@@ -5,6 +5,7 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QToolButton>
 
@@ -100,6 +101,23 @@ void BehaviorView::setControl(const char* parameter, const std::string& value) {
     session().reportRefusal(std::string("parameter ") + parameter, done.error().describe());
 }
 
+void BehaviorView::followHold() {
+  const std::pair controlled(robot_, model_.hasGraph() ? model_.solution() : QString());
+  if (std::exchange(controlled_, controlled) == controlled) return;
+  const auto show = [this](bool isHeld) {
+    const QSignalBlocker quiet(hold_);
+    hold_->setChecked(isHeld);
+    updateActions();
+  };
+  show(false);
+  if (!model_.hasGraph()) return;
+  const std::string solution = std::string(kBehaviorTask) + '/' + model_.solution().toStdString();
+  edits_->requestValue(solution, "control.hold",
+                       [this, controlled, show](const robotlink::Result<std::string>& value) {
+                         if (controlled == controlled_) show(value && *value == "on");
+                       });
+}
+
 void BehaviorView::forceSelected() {
   if (!force_->isEnabled()) return;
   const auto path = model_.pathTo(graph_->selected());
@@ -151,6 +169,7 @@ void BehaviorView::tick() {
   shownGraph_ = graphValue;
   shownState_ = stateValue;
   history_.read(store.find(statePath), shown);
+  followHold();
   if (changed) graph_->layOut();
   graph_->update();
   strip_->refresh();

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+#include <string>
+#include <utility>
+
 #include "robotlink/process/Link.h"
 #include "widgets/PackageSubscription.h"
 #include "widgets/View.h"
@@ -36,6 +40,8 @@ class BehaviorView final : public View {
   void createViews();
   void connectSignals();
   void updateActions();
+  /// Asks whether a robot's behavior is held that is shown from now on.
+  void followHold();
   void forceSelected();
   void step();
   /// Sets a parameter of the robot's behavior; a refusal is shown by the session.
@@ -55,6 +61,8 @@ class BehaviorView final : public View {
   QAction* hold_ = nullptr;
   QAction* step_ = nullptr;
   std::string robot_;
+  /// The robot and its solution to which Hold belongs; without a solution it can be held by nothing.
+  std::pair<std::string, QString> controlled_;
   /// The packages that are shown, to detect new ones.
   robotlink::PackagePtr shownGraph_, shownState_;
 };

@@ -27,7 +27,12 @@ void SimulationFeed::useWorld() {
 }
 
 robotlink::Result<void> SimulationFeed::sendEvent(const robotcontrol::Request& request) {
-  return run_->world().simulation().addEvent(viewEvent(request.send_event()));
+  simcore::Simulation& simulation = run_->world().simulation();
+  if (simulation.controllers().empty() && external_.isEmpty())
+    return robotlink::failure("simulation.no-controller",
+                              "there is no controller, neither in the scene nor elsewhere, that could hear "
+                              "of keys and clicks");
+  return simulation.addEvent(viewEvent(request.send_event()));
 }
 
 robotlink::Result<void> SimulationFeed::attachController(const robotcontrol::Request& request) {

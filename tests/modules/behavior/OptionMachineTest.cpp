@@ -139,6 +139,16 @@ TEST(OptionMachineControlTest, forcedStatesAreReadFromText) {
   EXPECT_TRUE(OptionMachine::forcedStates("").empty());
 }
 
+TEST_F(OptionMachineTest, whatCannotBeForcedIsSaidWithWhatThereIs) {
+  EXPECT_EQ(machine_.wrongWith(""), "");
+  EXPECT_EQ(machine_.wrongWith("game=rest, act = give up"), "");
+  EXPECT_THAT(machine_.wrongWith("gam=rest"), testing::HasSubstr("no option 'gam'; did you mean 'game'"));
+  EXPECT_THAT(machine_.wrongWith("game=play, act=fly"),
+              testing::AllOf(testing::HasSubstr("act has no state 'fly'"), testing::HasSubstr("give up")));
+  EXPECT_THAT(machine_.wrongWith("rest"), testing::HasSubstr("no option 'rest'"));
+  EXPECT_THAT(machine_.wrongWith("game"), testing::HasSubstr("no state ''"));
+}
+
 TEST_F(OptionMachineTest, restartingBeginsWithTheFirstState) {
   whistle_ = true;
   advance(1);
