@@ -11,6 +11,7 @@
 #include "app/core/program/ShippedFiles.h"
 #include "robotlink/commands/CommandCatalog.h"
 #include "robotlink/commands/CommandRegistration.h"
+#include "robotlink/session/RobotTeams.h"
 
 namespace app {
 namespace {
@@ -107,7 +108,10 @@ void addPlatformCommands(CommandTable& commands, OpenPlatform& open) {
       },
       [&open](const auto& before) {
         if (before.empty()) return layoutNames(open);
-        return before.size() == 1 ? open.session().robots() : std::vector<std::string>();
+        if (before.size() > 1) return std::vector<std::string>();
+        auto names = open.session().robots();
+        for (std::string& team : robotlink::teamNames(open.session())) names.push_back(std::move(team));
+        return names;
       });
 }
 

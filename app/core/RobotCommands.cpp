@@ -24,6 +24,7 @@
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/KeyModes.h"
 #include "robotlink/session/RobotTables.h"
+#include "robotlink/session/RobotTeams.h"
 
 namespace app {
 namespace {
@@ -31,16 +32,6 @@ namespace {
 using robotcontrol::Request;
 using robotlink::CommandTable;
 using robotlink::Result;
-
-/// Sends a request to the selected robot. Fails if there is no robot.
-Result<void> ask(OpenPlatform& open, Request request) {
-  if (open.session().robots().empty()) {
-    return robotlink::failure("robot.none", "there is no robot; open a scene or a log, or connect one first");
-  }
-  request.set_robot(open.session().selectedRobot());
-  open.ask(std::move(request));
-  return {};
-}
 
 Result<void> requireRobot(OpenPlatform& open, const std::string& name) {
   const auto& robots = open.session().robots();
@@ -58,15 +49,33 @@ Result<void> select(OpenPlatform& open, const std::string& name) {
 /// Stands for every robot where commands name one.
 constexpr char kAll[] = "all";
 
-/// Sends a request to the selected robot if `whose` is empty, to all robots, or to the one of this name.
-Result<void> askRobots(OpenPlatform& open, const std::string& whose, const Request& request) {
+/// The names of robots and teams.
+std::vector<std::string> robotsAndTeams(OpenPlatform& open) {
+  std::vector<std::string> names = open.session().robots();
+  for (std::string& team : robotlink::teamNames(open.session())) names.push_back(std::move(team));
+  return names;
+}
+
+/// The selected robot if `whose` is empty, all robots, the one of this name, or those of this team. Fails if
+/// there are none.
+Result<std::vector<std::string>> robotsMeant(OpenPlatform& open, const std::string& whose) {
   const auto& robots = open.session().robots();
-  if (whose.empty() || robots.empty()) return ask(open, request);
-  if (whose != kAll) {
-    if (auto known = requireRobot(open, whose); !known) return known;
-  }
-  for (const std::string& robot : robots) {
-    if (whose != kAll && robot != whose) continue;
+  if (robots.empty())
+    return robotlink::failure("robot.none", "there is no robot; open a scene or a log, or connect one first");
+  if (whose.empty()) return std::vector<std::string>{open.session().selectedRobot()};
+  if (whose == kAll) return robots;
+  auto named = robotlink::robotsNamed(open.session(), whose);
+  if (!named.empty()) return named;
+  return robotlink::failure(
+      "robot.unknown",
+      "there is no robot or team " + whose + robotlink::suggestion(whose, robotsAndTeams(open)), {}, {whose});
+}
+
+/// Sends a request to each of robotsMeant().
+Result<void> askRobots(OpenPlatform& open, const std::string& whose, const Request& request) {
+  const auto meant = robotsMeant(open, whose);
+  if (!meant) return tl::unexpected(meant.error());
+  for (const std::string& robot : *meant) {
     Request one = request;
     one.set_robot(robot);
     open.ask(std::move(one));
@@ -74,9 +83,14 @@ Result<void> askRobots(OpenPlatform& open, const std::string& whose, const Reque
   return {};
 }
 
-/// What completes the name of a robot, or all.
+/// Sends a request to the selected robot. Fails if there is no robot.
+Result<void> ask(OpenPlatform& open, const Request& request) {
+  return askRobots(open, {}, request);
+}
+
+/// What completes the name of a robot, that of a team, or all.
 std::vector<std::string> robotsOrAll(OpenPlatform& open) {
-  std::vector<std::string> names = open.session().robots();
+  std::vector<std::string> names = robotsAndTeams(open);
   names.emplace_back(kAll);
   return names;
 }
@@ -96,8 +110,19 @@ Result<void> setKey(OpenPlatform& open, const Values& values) {
 
 Result<void> setShadow(OpenPlatform& open, const Values& values) {
   using robotcontrol::KeyMode;
+  const std::string &task = text(values, 0), &solution = text(values, 1);
+  const auto meant = robotsMeant(open, text(values, 3));
+  if (!meant) return tl::unexpected(meant.error());
+  const bool isUsed = std::ranges::all_of(*meant, [&](const std::string& robot) {
+    return robotlink::activeSolution(open.session().store(), robot, task) == solution;
+  });
+  if (flag(values, 2) && isUsed)
+    return robotlink::failure("robot.shadow",
+                              solution + " is the solution that is used for " + task +
+                                  "; name another one, or have another one used (robot.solution) first",
+                              {}, {task, solution});
   Request request;
-  request.mutable_set_key()->set_name(robotlink::shadowKey(text(values, 0), text(values, 1)));
+  request.mutable_set_key()->set_name(robotlink::shadowKey(task, solution));
   request.mutable_set_key()->mutable_mode()->set_kind(flag(values, 2) ? KeyMode::ALWAYS : KeyMode::OFF);
   return askRobots(open, text(values, 3), request);
 }
@@ -165,7 +190,7 @@ Result<void> setColorTable(OpenPlatform& open, const std::string& file) {
   *request.mutable_set_color_table()->mutable_table() = std::move(**table);
   robotlink::assign(*request.mutable_set_color_table()->mutable_table()->mutable_loaded(),
                     robotlink::Instant(std::chrono::system_clock::now().time_since_epoch()));
-  return ask(open, std::move(request));
+  return ask(open, request);
 }
 
 void addForAll(CommandTable& commands, OpenPlatform& open) {
@@ -238,7 +263,7 @@ void addForProgram(CommandTable& commands, OpenPlatform& open) {
   commands.attach("robot.no-color-table", [&open](const Values&) {
     Request request;
     request.mutable_set_color_table();
-    return ask(open, std::move(request));
+    return ask(open, request);
   });
 }
 
@@ -259,7 +284,7 @@ void addForCamera(CommandTable& commands, OpenPlatform& open) {
         Request request;
         request.mutable_set_camera()->set_setting(text(values, 0));
         request.mutable_set_camera()->set_value(number(values, 1));
-        return ask(open, std::move(request));
+        return ask(open, request);
       },
       [&open](const auto& before) {
         return before.empty() ? cameraSettings(open) : std::vector<std::string>();
@@ -277,7 +302,7 @@ Result<void> saveMap(OpenPlatform& open, const std::string& file) {
     Request show;
     show.mutable_set_key()->set_name(std::string("package/") + robotlink::kGridMap.name);
     show.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
-    if (auto asked = ask(open, std::move(show)); !asked) return asked;
+    if (auto asked = ask(open, show); !asked) return asked;
     return robotlink::failure(
         "robot.no-map",
         "there is no map of " + robot +
@@ -302,7 +327,7 @@ Result<void> sendArcos(OpenPlatform& open, robotlink::arcos::CommandId id, int a
   const auto bytes = encode(toPacket(robotlink::arcos::command(id, argument)));
   Request request;
   request.mutable_control_drive()->add_packets(std::string(bytes.begin(), bytes.end()));
-  return ask(open, std::move(request));
+  return ask(open, request);
 }
 
 Result<void> moveGripper(OpenPlatform& open, const std::string& action) {
@@ -334,18 +359,18 @@ void addForDrive(CommandTable& commands, OpenPlatform& open) {
     request.mutable_set_goal()->mutable_pose_in_field()->set_x(number(values, 0));
     request.mutable_set_goal()->mutable_pose_in_field()->set_y(number(values, 1));
     request.mutable_set_goal()->set_any_heading(true);
-    return ask(open, std::move(request));
+    return ask(open, request);
   });
   commands.attach("robot.no-goal", [&open](const Values&) {
     Request request;
     request.mutable_set_goal()->set_cancelled(true);
-    return ask(open, std::move(request));
+    return ask(open, request);
   });
   const auto addSwitch = [&](const char* name, void (*set)(robotcontrol::ControlDrive&, bool)) {
     commands.attach(name, [&open, set](const Values& values) {
       Request request;
       set(*request.mutable_control_drive(), flag(values, 0));
-      return ask(open, std::move(request));
+      return ask(open, request);
     });
   };
   commands.attach("robot.gripper",

@@ -1087,6 +1087,10 @@
         <source>circle at %1, diameter %2</source>
         <translation>Kreis bei %1, Durchmesser %2</translation>
     </message>
+    <message>
+        <source>robot %1, debug key %2, of %3 in the shadow</source>
+        <translation>Roboter %1, Debug-Schlüssel %2, von %3 im Schatten</translation>
+    </message>
 </context>
 <context>
     <name>FieldMarks</name>
@@ -5281,10 +5285,6 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Prozesslayout</translation>
     </message>
     <message>
-        <source>Which process of the robot&apos;s program does which tasks; a change restarts the program</source>
-        <translation>Welcher Prozess des Roboterprogramms welche Aufgaben erledigt; eine Änderung startet das Programm neu</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
@@ -5327,6 +5327,10 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     <message>
         <source>Rewind 1 s</source>
         <translation>1 s zurückspulen</translation>
+    </message>
+    <message>
+        <source>Which process of the selected robot&apos;s program does which tasks; another one is for all robots, whose programs start again</source>
+        <translation>Welcher Prozess des Programms des gewählten Roboters welche Aufgaben erledigt; ein anderes gilt für alle Roboter, deren Programme neu starten</translation>
     </message>
 </context>
 <context>
@@ -8957,6 +8961,10 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <source>The messages of this stream, in the frame that they name</source>
         <translation>Die Nachrichten dieses Stroms, in dem Koordinatensystem, das sie nennen</translation>
     </message>
+    <message>
+        <source>Of a solution in the shadow: its lines are dashed</source>
+        <translation>Von einer Lösung im Schatten: Ihre Linien sind gestrichelt</translation>
+    </message>
 </context>
 <context>
     <name>widgets::DrawingsPanel</name>
@@ -9755,6 +9763,14 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>Left [s]</source>
         <translation>Noch [s]</translation>
+    </message>
+    <message>
+        <source>Plays as</source>
+        <translation>Spielt als</translation>
+    </message>
+    <message>
+        <source>%1, %2 s ago</source>
+        <translation>%1, vor %2 s</translation>
     </message>
 </context>
 <context>
@@ -15472,6 +15488,14 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
     <message>
         <source>%1 no longer runs</source>
         <translation>%1 läuft nicht mehr</translation>
+    </message>
+    <message>
+        <source>In its team</source>
+        <translation>Bei seinem Team</translation>
+    </message>
+    <message>
+        <source>Switches the task to this solution in the robot&apos;s team</source>
+        <translation>Stellt die Aufgabe im Team des Roboters auf diese Lösung um</translation>
     </message>
 </context>
 <context>

@@ -177,8 +177,8 @@ Rows sceneRows() {
 }
 
 Rows robotRows() {
-  const CommandTable::Argument whose{"robot", Type::kText, "its name, or all; '': the selected one",
-                                     std::string()};
+  const CommandTable::Argument whose{"robot", Type::kText,
+                                     "its name, that of a team, or all; '': the selected one", std::string()};
   return {
       {"robot.connect-now",
        "Reconnects to the robot now instead of after a pause; its program keeps running"},

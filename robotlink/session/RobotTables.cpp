@@ -91,4 +91,12 @@ std::vector<std::string> solutionNames(Session& session, const std::string& name
   return names;
 }
 
+std::string activeSolution(const StreamStore& store, const std::string& robot, const std::string& task) {
+  const auto* table =
+      store.latestAs<robotcontrol::SolutionTable>(robot + "/" + streams::kSolutions, Instant::max());
+  if (table == nullptr) return {};
+  const auto found = std::ranges::find(table->tasks(), task, [](const auto& one) { return one.name(); });
+  return found == table->tasks().end() ? std::string() : found->active();
+}
+
 }  // namespace robotlink

@@ -14,6 +14,7 @@
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/commands/CommandCatalog.h"
 #include "robotlink/session/KeyPresets.h"
@@ -140,6 +141,44 @@ TEST_F(RobotCommandsTest, aKeyAndASolutionAreSetInTheSelectedRobotInAnotherOneOr
   EXPECT_EQ(asked, (std::vector<std::string>{"red1", "red2", "blue1"}));
   EXPECT_NE(run("robot.solution driving halt --robot blue2").find("did you mean"), std::string::npos);
   EXPECT_TRUE(asked.empty());
+  auto objects = std::make_shared<robotcontrol::WorldObjects>();
+  for (const auto& [name, team] :
+       {std::pair("red1", "red"), std::pair("red2", "red"), std::pair("blue1", "blue")}) {
+    auto& robot = *objects->add_objects();
+    robot.set_path(name);
+    robot.add_properties()->set_name("team");
+    robot.mutable_properties(0)->set_text(team);
+  }
+  session.push({"objects", robotlink::Instant{std::chrono::seconds(1)}, objects});
+  session.tick();
+  EXPECT_EQ(run("robot.solution driving halt --robot red"), "");
+  EXPECT_EQ(asked, (std::vector<std::string>{"red1", "red2"}));
+  EXPECT_NE(run("robot.solution driving halt --robot rde").find("no robot or team rde"), std::string::npos);
+  session.setRequestSink({});
+}
+
+TEST_F(RobotCommandsTest, theSolutionThatIsUsedCannotRunInTheShadow) {
+  auto& session = workbench_.session();
+  std::vector<std::string> asked;
+  session.setRobots({"red1", "red2"});
+  session.setRequestSink([&](const auto& request) { asked.push_back(request.robot()); });
+  for (const auto& [robot, active] : {std::pair("red1", "kalman"), std::pair("red2", "particles")}) {
+    auto table = std::make_shared<robotcontrol::SolutionTable>();
+    table->add_tasks()->set_name("ball-model");
+    table->mutable_tasks(0)->set_active(active);
+    session.push(
+        {std::string(robot) + "/tables/solutions", robotlink::Instant{std::chrono::seconds(1)}, table});
+  }
+  session.tick();
+  const auto& commands = workbench_.commands();
+  const auto refused = commands.runLine("robot.shadow ball-model kalman");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().id, "robot.shadow");
+  EXPECT_TRUE(asked.empty());
+  EXPECT_TRUE(commands.runLine("robot.shadow ball-model kalman --on false"));
+  EXPECT_TRUE(commands.runLine("robot.shadow ball-model particles"));
+  EXPECT_TRUE(commands.runLine("robot.shadow ball-model kalman --robot all")) << "red2 uses another one";
+  EXPECT_EQ(asked, (std::vector<std::string>{"red1", "red1", "red1", "red2"}));
   session.setRequestSink({});
 }
 

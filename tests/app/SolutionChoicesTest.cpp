@@ -66,5 +66,32 @@ TEST(SolutionChoices, allThatIsWrongIsSaidAtOnce) {
       3U);
 }
 
+TEST(SolutionChoices, aTextChoosesForAllOrForOneRobotOrTeam) {
+  const auto all = solutionChoiceOf("motion=wheel-model", "--shadow");
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->name + "|" + all->task + "|" + all->solution, "|motion|wheel-model");
+  const auto one = solutionChoiceOf("red/motion=wheel-model", "--shadow");
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->name + "|" + one->task + "|" + one->solution, "red|motion|wheel-model");
+  for (const char* wrong : {"motion", "=wheel-model", "motion=", "/motion=a", "red/=a"}) {
+    const auto none = solutionChoiceOf(wrong, "--shadow");
+    ASSERT_FALSE(none) << wrong;
+    EXPECT_NE(none.error().text.find("--shadow takes"), std::string::npos);
+  }
+}
+
+TEST(SolutionChoices, whatIsUsedCannotRunInTheShadow) {
+  Layout used = layoutWith("ball-percept"), other = used;
+  used.processes[0].tasks[0].choose("region");
+  const auto wrong = [&](const robotlink::ShadowName& shadow, const std::vector<const Layout*>& layouts) {
+    return describe(checkShadows({shadow}, choiceCatalog(), layouts));
+  };
+  EXPECT_NE(wrong({"ball-percept", "region"}, {&used}).find("is the solution that is used"),
+            std::string::npos);
+  EXPECT_EQ(wrong({"ball-percept", "region"}, {&used, &other}), "") << "one of them uses another";
+  EXPECT_EQ(wrong({"ball-percept", "circle-fit"}, {&used}), "");
+  EXPECT_NE(wrong({"motion", "wheel-model"}, {&used}).find("no robot here has the task"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace app

@@ -260,6 +260,40 @@ class FieldViewTest : public QObject {
     QVERIFY(!isNear(s.colorAt(-0.2, -0.5), QColor(250, 90, 170)));
   }
 
+  void whatASolutionDrawsInTheShadowIsDashedAndNamedInTheTip() {
+    ShownField s;
+    s.world.pushScene();
+    const auto line = [](double y) {
+      return worldDrawing("field", "ball-model/way", "field",
+                          [y](SceneDrawing& d) { d.line(Vector2(-1, y), Vector2(1, y), colors::kPink, 4); });
+    };
+    s.world.pushFrame({line(-0.5), [&](robotcontrol::DebugQueue& queue) {
+                         line(0.5)(queue);
+                         auto& drawn = *queue.mutable_messages()->rbegin();
+                         drawn.set_path("shadow/kalman/" + drawn.path());
+                       }});
+    s.step();
+    const QImage picture = s.picture();
+    const auto painted = [&](double y) {
+      int count = 0;
+      for (int x = s.at(-0.9, y).x(); x <= s.at(0.9, y).x(); ++x)
+        count += isNear(picture.pixelColor(x, s.at(0, y).y()), QColor(250, 90, 170)) ? 1 : 0;
+      return count;
+    };
+    const int length = s.at(0.9, 0).x() - s.at(-0.9, 0).x() + 1;
+    QCOMPARE(painted(-0.5), length);
+    QCOMPARE(painted(0.5), 0);
+    const QColor ground = picture.pixelColor(s.at(0.5, 0.8));
+    int gaps = 0;
+    for (int x = s.at(-0.9, 0.5).x(); x <= s.at(0.9, 0.5).x(); ++x)
+      gaps += picture.pixelColor(x, s.at(0, 0.5).y()) == ground ? 1 : 0;
+    QVERIFY2(gaps > length / 10 && gaps < length, qPrintable(QString::number(gaps)));
+    QString tip;
+    for (int x = 0; x < 40 && tip.isEmpty(); ++x) tip = shownTip(*s.canvas, s.at(0, 0.5) + QPoint(x, 0));
+    QVERIFY2(tip.contains(QStringLiteral("debug key ball-model/way, of kalman in the shadow")),
+             qPrintable(tip));
+  }
+
   void aTipNamesTheDrawingsUnderTheCursor() {
     ShownField s;
     s.world.pushScene();

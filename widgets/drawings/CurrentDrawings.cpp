@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/FrameDrawings.h"
 #include "robotlink/session/Session.h"
 
@@ -20,6 +21,14 @@ constexpr DrawnKind kKinds[] = {
     {"image/", DrawingKind::kImage}, {"field/", DrawingKind::kField}, {"robot/", DrawingKind::kRobot}};
 
 }  // namespace
+
+bool isDrawnInShadow(const QString& id) {
+  return id.section(QLatin1Char('/'), 1).startsWith(QLatin1String(robotlink::streams::kShadow));
+}
+
+double drawingOpacity(const QString& id, bool old) {
+  return (old ? kOldDrawingOpacity : 1) * (isDrawnInShadow(id) ? kShadowDrawingOpacity : 1);
+}
 
 std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const std::string& robot,
                                             const QStringList& ids, robotlink::Instant shown) {

@@ -30,8 +30,15 @@ struct CurrentDrawing {
   bool operator==(const CurrentDrawing&) const = default;
 };
 
+/// Whether a drawing of this name is of a solution that runs in the shadow of another; its lines are dashed.
+bool isDrawnInShadow(const QString& id);
+
 /// Opacity of an old drawing: enough to find it, too little to be taken for a current one.
 inline constexpr double kOldDrawingOpacity = 0.3;
+/// The same of one that was drawn in the shadow: it must not be taken for that of the solution in use.
+inline constexpr double kShadowDrawingOpacity = 0.6;
+/// The opacity with which a drawing is painted.
+double drawingOpacity(const QString& id, bool old);
 
 /// Returns the drawings among `ids` that the robot published in the newest frame of the drawing process, in
 /// the order of `ids`, and the last drawings of keys that do not draw in every frame (marked as old).

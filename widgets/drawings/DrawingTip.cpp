@@ -8,6 +8,8 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "widgets/drawings/CurrentDrawings.h"
+
 namespace widgets {
 namespace {
 
@@ -16,6 +18,10 @@ constexpr int kMaxTipLetters = 200;  // of one value
 
 QString sourceOf(const DrawingHit& hit, const QString& name) {
   if (hit.robot.empty()) return QCoreApplication::translate("DrawingTip", "stream %1").arg(name);
+  if (isDrawnInShadow(hit.id))
+    return QCoreApplication::translate("DrawingTip", "robot %1, debug key %2, of %3 in the shadow")
+        .arg(QString::fromStdString(hit.robot), name.section(QLatin1Char('/'), 2),
+             name.section(QLatin1Char('/'), 1, 1));
   return QCoreApplication::translate("DrawingTip", "robot %1, debug key %2")
       .arg(QString::fromStdString(hit.robot), name);
 }

@@ -13,6 +13,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/drawings/CurrentDrawings.h"
 
 namespace widgets {
 namespace {
@@ -34,8 +35,7 @@ QString drawingId(const std::string& path) {
 /// The debug key of a drawing: that of a shadow's is the same as that of the active solution's.
 std::string keyOfDrawing(const QString& id) {
   const QString name = id.section(QLatin1Char('/'), 1);
-  const bool isOfShadow = name.startsWith(QLatin1String(robotlink::streams::kShadow));
-  return (isOfShadow ? name.section(QLatin1Char('/'), 2) : name).toStdString();
+  return (isDrawnInShadow(id) ? name.section(QLatin1Char('/'), 2) : name).toStdString();
 }
 
 }  // namespace
@@ -257,6 +257,8 @@ QString DrawingsModel::toolTip(const Row& row) const {
     lines << tr("The robot does not draw it; check it to switch it on");
   } else if (!row.exists) {
     lines << tr("No robot has drawn it yet");
+  } else if (isDrawnInShadow(row.id)) {
+    lines << tr("Of a solution in the shadow: its lines are dashed");
   } else if (row.id.startsWith(QLatin1String(kStreams))) {
     lines << tr("The messages of this stream, in the frame that they name");
   }

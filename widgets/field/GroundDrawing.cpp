@@ -22,10 +22,12 @@ using robotlink::Vector3;
 /// Paints the primitives of one entity.
 class AbovePainter {
  public:
-  AbovePainter(QPainter& painter, const Pose3& frameInField, const QTransform& fieldToWidget)
+  AbovePainter(QPainter& painter, const Pose3& frameInField, const QTransform& fieldToWidget,
+               Qt::PenStyle style)
       : painter_(painter),
         frame_(frameInField),
         toWidget_(fieldToWidget),
+        style_(style),
         scale_(std::hypot(fieldToWidget.m11(), fieldToWidget.m12())) {}
 
   void paint(const foxglove::SceneEntity& entity) {
@@ -105,7 +107,7 @@ class AbovePainter {
 
   QPen penFor(const LinePrimitive& lines, const foxglove::Color& color) const {
     const double width = lines.scale_invariant() ? lines.thickness() : lines.thickness() * scale_;
-    return {qColor(color), std::max(1.0, width), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+    return {qColor(color), std::max(1.0, width), style_, Qt::RoundCap, Qt::RoundJoin};
   }
 
   void paintLines(const LinePrimitive& lines) {
@@ -133,8 +135,8 @@ class AbovePainter {
   void paintArrow(const foxglove::ArrowPrimitive& arrow) {
     const Pose3 pose = robotlink::pose3(arrow.pose());
     const double length = arrow.shaft_length() + arrow.head_length(), half = arrow.head_diameter() / 2;
-    painter_.setPen(QPen(qColor(arrow.color()), std::max(1.0, arrow.shaft_diameter() * scale_), Qt::SolidLine,
-                         Qt::FlatCap));
+    painter_.setPen(
+        QPen(qColor(arrow.color()), std::max(1.0, arrow.shaft_diameter() * scale_), style_, Qt::FlatCap));
     painter_.drawLine(project(pose, Vector3::Zero()), project(pose, Vector3(arrow.shaft_length(), 0, 0)));
     fill(arrow.color());
     painter_.drawPolygon(QPolygonF({project(pose, Vector3(length, 0, 0)),
@@ -154,24 +156,26 @@ class AbovePainter {
   QPainter& painter_;
   const Pose3& frame_;
   const QTransform& toWidget_;
+  const Qt::PenStyle style_;
   const double scale_;  // pixels per meter
 };
 
 }  // namespace
 
 void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity, const Pose3& frameInField,
-                    const QTransform& fieldToWidget) {
+                    const QTransform& fieldToWidget, Qt::PenStyle style) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  AbovePainter(painter, frameInField, fieldToWidget).paint(entity);
+  AbovePainter(painter, frameInField, fieldToWidget, style).paint(entity);
   painter.restore();
 }
 
 void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings,
                     const QTransform& fieldToWidget) {
   for (const WorldDrawing& drawing : drawings) {
-    painter.setOpacity(drawing.old ? kOldDrawingOpacity : 1);
-    paintFromAbove(painter, *drawing.entity, drawing.frameInField, fieldToWidget);
+    painter.setOpacity(drawingOpacity(drawing.id, drawing.old));
+    paintFromAbove(painter, *drawing.entity, drawing.frameInField, fieldToWidget,
+                   isDrawnInShadow(drawing.id) ? Qt::DashLine : Qt::SolidLine);
   }
   painter.setOpacity(1);
 }

@@ -17,11 +17,13 @@ struct WorldDrawing;
 
 /// Paints a drawing of the world as seen from above: everything is projected to the ground, in the order in
 /// which it is stored, fills first. `frameInField` is the frame of the entity's coordinates. Widths and font
-/// sizes that are scale-invariant in the drawing are screen pixels. Pure.
+/// sizes that are scale-invariant in the drawing are screen pixels. `style` is that of lines. Pure.
 void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity,
-                    const robotlink::Pose3& frameInField, const QTransform& fieldToWidget);
+                    const robotlink::Pose3& frameInField, const QTransform& fieldToWidget,
+                    Qt::PenStyle style = Qt::SolidLine);
 
-/// Paints several drawings from above, the lowest first; old ones are faded.
+/// Paints several drawings from above, the lowest first; old ones are faded, and those of solutions in the
+/// shadow dashed.
 void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings,
                     const QTransform& fieldToWidget);
 

@@ -10,14 +10,17 @@
 namespace widgets {
 
 GamePlayerModel::GamePlayerModel(QObject* parent)
-    : RowModel({tr("Robot"), tr("Team"), tr("Number"), tr("Role"), tr("Penalized for"), tr("Left [s]")},
+    : RowModel({tr("Robot"), tr("Team"), tr("Number"), tr("Role"), tr("Plays as"), tr("Penalized for"),
+                tr("Left [s]")},
                parent) {}
 
-void GamePlayerModel::setStatus(const robotcontrol::GameStatus* status) {
+void GamePlayerModel::setStatus(const robotcontrol::GameStatus* status, const PlayedRoles& roles) {
   std::vector<GamePlayerRow> rows;
   if (status != nullptr) {
     for (const auto& player : status->players()) {
-      GamePlayerRow row{player.robot(), player.team(), player.role(), player.number(), {}, 0};
+      GamePlayerRow row{
+          .robot = player.robot(), .team = player.team(), .role = player.role(), .number = player.number()};
+      if (const auto told = roles.find(row.robot); told != roles.end()) row.played = told->second;
       for (const auto& penalty : status->state().penalties()) {
         if (penalty.robot() != row.robot) continue;
         row.reason = penalty.reason();
@@ -39,6 +42,11 @@ QVariant GamePlayerModel::text(const GamePlayerRow& row, int column) const {
       return row.number;
     case kRole:
       return QString::fromStdString(row.role);
+    case kPlayedRole:
+      return row.played.role.empty() ? QString()
+                                     : tr("%1, %2 s ago")
+                                           .arg(QString::fromStdString(row.played.role),
+                                                QString::number(row.played.seconds, 'f', 1));
     case kPenalty:
       return QString::fromStdString(row.reason);
     default:

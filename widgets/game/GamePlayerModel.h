@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,21 @@ class GameStatus;
 
 namespace widgets {
 
+/// What a robot last told its team that it plays ("striker"; empty: nothing yet), and how long ago, s.
+struct PlayedRole {
+  std::string role;
+  double seconds = 0;
+};
+/// By the names of robots.
+using PlayedRoles = std::map<std::string, PlayedRole>;
+
 /// A robot that plays.
 struct GamePlayerRow {
   std::string robot, team, role;
+  PlayedRole played = {};
   unsigned number = 0;
   /// Why it is penalized; empty: it is not.
-  std::string reason;
+  std::string reason = {};
   /// The seconds of its penalty that are left.
   double seconds = 0;
 };
@@ -26,11 +36,11 @@ struct GamePlayerRow {
 class GamePlayerModel final : public RowModel<GamePlayerRow> {
   Q_OBJECT
  public:
-  enum Column { kRobot, kTeam, kNumber, kRole, kPenalty, kLeft, kColumns };
+  enum Column { kRobot, kTeam, kNumber, kRole, kPlayedRole, kPenalty, kLeft, kColumns };
 
   explicit GamePlayerModel(QObject* parent = nullptr);
   /// Replaces the rows; a selection survives unless the robots are others. Null: there is no game.
-  void setStatus(const robotcontrol::GameStatus* status);
+  void setStatus(const robotcontrol::GameStatus* status, const PlayedRoles& roles = {});
 
   QVariant data(const QModelIndex& index, int role) const override;
 

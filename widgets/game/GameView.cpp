@@ -13,9 +13,12 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/GamePackages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
@@ -118,7 +121,7 @@ void GameView::createViews() {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setMinimumHeight((kRowsAtLeast + 1) * table_->verticalHeader()->defaultSectionSize());
   new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kName,
-                          ColumnKind::kText, ColumnKind::kNumber});
+                          ColumnKind::kName, ColumnKind::kText, ColumnKind::kNumber});
   auto* penalties = makeToolRow(contents_, 0);
   reason_ = new QComboBox(contents_);
   describe(*reason_, {"gameReason", tr("Reason"), tr("What the robot is penalized for")});
@@ -209,7 +212,7 @@ void GameView::showStatus(const robotcontrol::GameStatus* status) {
   contents_->setVisible(status != nullptr);
   hint_->setHint(status != nullptr ? QString()
                                    : tr("No game is played. Open a scene with a game, such as game2002."));
-  players_.setStatus(status);
+  players_.setStatus(status, status != nullptr ? playedRoles(*status) : PlayedRoles());
   if (status == nullptr) return;
   showPhase(*status);
   showChoices(*status);
@@ -225,6 +228,20 @@ void GameView::showStatus(const robotcontrol::GameStatus* status) {
                    layoutOf ? QString::fromStdString(layoutOf(ofRobot)) : QString());
   penalize_->setEnabled(isChosen);
   return_->setEnabled(isPenalized);
+}
+
+PlayedRoles GameView::playedRoles(const robotcontrol::GameStatus& status) {
+  PlayedRoles roles;
+  const robotlink::Instant shown = session().timeline().shown();
+  for (const auto& player : status.players()) {
+    told_.want(session(), player.robot(), {robotlink::kTeamMessage.name});
+    const auto* message = session().store().latestAs<robotcontrol::TeamMessage>(
+        player.robot() + '/' + robotlink::kTeamMessage.name, shown);
+    if (message == nullptr) continue;
+    const auto age = shown - robotlink::instant(message->timestamp());
+    roles[player.robot()] = {message->role(), std::max(0.0, robotlink::seconds(age))};
+  }
+  return roles;
 }
 
 void GameView::showPhase(const robotcontrol::GameStatus& status) {

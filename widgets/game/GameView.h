@@ -4,6 +4,7 @@
 #include <array>
 
 #include "robotcontrol/Game.pb.h"
+#include "widgets/PackageSubscription.h"
 #include "widgets/View.h"
 #include "widgets/game/GamePlayerModel.h"
 
@@ -31,6 +32,8 @@ class GameView final : public View {
   void connectSignals();
   /// Shows what the referee says; null: there is none.
   void showStatus(const robotcontrol::GameStatus* status);
+  /// What the players told their teams last; has them publish that.
+  PlayedRoles playedRoles(const robotcontrol::GameStatus& status);
   void showPhase(const robotcontrol::GameStatus& status);
   /// The choices of teams and reasons, which the rules name.
   void showChoices(const robotcontrol::GameStatus& status);
@@ -40,6 +43,7 @@ class GameView final : public View {
   QString chosenRobot() const;
 
   GamePlayerModel players_;
+  PackageSubscription told_;
   /// Ready, set, play, finish.
   std::array<QAction*, 4> phases_{};
   QAction *restart_ = nullptr, *automatic_ = nullptr, *penalize_ = nullptr, *return_ = nullptr;

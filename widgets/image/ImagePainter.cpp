@@ -22,8 +22,8 @@ QPointF qPoint(const foxglove::Point2& point) {
   return {point.x(), point.y()};
 }
 
-QPen screenPen(const foxglove::Color& color, double thickness) {
-  QPen pen(qColor(color), std::max(1.0, thickness), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+QPen screenPen(const foxglove::Color& color, double thickness, Qt::PenStyle style) {
+  QPen pen(qColor(color), std::max(1.0, thickness), style, Qt::RoundCap, Qt::RoundJoin);
   if (color.a() <= 0) pen.setStyle(Qt::NoPen);
   return pen;
 }
@@ -32,8 +32,9 @@ QBrush fillBrush(const foxglove::Color& color) {
   return color.a() > 0 ? QBrush(qColor(color)) : QBrush(Qt::NoBrush);
 }
 
-void paintCircle(QPainter& painter, const foxglove::CircleAnnotation& circle, const QTransform& toWidget) {
-  painter.setPen(screenPen(circle.outline_color(), circle.thickness()));
+void paintCircle(QPainter& painter, const foxglove::CircleAnnotation& circle, const QTransform& toWidget,
+                 Qt::PenStyle style) {
+  painter.setPen(screenPen(circle.outline_color(), circle.thickness(), style));
   painter.setBrush(fillBrush(circle.fill_color()));
   const double radius = circle.diameter() / 2 * toWidget.m11();
   painter.drawEllipse(toWidget.map(qPoint(circle.position())), radius, radius);
@@ -53,15 +54,17 @@ void paintDots(QPainter& painter, const PointsAnnotation& points, const QPolygon
   }
 }
 
-void paintSegments(QPainter& painter, const PointsAnnotation& points, const QPolygonF& at) {
+void paintSegments(QPainter& painter, const PointsAnnotation& points, const QPolygonF& at,
+                   Qt::PenStyle style) {
   const bool strip = points.type() == PointsAnnotation::LINE_STRIP;
   for (int i = 0, segment = 0; i + 1 < at.size(); i += strip ? 1 : 2, ++segment) {
-    painter.setPen(screenPen(pointColorOf(points, segment), points.thickness()));
+    painter.setPen(screenPen(pointColorOf(points, segment), points.thickness(), style));
     painter.drawLine(at[i], at[i + 1]);
   }
 }
 
-void paintPoints(QPainter& painter, const PointsAnnotation& points, const QTransform& toWidget) {
+void paintPoints(QPainter& painter, const PointsAnnotation& points, const QTransform& toWidget,
+                 Qt::PenStyle style) {
   QPolygonF at;
   for (const auto& point : points.points()) at << toWidget.map(qPoint(point));
   switch (points.type()) {
@@ -69,13 +72,13 @@ void paintPoints(QPainter& painter, const PointsAnnotation& points, const QTrans
       paintDots(painter, points, at);
       break;
     case PointsAnnotation::LINE_LOOP:
-      painter.setPen(screenPen(points.outline_color(), points.thickness()));
+      painter.setPen(screenPen(points.outline_color(), points.thickness(), style));
       painter.setBrush(fillBrush(points.fill_color()));
       painter.drawPolygon(at);
       break;
     case PointsAnnotation::LINE_STRIP:
     case PointsAnnotation::LINE_LIST:
-      paintSegments(painter, points, at);
+      paintSegments(painter, points, at, style);
       break;
     default:
       break;
@@ -118,11 +121,11 @@ void paintPixels(QPainter& painter, const QImage& pixels, const QRectF& widget, 
 }  // namespace
 
 void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawing,
-                      const QTransform& imageToWidget) {
+                      const QTransform& imageToWidget, Qt::PenStyle style) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  for (const auto& circle : drawing.circles()) paintCircle(painter, circle, imageToWidget);
-  for (const auto& points : drawing.points()) paintPoints(painter, points, imageToWidget);
+  for (const auto& circle : drawing.circles()) paintCircle(painter, circle, imageToWidget, style);
+  for (const auto& points : drawing.points()) paintPoints(painter, points, imageToWidget, style);
   for (const auto& text : drawing.texts()) paintText(painter, text, imageToWidget);
   painter.restore();
 }
@@ -145,8 +148,9 @@ void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& p
   paintPixels(painter, picture.pixels, QRectF(QPointF(), widget), toWidget);
   const QTransform drawingsIn = drawingsToWidget(picture, viewport, widget);
   for (const ImagePicture::Drawing& drawing : picture.drawings) {
-    painter.setOpacity(drawing.old ? kOldDrawingOpacity : 1);
-    paintAnnotations(painter, *drawing.annotations, drawingsIn);
+    painter.setOpacity(drawingOpacity(drawing.id, drawing.old));
+    paintAnnotations(painter, *drawing.annotations, drawingsIn,
+                     isDrawnInShadow(drawing.id) ? Qt::DashLine : Qt::SolidLine);
   }
   painter.restore();
 }

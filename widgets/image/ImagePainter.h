@@ -43,8 +43,8 @@ void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& p
 /// From the coordinates of the picture's drawings to a widget of this size. The picture has pixels.
 QTransform drawingsToWidget(const ImagePicture& picture, const ImageViewport& viewport, const QSizeF& widget);
 /// Paints one drawing. Positions are image coordinates; line widths, point sizes and font sizes are screen
-/// pixels at every zoom.
+/// pixels at every zoom. `style` is that of lines.
 void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawing,
-                      const QTransform& imageToWidget);
+                      const QTransform& imageToWidget, Qt::PenStyle style = Qt::SolidLine);
 
 }  // namespace widgets

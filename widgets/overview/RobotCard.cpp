@@ -15,6 +15,7 @@
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
+#include "robotlink/session/RobotTeams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/BaseSilence.h"
 #include "widgets/View.h"
@@ -208,7 +209,8 @@ RobotCard robotCard(const ViewContext& context, const std::string& robot, Instan
   const auto described = context.robots.find(robot);
   if (described != context.robots.end() && described->second)
     card.kind = QString::fromStdString(described->second->title);
-  card.color = teamColor(robot, teamOf(context.session.store(), robot, shown), context.field.get());
+  card.color =
+      teamColor(robot, robotlink::teamOf(context.session.store(), robot, shown), context.field.get());
   card.isSelected = context.session.selectedRobot() == robot;
   card.state = cardState(known);
   card.behavior = cardBehavior(known);

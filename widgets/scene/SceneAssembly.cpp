@@ -128,7 +128,7 @@ std::vector<SceneBody> SceneAssembly::drawings(const std::vector<WorldDrawing>& 
   std::vector<SceneBody> bodies;
   bodies.reserve(drawings.size());
   for (const WorldDrawing& drawing : drawings) {
-    const auto opacity = static_cast<float>(drawing.old ? kOldDrawingOpacity : 1);
+    const auto opacity = static_cast<float>(drawingOpacity(drawing.id, drawing.old));
     bodies.push_back({shape(drawingShapes_, drawing.entity, drawing.keep),
                       drawing.frameInField,
                       {},

@@ -11,6 +11,7 @@
 
 #include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/session/RobotTeams.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
@@ -48,6 +49,9 @@ void SolutionsView::createActions() {
       makeAction(this, "reset",
                  {"solutionsDefaults", tr("Defaults"),
                   tr("Switches every task to the solution that its layout names"), tr("Ctrl+Shift+L")});
+  inTeam_ = makeAction(
+      this, "robot",
+      {"solutionsInTeam", tr("In its team"), tr("Switches the task to this solution in the robot's team")});
   inAllRobots_ = makeAction(
       this, "robot",
       {"solutionsInAllRobots", tr("In all robots"), tr("Switches the task to this solution in all robots")});
@@ -62,7 +66,7 @@ void SolutionsView::createViews() {
   tree_->setAlternatingRowColors(false);
   tree_->setIndentation(14);
   tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  tree_->addAction(inAllRobots_);
+  tree_->addActions({inTeam_, inAllRobots_});
   new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kTitledNumber, ColumnKind::kNumber, ColumnKind::kName,
                          ColumnKind::kText});
   hint_ = new EmptyHint(tree_);
@@ -73,12 +77,15 @@ void SolutionsView::createViews() {
   parameters_->hide();
   state_ = makeNote(this, "solutionsState", tr("Last answer"));
   auto* top = makeToolRow(this, 0);
-  top->addWidget(state_, 1);
+  top->addStretch(1);
+  top->addWidget(makeLabeledButton(this, inTeam_));
+  top->addWidget(makeLabeledButton(this, inAllRobots_));
   top->addWidget(makeButton(this, defaults_));
   top->addWidget(makeLabeledButton(this, showParameters_));
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addWidget(top->parentWidget());
   layout->addWidget(splitter_, 1);
+  layout->addWidget(state_);
 }
 
 void SolutionsView::connectSignals() {
@@ -90,7 +97,9 @@ void SolutionsView::connectSignals() {
   connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &SolutionsView::showCurrent);
   connect(defaults_, &QAction::triggered, this, &SolutionsView::selectDefaults);
-  connect(inAllRobots_, &QAction::triggered, this, &SolutionsView::selectInAllRobots);
+  connect(inTeam_, &QAction::triggered, this,
+          [this] { selectIn(robotlink::robotsNamed(session(), team())); });
+  connect(inAllRobots_, &QAction::triggered, this, [this] { selectIn(session().robots()); });
   connect(&model_, &QAbstractItemModel::modelReset, tree_, &QTreeView::expandAll);
   connect(showParameters_, &QAction::toggled, this, [this](bool on) {
     parameters_->setVisible(on);
@@ -128,8 +137,9 @@ void SolutionsView::tick() {
     model_.setCosts(costsOf(session().store(), robot, model_.tasks(), session().timeline().newest()));
   showHint();
   defaults_->setEnabled(model_.rowCount() > 0);
-  inAllRobots_->setEnabled(session().robots().size() > 1 &&
-                           tree_->currentIndex().data(SolutionModel::kSolutionRole).isValid());
+  const bool isChosen = tree_->currentIndex().data(SolutionModel::kSolutionRole).isValid();
+  inTeam_->setEnabled(isChosen && !team().empty());
+  inAllRobots_->setEnabled(isChosen && session().robots().size() > 1);
   parameters_->tick();
 }
 
@@ -208,7 +218,11 @@ void SolutionsView::requestShadow(const std::string& task, const std::string& so
       });
 }
 
-void SolutionsView::selectInAllRobots() {
+std::string SolutionsView::team() const {
+  return robotlink::teamOf(session().store(), robot_, session().timeline().newest()).value_or("");
+}
+
+void SolutionsView::selectIn(const std::vector<std::string>& robots) {
   const QModelIndex current = tree_->currentIndex();
   const std::string task = current.data(SolutionModel::kTaskRole).toString().toStdString();
   const std::string solution = current.data(SolutionModel::kSolutionRole).toString().toStdString();
@@ -217,7 +231,7 @@ void SolutionsView::selectInAllRobots() {
   robotcontrol::Request request;
   request.mutable_select_solution()->set_task(task);
   request.mutable_select_solution()->set_solution(solution);
-  for (const std::string& robot : session().robots()) {
+  for (const std::string& robot : robots) {
     if (robot == robot_) continue;
     ask(session(), robot, request, this,
         [this, name = QString::fromStdString(robot + ": " + task + " / " + solution)](bool accepted,

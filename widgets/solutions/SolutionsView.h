@@ -45,8 +45,10 @@ class SolutionsView final : public View {
   void requestShadow(const std::string& task, const std::string& solution, bool on);
   /// Has the robot measure its tasks, if it does not, so that the costs are known.
   void measure();
-  /// Requests the current solution from all robots, this one included.
-  void selectInAllRobots();
+  /// The team of the robot; empty: it has none, or none is known.
+  std::string team() const;
+  /// Requests the current solution from robots, this one included.
+  void selectIn(const std::vector<std::string>& robots);
   /// Requests the layout's default solution for every task that runs another one.
   void selectDefaults();
   /// Says why there is nothing to choose, if there is nothing.
@@ -63,7 +65,7 @@ class SolutionsView final : public View {
   QLabel* state_ = nullptr;
   EmptyHint* hint_ = nullptr;
   QAction* defaults_ = nullptr;
-  QAction* inAllRobots_ = nullptr;
+  QAction *inTeam_ = nullptr, *inAllRobots_ = nullptr;
   QAction* showParameters_ = nullptr;
   std::string robot_;
   /// Addresses of the tables that the tree shows, to detect new ones.

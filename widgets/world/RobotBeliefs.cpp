@@ -10,6 +10,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
+#include "robotlink/session/RobotTeams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/drawings/DrawingPose.h"
 #include "widgets/world/SceneState.h"
@@ -47,16 +48,6 @@ QColor colorByNumber(const std::string& robot) {
 
 }  // namespace
 
-std::optional<std::string> teamOf(const robotlink::StreamStore& store, const std::string& robot,
-                                  robotlink::Instant shown) {
-  const auto* objects = store.latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects, shown);
-  if (objects == nullptr) return std::nullopt;
-  const auto object = std::ranges::find(objects->objects(), robot, &robotcontrol::WorldObject::path);
-  if (object == objects->objects().end()) return std::nullopt;
-  const auto team = std::ranges::find(object->properties(), "team", &robotcontrol::WorldProperty::name);
-  return team == object->properties().end() ? std::nullopt : std::optional(team->text());
-}
-
 QColor teamColor(const std::string& robot, const std::optional<std::string>& team,
                  const robotlink::FieldDescription* field) {
   QColor color = colorByNumber(robot);
@@ -76,7 +67,7 @@ std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneSt
   for (const std::string& robot : session.robots()) {
     RobotBelief belief;
     belief.robot = robot;
-    belief.team = teamColor(robot, teamOf(session.store(), robot, shown), field);
+    belief.team = teamColor(robot, robotlink::teamOf(session.store(), robot, shown), field);
     belief.selected = robot == session.selectedRobot();
     if (const auto truth = scene.framePose(robot)) belief.truth = robotlink::groundPose(*truth);
     addEstimates(belief, session.store(), shown);

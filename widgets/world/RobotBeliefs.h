@@ -61,9 +61,6 @@ std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneSt
 /// Sets where the robots' own drawings are placed, by one of the choices in DrawingPose.h.
 void placeDrawings(std::vector<RobotBelief>& beliefs, const robotlink::StreamStore& store,
                    const std::string& choice, robotlink::Instant shown);
-/// The team of a robot as the scene says, empty if it has none; unset: not known, as in old logs.
-std::optional<std::string> teamOf(const robotlink::StreamStore& store, const std::string& robot,
-                                  robotlink::Instant shown);
 /// The color of a robot's team from the field's palette. If the team is not known, it is the one with whose
 /// name that of the robot begins ("red1"). Robots without a team ("p3at2") have colors by their number, or
 /// gray without one. `field` may be null.

@@ -18,8 +18,8 @@ class HostProgram;
 
 namespace app {
 
-/// The layouts and solutions that were chosen for single robots and teams of a scene, by their names. A plain
-/// value.
+/// The layouts and solutions that were chosen for robots and teams of a scene, by their names, and layouts
+/// also for kinds of robots. A plain value.
 struct TeamPrograms {
   std::map<std::string, std::filesystem::path> layouts;
   /// The chosen solutions of robots and teams, by their names and by task.

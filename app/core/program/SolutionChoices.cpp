@@ -2,9 +2,10 @@
 #include "app/core/program/SolutionChoices.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
-#include "robotlink/debugging/Solution.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/process/Layout.h"
 
 namespace app {
@@ -31,6 +32,18 @@ std::set<std::string> tasksOf(const std::vector<const Layout*>& layouts) {
     }
   }
   return tasks;
+}
+
+/// Whether all of these layouts that have the task do it by this solution.
+bool isUsedByAll(const std::string& task, const std::string& solution,
+                 const std::vector<const Layout*>& layouts) {
+  for (const Layout* layout : layouts) {
+    for (const auto& process : layout->processes) {
+      for (const auto& one : process.tasks)
+        if (one.task == task && one.solution != solution) return false;
+    }
+  }
+  return true;
 }
 
 /// `known`: some layout could have the task. `tasks`: those that these layouts have.
@@ -70,14 +83,39 @@ robotlink::Result<std::map<std::string, std::string>> solutionsOf(const std::vec
   return solutions;
 }
 
+robotlink::Result<SolutionChoice> solutionChoiceOf(const std::string& text, const std::string& option) {
+  const auto choice = assignmentOf(text);
+  const std::size_t slash = choice ? choice->first.find('/') : 0;
+  if (!choice || slash == 0 || slash + 1 == choice->first.size())
+    return robotlink::failure(
+        "usage",
+        option + " takes TASK=SOLUTION, or NAME/TASK=SOLUTION for a robot or team, not '" + text + "'", {},
+        {text});
+  const auto& [what, solution] = *choice;
+  if (slash == std::string::npos) return SolutionChoice{{}, what, solution};
+  return SolutionChoice{what.substr(0, slash), what.substr(slash + 1), solution};
+}
+
+robotlink::Result<void> checkShadow(const robotlink::ShadowName& shadow) {
+  const TaskCatalog catalog = robotlink::registeredTasks();
+  std::set<std::string> tasks;
+  for (const auto& [name, task] : catalog.tasks) tasks.insert(name);
+  const TaskCatalog::Task* known = catalog.find(shadow.task);
+  if (known != nullptr && catalog.find(shadow.task, shadow.solution) != nullptr) return {};
+  Error error = known == nullptr ? noTask(shadow.task, false, tasks) : noSolution(*known, shadow.solution);
+  error.id = "usage";
+  error.text = "--shadow: " + error.text;
+  return tl::unexpected(std::move(error));
+}
+
 robotlink::Result<std::vector<robotlink::ShadowName>> shadowsOf(const std::vector<std::string>& texts) {
   std::vector<robotlink::ShadowName> shadows;
   for (const std::string& text : texts) {
     const auto choice = assignmentOf(text);
-    if (!choice || robotlink::SolutionRegistry::find(choice->first, choice->second) == nullptr)
-      return robotlink::failure("usage", "--shadow takes TASK=SOLUTION; there is no '" + text + "'", {},
-                                {text});
+    if (!choice)
+      return robotlink::failure("usage", "--shadow takes TASK=SOLUTION, not '" + text + "'", {}, {text});
     shadows.push_back({choice->first, choice->second});
+    if (auto known = checkShadow(shadows.back()); !known) return tl::unexpected(known.error());
   }
   return shadows;
 }
@@ -93,6 +131,22 @@ Errors checkSolutions(const std::map<std::string, std::string>& solutions, const
     } else if (catalog.find(task, solution) == nullptr) {
       errors.push_back(noSolution(*known, solution));
     }
+  }
+  return errors;
+}
+
+Errors checkShadows(const std::vector<robotlink::ShadowName>& shadows, const TaskCatalog& catalog,
+                    const std::vector<const Layout*>& layouts) {
+  Errors errors;
+  for (const auto& [task, solution] : shadows) {
+    Errors unknown = checkSolutions({{task, solution}}, catalog, layouts);
+    if (unknown.empty() && isUsedByAll(task, solution, layouts))
+      unknown.push_back({"solution.shadow",
+                         "--shadow: " + solution + " is the solution that is used for " + task +
+                             "; name another one, or have another one used (--solution)",
+                         {task, solution},
+                         {}});
+    std::ranges::move(unknown, std::back_inserter(errors));
   }
   return errors;
 }

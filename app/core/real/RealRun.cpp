@@ -18,7 +18,10 @@ tl::expected<HostedRobot, Errors> hostedRobot(const RealRobotOptions& options) {
   const std::filesystem::path fieldOfKind = fieldFile(use->field);
   auto field = readField(fieldOfKind);
   if (!field) return tl::unexpected(field.error());
-  HostedRobot robot{options.robot, use->teamOf(options.robot), *description, *field, nullptr, fieldOfKind};
+  const std::string& team = options.program.team.team;
+  HostedRobot robot{options.robot, team.empty() ? use->teamOf(options.robot) : team,
+                    *description,  *field,
+                    nullptr,       fieldOfKind};
   if (options.program.map.empty()) return robot;
   auto map = robotlink::GroundMap::load(options.program.map);
   if (!map) return tl::unexpected(map.error());

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SimulatedRun: the game that its robots play: the umpire, and the radio of the teams.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <utility>
 
 #include "app/core/game/GameMessages.h"
@@ -40,6 +43,15 @@ Errors SimulatedRun::makeGame() {
     rules_ = std::make_shared<const GameRules>(std::move(*rules));
   }
   makeUmpire();
+  if (rules_ && !options_.game.empty() && referee_ == nullptr)
+    return {{"game.none",
+             "--game: the game of the rules " + name +
+                 " needs a field with a ball and a robot of one of the teams " +
+                 fmt::format("{}", fmt::join(rules_->teams, ", ")) +
+                 ", which this scene does not have; open one with them, such as game2002, or add robots with "
+                 "--robots",
+             {name},
+             {}}};
   restartGame();
   return {};
 }

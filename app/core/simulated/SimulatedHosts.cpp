@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "app/core/program/PresetOverrides.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/ShippedFiles.h"
@@ -22,6 +23,20 @@
 namespace app {
 
 using robotlink::Errors;
+
+namespace {
+
+/// The solutions of a robot, by task; those of it go before those of its team.
+std::map<std::string, std::string> solutionsFor(const TeamSolutions& all, const HostedRobot& robot) {
+  std::map<std::string, std::string> solutions;
+  for (const std::string& name : {robot.name, robot.team}) {
+    const auto own = all.find(name);
+    if (!name.empty() && own != all.end()) solutions.insert(own->second.begin(), own->second.end());
+  }
+  return solutions;
+}
+
+}  // namespace
 
 robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, RunOptions& options) {
   std::error_code ignored;
@@ -43,19 +58,21 @@ robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, Run
 
 robotlink::Result<void> chooseSolutions(const std::vector<std::string>& texts, RunOptions& options) {
   for (const std::string& text : texts) {
-    const auto choice = assignmentOf(text);
-    if (!choice)
-      return robotlink::failure("usage",
-                                "--solution takes TASK=SOLUTION or NAME/TASK=SOLUTION, not '" + text + "'");
-    const auto& [what, solution] = *choice;
-    const std::size_t slash = what.find('/');
-    if (slash == std::string::npos) {
-      options.solutions[what] = solution;
-    } else if (slash == 0 || slash + 1 == what.size()) {
-      return robotlink::failure("usage", "a robot or team and a task are needed in '" + text + "'");
-    } else {
-      options.robotSolutions[what.substr(0, slash)][what.substr(slash + 1)] = solution;
-    }
+    const auto choice = solutionChoiceOf(text, "--solution");
+    if (!choice) return tl::unexpected(choice.error());
+    auto& solutions = choice->name.empty() ? options.solutions : options.robotSolutions[choice->name];
+    solutions[choice->task] = choice->solution;
+  }
+  return {};
+}
+
+robotlink::Result<void> chooseShadows(const std::vector<std::string>& texts, RunOptions& options) {
+  for (const std::string& text : texts) {
+    const auto choice = solutionChoiceOf(text, "--shadow");
+    if (!choice) return tl::unexpected(choice.error());
+    auto& shadows = options.shadows[choice->name];
+    shadows.push_back({choice->task, choice->solution});
+    if (auto known = checkShadow(shadows.back()); !known) return known;
   }
   return {};
 }
@@ -95,14 +112,21 @@ tl::expected<SimulatedRun::Hosts, Errors> SimulatedRun::newHosts(const simcore::
     const auto kind = kindOf(robot.description);
     if (!kind) return tl::unexpected(kind.error());
     const Kind& its = **kind;
-    const std::string team = robot.team.empty() ? its.use.teamOf(robot.name) : robot.team;
+    const HostedRobot hosted{robot.name,
+                             robot.team,
+                             its.description,
+                             its.field,
+                             map(),
+                             its.fieldFile,
+                             map() ? scene.file() : std::filesystem::path(),
+                             presetOf(robot.name, robot.team),
+                             presetFile(robot.name)};
     hosts.push_back(std::make_unique<RobotHost>(
-        HostedRobot{robot.name, team, its.description, its.field, map(), its.fieldFile,
-                    map() ? scene.file() : std::filesystem::path(), presetOf(robot.name, team),
-                    presetFile(robot.name)},
-        RobotHost::Listeners{
-            listeners_.queue, listeners_.trouble, listeners_.platform, {}, listeners_.hosting},
-        tap_.get(), overridesOf(robot.name, team)));
+        hosted,
+        RobotHost::Listeners{listeners_.queue, listeners_.trouble, listeners_.platform,
+                             [chosen = chosenSolutions_](const auto& request) { chosen->note(request); },
+                             listeners_.hosting},
+        tap_.get(), overridesOf(hosted)));
   }
   return hosts;
 }
@@ -159,37 +183,70 @@ std::filesystem::path SimulatedRun::layoutOf(const RobotHost& robot, const Layou
 
 std::shared_ptr<const robotlink::Preset> SimulatedRun::presetOf(const std::string& robot,
                                                                 const std::string& team) const {
-  for (const std::string& name : {robot, team}) {
+  auto preset = options_.preset;
+  for (const std::string& name : {team, robot}) {
     const auto own = options_.robotPresets.find(name);
-    if (!name.empty() && own != options_.robotPresets.end()) return own->second;
+    if (!name.empty() && own != options_.robotPresets.end()) preset = own->second;
   }
-  return options_.preset;
+  for (const std::string& name : std::set<std::string>{{}, team, robot}) {
+    const auto shadows = options_.shadows.find(name);
+    if (shadows != options_.shadows.end()) preset = withShadows(preset, shadows->second);
+  }
+  return preset;
 }
 
-ProgramOverrides SimulatedRun::overridesOf(const std::string& robot, const std::string& team) const {
+ProgramOverrides SimulatedRun::overridesOf(const HostedRobot& robot) const {
   ProgramOverrides overrides;
-  for (const std::string& name : {robot, team, std::string()}) {
+  for (const std::string& name : {robot.name, robot.team, std::string()}) {
     const auto table = options_.colorTables.find(name);
     if (table == options_.colorTables.end()) continue;
     overrides.chooseColorTable(table->second);
     break;
   }
+  for (const auto& [task, solution] : keptSolutionsOf(robot)) overrides.chooseSolution(task, solution);
   return overrides;
 }
 
-std::map<std::string, std::string> SimulatedRun::solutionsOf(const RobotHost& robot) const {
-  std::map<std::string, std::string> solutions = options_.solutions;
-  for (const std::string& name : {robot.robot().team, robot.name()}) {
-    const auto own = options_.robotSolutions.find(name);
-    if (name.empty() || own == options_.robotSolutions.end()) continue;
-    for (const auto& [task, solution] : own->second) solutions[task] = solution;
+std::map<std::string, std::string> SimulatedRun::keptSolutionsOf(const HostedRobot& robot) const {
+  auto solutions = solutionsFor(options_.keptSolutions, robot);
+  // What is asked for now goes before what was chosen some time.
+  for (const auto& asked : {options_.solutions, solutionsFor(options_.robotSolutions, robot)})
+    std::erase_if(solutions, [&](const auto& one) { return asked.contains(one.first); });
+  return solutions;
+}
+
+RunOptions SimulatedRun::optionsToKeep() const {
+  RunOptions kept = options_;
+  kept.robotSolutions.clear();
+  for (const auto& robot : robots_) {
+    kept.keptSolutions.erase(robot->robot().team);
+    kept.keptSolutions.erase(robot->name());
   }
+  TeamSolutions chosen = chosenSolutions_->all();
+  for (const auto& robot : robots_) {
+    auto& solutions = chosen[robot->name()];
+    solutions.merge(solutionsFor(options_.robotSolutions, robot->robot()));
+    solutions.merge(keptSolutionsOf(robot->robot()));
+  }
+  std::erase_if(chosen, [](const auto& one) { return one.second.empty(); });
+  kept.keptSolutions.merge(chosen);
+  return kept;
+}
+
+std::map<std::string, std::string> SimulatedRun::solutionsOf(const RobotHost& robot) const {
+  auto solutions = solutionsFor(options_.robotSolutions, robot.robot());
+  solutions.insert(options_.solutions.begin(), options_.solutions.end());
   return solutions;
 }
 
 tl::expected<robotlink::Layout, Errors> SimulatedRun::readLayoutOf(const RobotHost& robot,
                                                                    const std::filesystem::path& file) const {
   return readLayoutWith(file, solutionsOf(robot));
+}
+
+std::filesystem::path SimulatedRun::layoutOf(const std::string& robot) const {
+  const RobotHost* host = find(robot);
+  return host == nullptr ? std::filesystem::path() : layoutOf(*host, options_.layouts);
 }
 
 std::filesystem::path SimulatedRun::layout() const {
@@ -206,26 +263,34 @@ std::map<std::string, std::filesystem::path> SimulatedRun::otherLayouts() const 
 }
 
 Errors SimulatedRun::checkChosenSolutions() const {
-  if (options_.solutions.empty() && options_.robotSolutions.empty()) return {};
+  if (options_.solutions.empty() && options_.robotSolutions.empty() && options_.shadows.empty()) return {};
   std::vector<robotlink::Layout> layouts;
   for (const auto& robot : robots_) {
-    auto layout = robotlink::readLayout(layoutOf(*robot, options_.layouts));
+    auto layout = readLayoutOf(*robot, layoutOf(*robot, options_.layouts));
     // The error is reported when its program is made.
     if (!layout) return {};
     layouts.push_back(std::move(*layout));
   }
-  const auto check = [&](const std::map<std::string, std::string>& solutions, const std::string& whose) {
+  const auto layoutsOf = [&](const std::string& whose) {
     std::vector<const robotlink::Layout*> known;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       const HostedRobot& robot = robots_[i]->robot();
       if (whose.empty() || whose == robot.name || whose == robot.team) known.push_back(&layouts[i]);
     }
-    return checkSolutions(solutions, robotlink::registeredTasks(), known);
+    return known;
+  };
+  const auto check = [&](const std::map<std::string, std::string>& solutions, const std::string& whose) {
+    return checkSolutions(solutions, robotlink::registeredTasks(), layoutsOf(whose));
   };
   Errors errors = check(options_.solutions, {});
   for (const auto& [name, solutions] : options_.robotSolutions) {
     // Whoever is not in the scene may come into it.
     if (hasRobotOrTeam(name)) std::ranges::move(check(solutions, name), std::back_inserter(errors));
+  }
+  for (const auto& [name, shadows] : options_.shadows) {
+    if (name.empty() || hasRobotOrTeam(name))
+      std::ranges::move(checkShadows(shadows, robotlink::registeredTasks(), layoutsOf(name)),
+                        std::back_inserter(errors));
   }
   return errors;
 }

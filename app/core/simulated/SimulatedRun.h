@@ -20,10 +20,12 @@
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/simulated/ArcosPorts.h"
+#include "app/core/simulated/ChosenSolutions.h"
 #include "app/core/snapshots/RunJournal.h"
 #include "app/core/team/GameMail.h"
 #include "app/core/world/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/DebugRoutes.h"
 #include "simcore/Scene.h"
 
 namespace logplayer {
@@ -83,12 +85,18 @@ struct RunOptions {
   std::map<std::string, std::string> solutions;
   /// The same for single robots and teams, by name; those of a robot go before those of its team, and both
   /// before those of all.
-  std::map<std::string, std::map<std::string, std::string>> robotSolutions = {};
+  TeamSolutions robotSolutions = {};
+  /// Solutions that were chosen earlier for robots and teams, by name, while their programs ran; they go
+  /// before those of the layouts. What is chosen above goes before them.
+  TeamSolutions keptSolutions = {};
   /// What all programs start with besides; null: nothing.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
   /// The same for single robots and teams, by name, instead of that of all; that of a robot goes before that
   /// of its team.
   std::map<std::string, std::shared_ptr<const robotlink::Preset>> robotPresets = {};
+  /// What runs in the shadow of the solutions that are used, in robots and teams, by name, and in all
+  /// programs by an empty name.
+  std::map<std::string, std::vector<robotlink::ShadowName>> shadows = {};
   /// The color tables of single robots and teams, by name, and that of all others by an empty name; those of
   /// robots go before those of their teams. Robots without one make theirs from the field's colors.
   std::map<std::string, std::shared_ptr<const robotcontrol::ColorTable>> colorTables = {};
@@ -116,6 +124,8 @@ robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, Run
 /// Applies TASK=SOLUTION for all robots, or NAME/TASK=SOLUTION for one robot or team. Fails if a text is
 /// neither.
 robotlink::Result<void> chooseSolutions(const std::vector<std::string>& texts, RunOptions& options);
+/// The same for solutions that are to run in the shadow; also fails if there is no such solution.
+robotlink::Result<void> chooseShadows(const std::vector<std::string>& texts, RunOptions& options);
 
 /// A simulated world with the programs of all its robots, stepped by the caller. It is made as a whole or
 /// refused with all reasons.
@@ -252,6 +262,10 @@ class SimulatedRun {
   SimulatedWorld& world() { return *world_; }
   const SimulatedWorld& world() const { return *world_; }
   const RunOptions& options() const { return options_; }
+  /// The options with which the scene is to be opened again: also with the solutions that were chosen since.
+  RunOptions optionsToKeep() const;
+  /// Whether a solution was chosen since this was called last.
+  bool takeSolutionsChosen() { return chosenSolutions_->takeNews(); }
   /// The names of the robots, in the order of the scene.
   std::vector<std::string> robots() const;
   /// Whether a robot, or a team that robots are of, has this name.
@@ -268,7 +282,9 @@ class SimulatedRun {
   std::shared_ptr<const robotcontrol::GameStatus> gameStatus() const;
   /// The radio by which robots of a team hear each other.
   const TeamRadio& radio() const { return radio_; }
-  /// The layout file of the first robot's program; empty without robots.
+  /// The layout file of a robot's program; empty if there is no such robot.
+  std::filesystem::path layoutOf(const std::string& robot) const;
+  /// That of the first robot; empty without robots.
   std::filesystem::path layout() const;
 
   /// Opens the ports of the options if they are not open. Fails if that is impossible.
@@ -304,7 +320,7 @@ class SimulatedRun {
   tl::expected<Hosts, robotlink::Errors> newHosts(const simcore::Scene& scene) const;
   /// Distributes the layout that was chosen for all to those kinds that can be run in it.
   robotlink::Errors distributeLayout();
-  /// Checks the solutions of the options against the layouts.
+  /// Checks the solutions of the options, also those in the shadow, against the layouts.
   robotlink::Errors checkChosenSolutions() const;
   /// Layout files by kind of robot.
   using Layouts = std::map<std::string, std::filesystem::path>;
@@ -316,8 +332,10 @@ class SimulatedRun {
   /// The preset with which a robot begins.
   std::shared_ptr<const robotlink::Preset> presetOf(const std::string& robot, const std::string& team) const;
   /// What the user chose for a robot that comes into the scene.
-  ProgramOverrides overridesOf(const std::string& robot, const std::string& team) const;
-  /// The solutions that were chosen for a robot, by task.
+  ProgramOverrides overridesOf(const HostedRobot& robot) const;
+  /// What of RunOptions::keptSolutions counts for a robot, by task.
+  std::map<std::string, std::string> keptSolutionsOf(const HostedRobot& robot) const;
+  /// The solutions that were chosen for a robot instead of its layout's, by task.
   std::map<std::string, std::string> solutionsOf(const RobotHost& robot) const;
   /// Its layout with them.
   tl::expected<robotlink::Layout, robotlink::Errors> readLayoutOf(const RobotHost& robot,
@@ -447,6 +465,8 @@ class SimulatedRun {
   std::unique_ptr<RecordingTap> tap_;
   std::vector<std::unique_ptr<RobotHost>> robots_;
   std::vector<std::string> lostChoices_;
+  /// Not null.
+  const std::shared_ptr<ChosenSolutions> chosenSolutions_ = std::make_shared<ChosenSolutions>();
   /// Steps since the start, and what was asked since then.
   std::uint64_t stepsMade_ = 0;
   RunJournal journal_;

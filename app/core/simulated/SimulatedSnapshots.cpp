@@ -57,7 +57,7 @@ std::string SimulatedRun::settings() const {
       text += fmt::format("{} of {}: {}\n", task, name, solution);
   }
   for (const auto& [task, solution] : options_.solutions) text += fmt::format("{}: {}\n", task, solution);
-  if (options_.preset || !options_.robotPresets.empty()) text += "a preset\n";
+  if (options_.preset || !options_.robotPresets.empty() || !options_.shadows.empty()) text += "a preset\n";
   for (const auto& [name, table] : options_.colorTables)
     text += fmt::format("color table of {}: {}\n", name.empty() ? "all" : name, table->source());
   return text;

@@ -94,6 +94,9 @@ Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
     return robotlink::failure("simulation.setup",
                               "there are not so many ports above the first one; choose a lower first port");
   }
+  if (values.contains("teams") && !values.contains("robots") && !values.contains("kind"))
+    return robotlink::failure("simulation.setup",
+                              "teams are for robots that are added; say how many of them (--robots)");
   RunOptions chosen;
   if (const auto done = chooseLayouts(linesIn(textOf(values, "layout")), chosen); !done)
     return tl::unexpected(done.error());
@@ -106,8 +109,10 @@ Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
       options.layout = chosen.layout;
       options.robotLayouts.clear();
     }
-    for (const auto& [task, solution] : chosen.solutions)
-      for (auto& [robot, solutions] : options.robotSolutions) solutions.erase(task);
+    for (const auto& [task, solution] : chosen.solutions) {
+      for (TeamSolutions* before : {&options.robotSolutions, &options.keptSolutions})
+        for (auto& [robot, solutions] : *before) solutions.erase(task);
+    }
     for (const auto& [kind, layout] : chosen.layouts) options.layouts[kind] = layout;
     for (const auto& [robot, layout] : chosen.robotLayouts) options.robotLayouts[robot] = layout;
     for (const auto& [task, solution] : chosen.solutions) options.solutions[task] = solution;

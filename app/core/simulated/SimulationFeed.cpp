@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/SimulationFeed.h"
 
-#include "app/core/platform/HostingMemory.h"
 #include "app/core/program/SceneMessages.h"
 #include "app/core/simulated/SceneResources.h"
 #include "app/core/world/WorldObjects.h"
@@ -12,7 +11,6 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
-#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
@@ -26,75 +24,7 @@ constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 /// What the recent past may take.
 constexpr std::size_t kRewindBytes = std::size_t{256} << 20U;
 
-/// The options of the last simulation, as the adapter's memory keeps them; at first, programs run where they
-/// did in the last run of the workbench.
-std::shared_ptr<RunOptions> lastSimulation(const PlatformContext& context) {
-  std::any& memory = context.memory;
-  if (!memory.has_value()) {
-    const auto first = std::make_shared<RunOptions>(defaultSimulation());
-    first->scene.clear();
-    if (context.hosting != nullptr) {
-      first->hosting = context.hosting->choices(SimulationFeed::kAdapter);
-      first->models = context.hosting->modelFolders();
-    }
-    memory = first;
-  }
-  return std::any_cast<std::shared_ptr<RunOptions>>(memory);
-}
-
-/// What was chosen for teams and robots when this scene was open before, as far as it still exists; those of
-/// another scene have other teams.
-void useTeamPrograms(const PlatformContext& context, const std::filesystem::path& scene,
-                     RunOptions& options) {
-  if (options.scene == scene || context.hosting == nullptr) return;
-  auto kept = context.hosting->teamPrograms(scene);
-  if (!kept) return;
-  const auto catalog = robotlink::registeredTasks();
-  for (auto& [name, solutions] : kept->solutions)
-    std::erase_if(solutions, [&](const auto& one) { return catalog.find(one.first, one.second) == nullptr; });
-  std::error_code ignored;
-  std::erase_if(kept->layouts,
-                [&](const auto& one) { return !std::filesystem::exists(one.second, ignored); });
-  options.robotLayouts = std::move(kept->layouts);
-  options.robotSolutions = std::move(kept->solutions);
-}
-
-/// Keeps the options of a simulation for the next one; and where the user lets programs run, as far as that
-/// has changed since it was opened, for the next run of the workbench.
-SimulationFeed::Choices keeperOf(std::shared_ptr<RunOptions> last, HostingMemory* hosting) {
-  return [last = std::move(last), hosting,
-          known = std::optional<HostingChoices>()](const RunOptions& running) mutable {
-    *last = running;
-    const HostingChoices& now = running.hosting;
-    if (hosting != nullptr) hosting->chooseModelFolders(running.models);
-    if (hosting != nullptr)
-      hosting->chooseTeamPrograms(running.scene, {running.robotLayouts, running.robotSolutions});
-    if (hosting != nullptr && known && *known != now) hosting->choose(SimulationFeed::kAdapter, now);
-    known = now;
-  };
-}
-
 }  // namespace
-
-PlatformOpening SimulationFeed::opening(const RunOptions& options) {
-  return opening(options.scene, [options](RunOptions& last) { last = options; });
-}
-
-PlatformOpening SimulationFeed::opening(const std::filesystem::path& scene,
-                                        std::function<void(RunOptions& options)> adapt) {
-  const auto make = [scene,
-                     adapt = std::move(adapt)](const PlatformContext& context) -> PlatformOpening::Made {
-    const std::shared_ptr<RunOptions> last = lastSimulation(context);
-    RunOptions options = *last;
-    options.texts.clear();
-    useTeamPrograms(context, scene, options);
-    adapt(options);
-    options.scene = scene;
-    options.progress = context.progress;
-    return create(std::move(options), context.session, context.recorder, keeperOf(last, context.hosting));
-  };
-  return {kAdapter, {scene.string()}, make, scene};
-}
 
 tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed::create(
     RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices) {
@@ -163,7 +93,7 @@ std::vector<std::string> SimulationFeed::end() {
 
 void SimulationFeed::begin() {
   gate_.open();
-  if (choices_) choices_(run_->options());
+  keepChoices();
   restartPace();
   publishScene();
   if (!run_->options().world.noise && !run_->robots().empty()) {
@@ -222,6 +152,11 @@ void SimulationFeed::step() {
 
 void SimulationFeed::publishAnswers() {
   if (!running_ && stepsWanted_ == 0) run_->publishComingAnswers();
+  if (run_->takeSolutionsChosen()) keepChoices();
+}
+
+void SimulationFeed::keepChoices() const {
+  if (choices_) choices_(run_->optionsToKeep());
 }
 
 LoadedPlatform SimulationFeed::describe() const {
@@ -340,7 +275,7 @@ robotlink::Result<void> SimulationFeed::editScene(const robotcontrol::Request& r
 robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request& request) {
   const robotlink::Errors errors = run_->hostProgram(request.robot(), request.host_program());
   if (!errors.empty()) return tl::unexpected(errors.front());
-  if (choices_) choices_(run_->options());
+  keepChoices();
   publishLostOverrides();
   return {};
 }

@@ -29,12 +29,14 @@ class SimulationFeed final : public PlatformFeed {
   /// The name of its PlatformAdapter.
   static constexpr const char* kAdapter = "simulation";
 
-  /// Called in the platform's thread with the options of the run, at the start and whenever they change.
+  /// Called in the platform's thread with the options of the run (SimulatedRun::optionsToKeep()), at the
+  /// start and whenever they change.
   using Choices = std::function<void(const RunOptions& options)>;
   /// Returns the opening of a scene for PlatformThread.
   static PlatformOpening opening(const RunOptions& options);
   /// The same for the options that `adapt` makes of those of the last simulation, so that another scene is
-  /// opened with its layouts and settings. Called once, in the platform's thread.
+  /// opened with its settings; layouts and solutions are those that were chosen in the scene itself. Called
+  /// once, in the platform's thread.
   static PlatformOpening opening(const std::filesystem::path& scene,
                                  std::function<void(RunOptions& options)> adapt);
   /// Makes the run, paused. Fails with all reasons if that is impossible.
@@ -106,7 +108,10 @@ class SimulationFeed final : public PlatformFeed {
 
   /// Resets the run with the same seed, and publishes the scene again.
   robotlink::Result<void> reset();
+  /// Keeps what was chosen for the next opening of the scene.
+  void keepChoices() const;
   /// While the simulation is paused, publishes results that the programs would give in their next frames.
+  /// Keeps solutions that were chosen.
   void publishAnswers();
   /// Publishes the overrides that the present programs cannot fulfill as warnings, where describe() is not
   /// asked.

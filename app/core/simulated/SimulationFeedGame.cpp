@@ -34,7 +34,7 @@ robotlink::Errors SimulationFeed::setLayoutOf(const std::string& name, const std
 }
 
 void SimulationFeed::afterLayout() {
-  if (choices_) choices_(run_->options());
+  keepChoices();
   publishAnswers();
 }
 

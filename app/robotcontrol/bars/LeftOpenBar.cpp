@@ -81,7 +81,8 @@ QJsonObject LeftOpenBar::stateOf(const Workbench& workbench) {
   QJsonObject state{{QLatin1String(kSources), QJsonArray::fromStringList(sources)},
                     {QLatin1String(kServers), QJsonArray::fromStringList(servers)},
                     {QLatin1String(kProcess), static_cast<double>(QCoreApplication::applicationPid())}};
-  if (loaded != nullptr && !loaded->layout.empty())
+  // Where robots have layouts of their own, the scene keeps them.
+  if (loaded != nullptr && !loaded->layout.empty() && loaded->otherLayouts.empty())
     state.insert(QLatin1String(kLayout), QString::fromStdString(loaded->layout.string()));
   return state;
 }

@@ -96,7 +96,8 @@ void SimulationToolBar::createBoxes() {
   scene_ = makeBox(this, "sceneBox", tr("Scene"), tr("The simulated scene"));
   layout_ =
       makeBox(this, "layoutBox", tr("Process layout"),
-              tr("Which process of the robot's program does which tasks; a change restarts the program"));
+              tr("Which process of the selected robot's program does which tasks; another one is for all "
+                 "robots, whose programs start again"));
   robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot that views and toolbars show"));
   speed_ = makeBox(this, "speedBox", tr("Speed"), tr("How many times real time the simulation runs"));
   scene_->setPlaceholderText(tr("none"));
@@ -166,8 +167,15 @@ void SimulationToolBar::showLoaded() {
   selectFile(scene_, std::filesystem::path(loaded->isSimulated() ? loaded->sources.front() : std::string()));
   layout_->setPlaceholderText(loaded->isLogged() ? tr("of the log") : tr("none"));
   showLayouts(*loaded);
-  selectFile(layout_, loaded->layout);
   showRobots();
+  showLayoutOf(workbench_.session().selectedRobot());
+}
+
+void SimulationToolBar::showLayoutOf(const std::string& robot) {
+  layoutShownOf_ = robot;
+  const auto* loaded = workbench_.loaded();
+  const bool isHere = loaded != nullptr && loaded->robots.contains(robot);
+  selectFile(layout_, isHere ? loaded->layoutOf(robot) : std::filesystem::path());
 }
 
 void SimulationToolBar::showRobots() {
@@ -194,6 +202,7 @@ void SimulationToolBar::refresh() {
   widgets::showConnections(*robot_, session);
   const int robot = robot_->findData(QString::fromStdString(session.selectedRobot()));
   if (robot >= 0 && robot != robot_->currentIndex()) robot_->setCurrentIndex(robot);
+  if (session.selectedRobot() != layoutShownOf_) showLayoutOf(session.selectedRobot());
   ofColors_->setVisible(colorTable_->refresh(session));
   const auto* status =
       session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());

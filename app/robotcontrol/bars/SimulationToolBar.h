@@ -27,6 +27,8 @@ class SimulationToolBar : public QToolBar {
   void showLoaded();
   /// To be called when robots have come or gone.
   void showRobots();
+  /// Shows the layout that a robot runs.
+  void showLayoutOf(const std::string& robot);
 
   /// Start, pause, rewind, step, reset.
   const QList<QAction*>& simulationActions() const { return simulationActions_; }
@@ -58,6 +60,8 @@ class SimulationToolBar : public QToolBar {
   /// Items have the path of their file as data; robot_ has names only.
   QComboBox* scene_ = nullptr;
   QComboBox* layout_ = nullptr;
+  /// The robot of showLayoutOf().
+  std::string layoutShownOf_;
   QComboBox* robot_ = nullptr;
   QComboBox* speed_ = nullptr;
   ColorTableButton* colorTable_ = nullptr;

@@ -25,9 +25,9 @@ void ArcosOptions::addTo(CLI::App& command) {
       "burger (those of the scene, if it has any; else p3at)");
   robots_ = command.add_option("--robots", robots, "How many robots to add to the scene (to a map: 1)")
                 ->check(numberFrom(0, 1000));
-  command.add_option("--teams", teams, "The teams of added robots that play: both, red or blue")
-      ->check(CLI::IsMember({"both", "red", "blue"}))
-      ->capture_default_str();
+  teams_ = command.add_option("--teams", teams, "The teams of added robots that play: both, red or blue")
+               ->check(CLI::IsMember({"both", "red", "blue"}))
+               ->capture_default_str();
   arcos_ = command
                .add_option("--arcos", port,
                            "Opens the robots to programs over ARCOS: the first at this TCP port (8101), the "
@@ -49,6 +49,13 @@ void ArcosOptions::addTo(CLI::App& command) {
 
 bool ArcosOptions::given() const {
   return arcos_ != nullptr && arcos_->count() > 0;
+}
+
+robotlink::Result<void> ArcosOptions::check(const std::filesystem::path& scene) const {
+  const bool namesTeams = teams_ != nullptr && teams_->count() > 0;
+  if (robotsFor(scene, 0).count > 0 || (robot.empty() && !namesTeams)) return {};
+  return robotlink::failure("usage", std::string(namesTeams ? "--teams" : "--robot") +
+                                         " is for robots that are added; say how many with --robots");
 }
 
 simcore::RobotsToAdd ArcosOptions::robotsFor(const std::filesystem::path& scene, std::uint64_t seed) const {

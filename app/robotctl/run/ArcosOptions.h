@@ -35,6 +35,8 @@ struct ArcosOptions {
 
   /// Adds the options to a command; this object must outlive the command.
   void addTo(CLI::App& command);
+  /// Fails if a kind or teams are named for robots that nobody adds.
+  robotlink::Result<void> check(const std::filesystem::path& scene) const;
   /// Whether --arcos was given.
   bool given() const;
   /// The robots to add to a scene. Without --robots one robot is added to a map, none to any other scene.
@@ -46,6 +48,7 @@ struct ArcosOptions {
   /// Owned by the command; null before addTo().
   CLI::Option* arcos_ = nullptr;
   CLI::Option* robots_ = nullptr;
+  CLI::Option* teams_ = nullptr;
 };
 
 /// The other arguments of `robotctl sim --arcos`.

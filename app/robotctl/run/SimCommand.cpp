@@ -230,7 +230,10 @@ int runOnce(const SimArguments& arguments) {
   const auto troubles = std::make_shared<ProgramTroubles>(std::cerr);
   TerminalProgress progress;
   RunOptions options = arguments.run;
-  if (arguments.errors) options.preset = presetForErrors(options.preset);
+  if (arguments.errors) {
+    options.preset = presetForErrors(options.preset);
+    for (auto& [name, preset] : options.robotPresets) preset = presetForErrors(preset);
+  }
   options.progress = progress.function();
   auto made = SimulatedRun::create(std::move(options), listenersFor(arguments, troubles, outputs),
                                    outputs.recorder.get());
@@ -282,12 +285,6 @@ int runWalk(const SimArguments& arguments) {
 
 /// Runs a simulation whose robots are driven by other programs.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
-  if (arguments.trials > 0 || !arguments.record.file.empty() || arguments.teams.given() ||
-      arguments.snapshots.given()) {
-    std::cerr << "robotctl sim: with --arcos robots have no programs here; omit --trials, --record, "
-                 "--layout, --solution, --preset, --color-table, --snapshot-at and --restore\n";
-    return kUsage;
-  }
   ArcosRun run{.scene = arguments.run.scene,
                .world = arguments.run.world,
                .seconds = {},
@@ -301,11 +298,6 @@ int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGi
 
 /// Runs a simulation that people at other programs watch and steer.
 int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
-  if (arguments.trials > 0 || !arguments.camera.labeledFolder.empty() || arguments.digest) {
-    std::cerr << "robotctl sim: --listen is for one game in which others take part; omit --trials, "
-                 "--labelled-images and --digest\n";
-    return kUsage;
-  }
   ServeOptions options{.speed = speedGiven ? arguments.speed : 1, .texts = arguments.texts};
   options.isPaused = arguments.isPaused;
   if (secondsGiven) options.seconds = arguments.seconds;
@@ -313,15 +305,46 @@ int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiv
   return arguments.listen.serve(SimulationFeed::opening(arguments.run), options, arguments.record);
 }
 
-/// Runs a simulation that a script steps and changes.
-int runScripted(const SimArguments& arguments) {
-  if (arguments.trials > 0 || !arguments.camera.labeledFolder.empty() || arguments.digest ||
-      arguments.asJson || !arguments.record.file.empty()) {
-    std::cerr << "robotctl sim: a script says itself what is done and recorded; omit --trials, "
-                 "--labelled-images, --digest, --json and --record\n";
-    return kUsage;
+/// What is done with a scene, why some options are not for it, and these.
+struct SimUse {
+  bool isMeant;
+  const char* why;
+  std::vector<const char*> others;
+};
+
+/// Fails if an option was given that would have no effect.
+robotlink::Result<void> checkOptions(const CLI::App& sim, const SimArguments& arguments) {
+  const SimUse uses[]{
+      {arguments.arcos.given(),
+       "with --arcos robots have no programs here",
+       {"--script",      "--walk",     "--trials",         "--listen",      "--layout",   "--solution",
+        "--shadow",      "--preset",   "--game",           "--color-table", "--executor", "--own-process",
+        "--snapshot-at", "--restore",  "--record",         "--errors",      "--texts",    "--digest",
+        "--progress",    "--patience", "--labelled-images"}},
+      {!arguments.script.empty(),
+       "a script says itself what is done and recorded",
+       {"--walk", "--trials", "--listen", "--seconds", "--speed", "--snapshot-at", "--restore", "--record",
+        "--errors", "--texts", "--digest", "--json", "--progress", "--labelled-images"}},
+      {!arguments.walk.empty(),
+       "--walk measures how one robot walks",
+       {"--listen", "--speed", "--snapshot-at", "--restore", "--record", "--errors", "--texts", "--digest",
+        "--progress", "--labelled-images"}},
+      {arguments.trials > 0,
+       "--trials plays many games in lockstep, as fast as possible",
+       {"--listen", "--executor", "--snapshot-at", "--restore", "--record", "--errors", "--texts", "--digest",
+        "--progress", "--labelled-images"}},
+      {arguments.listen.given(),
+       "--listen is for one game in which others take part",
+       {"--snapshot-at", "--restore", "--errors", "--digest", "--json", "--progress", "--labelled-images"}}};
+  for (const SimUse& use : uses) {
+    if (!use.isMeant) continue;
+    std::string given;
+    for (const char* other : use.others) {
+      if (sim.get_option(other)->count() > 0) given += (given.empty() ? "" : ", ") + std::string(other);
+    }
+    if (!given.empty()) return robotlink::failure("usage", std::string(use.why) + "; omit " + given);
   }
-  return runSimScript(arguments.run, arguments.script);
+  return arguments.arcos.check(arguments.run.scene);
 }
 
 /// Sets where programs run, and how long their modules may take.
@@ -339,57 +362,31 @@ void applyHosting(SimArguments& arguments, bool threads) {
   run.own.patience = run.patience.count() > 0 ? run.patience : kNoEnd;
 }
 
-int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
-  if (const auto found = findScene(arguments.run.scene); !found) {
-    std::cerr << "robotctl sim: " << found.error().text << "\n";
-    return kUsage;
-  }
-  if (arguments.arcos.given() && arguments.listen.given()) {
-    std::cerr
-        << "robotctl sim: with --arcos robots have no programs here that could be watched; omit --listen\n";
-    return kUsage;
-  }
+int simUsage(const robotlink::Error& error) {
+  std::cerr << "robotctl sim: " << error.text << "\n";
+  return kUsage;
+}
+
+int runSim(const CLI::App& sim, SimArguments& arguments) {
+  if (const auto found = findScene(arguments.run.scene); !found) return simUsage(found.error());
+  if (const auto fits = checkOptions(sim, arguments); !fits) return simUsage(fits.error());
+  const bool secondsGiven = sim.get_option("--seconds")->count() > 0;
+  const bool speedGiven = sim.get_option("--speed")->count() > 0;
   arguments.run.models.assign(arguments.models.begin(), arguments.models.end());
   if (arguments.arcos.given()) return runForClients(arguments, secondsGiven, speedGiven);
-  if (const auto wanted = arguments.snapshots.wanted(); !wanted) {
-    std::cerr << "robotctl sim: " << wanted.error().text << "\n";
-    return kUsage;
-  }
-  if (arguments.snapshots.given() && (arguments.trials > 0 || arguments.listen.given())) {
-    std::cerr << "robotctl sim: --snapshot-at and --restore are for one game that runs here; omit --trials "
-                 "and --listen\n";
-    return kUsage;
-  }
+  if (const auto wanted = arguments.snapshots.wanted(); !wanted) return simUsage(wanted.error());
   if (const auto chosen = arguments.teams.applyTo(arguments.run); !chosen) {
     const bool isUsage = chosen.error().front().id == "usage";
-    if (!isUsage) return printErrors(chosen.error());
-    std::cerr << "robotctl sim: " << chosen.error().front().text << "\n";
-    return kUsage;
+    return isUsage ? simUsage(chosen.error().front()) : printErrors(chosen.error());
   }
   const bool threads = arguments.executor == "threads";
-  if (arguments.trials > 0 && threads) {
-    std::cerr << "robotctl sim: trials are played in lockstep only; omit --executor\n";
-    return kUsage;
-  }
-  if (arguments.errors && (arguments.trials > 0 || arguments.listen.given())) {
-    std::cerr << "robotctl sim: --errors is for one game that ends; omit --trials and --listen\n";
-    return kUsage;
-  }
-  if (arguments.trials > 0 && !arguments.record.file.empty()) {
-    std::cerr << "robotctl sim: --record takes one game, not --trials\n";
-    return kUsage;
-  }
-  if (arguments.trials > 0 && !arguments.camera.labeledFolder.empty()) {
-    std::cerr << "robotctl sim: --labelled-images takes one game, not --trials\n";
-    return kUsage;
-  }
   arguments.camera.applyTo(arguments.run);
   arguments.arcos.applyTo(arguments.run);
   arguments.run.world.noise = !arguments.noNoise;
   applyHosting(arguments, threads);
   // Threads run in real time: nothing waits for them.
   if (threads && !speedGiven) arguments.speed = 1;
-  if (!arguments.script.empty()) return runScripted(arguments);
+  if (!arguments.script.empty()) return runSimScript(arguments.run, arguments.script);
   if (arguments.listen.given()) return runListening(arguments, secondsGiven, speedGiven);
   if (!arguments.walk.empty() && !secondsGiven) arguments.seconds = 5;
   if (!arguments.walk.empty()) return runWalk(arguments);
@@ -434,11 +431,9 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_option("scene", arguments->run.scene,
                   "An SDFormat world, a map (*.map), or the name of a shipped one")
       ->required();
-  auto* seconds =
-      sim->add_option(
-             "--seconds", arguments->seconds,
-             "Simulated seconds (10; with --trials 60 for each; with --arcos or --listen until Ctrl-C)")
-          ->check(numberFrom(0, 1e6));
+  sim->add_option("--seconds", arguments->seconds,
+                  "Simulated seconds (10; with --trials 60 for each; with --arcos or --listen until Ctrl-C)")
+      ->check(numberFrom(0, 1e6));
   sim->add_option("--seed", arguments->run.world.seed, "Seed of all noise and of the trials' places")
       ->capture_default_str();
   arguments->teams.addTo(*sim);
@@ -462,6 +457,7 @@ void addSimCommand(CLI::App& app, int& status) {
           ->check(numberFrom(1, 100000));
   sim->add_option("--radius", arguments->radius, "Radius of these places around the robot, m")
       ->check(numberFrom(0.4, 10))
+      ->needs(trials)
       ->capture_default_str();
   sim->add_flag(
          "--goals", arguments->goals,
@@ -475,11 +471,11 @@ void addSimCommand(CLI::App& app, int& status) {
       ->expected(1, 3)
       ->check(numberFrom(-1000, 1000))
       ->excludes(trials);
-  auto* speed = sim->add_option("--speed", arguments->speed,
-                                "How many times real time; 0 is as fast as possible (lockstep 0, threads, "
-                                "--arcos and --listen 1)")
-                    ->check(numberFrom(0, 100))
-                    ->excludes(trials);
+  sim->add_option("--speed", arguments->speed,
+                  "How many times real time; 0 is as fast as possible (lockstep 0, threads, "
+                  "--arcos and --listen 1)")
+      ->check(numberFrom(0, 100))
+      ->excludes(trials);
   sim->add_flag("--progress", arguments->progress,
                 "Prints the simulated time on stderr, ten times in each simulated second");
   arguments->snapshots.addTo(*sim);
@@ -496,9 +492,8 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
   sim->add_flag("--digest", arguments->digest, "Prints only a hash of everything that happened");
   sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");
-  sim->callback([arguments, seconds, speed, &status] {
-    status = withResources([&] { return runSim(*arguments, seconds->count() > 0, speed->count() > 0); });
-  });
+  sim->callback(
+      [arguments, sim, &status] { status = withResources([&] { return runSim(*sim, *arguments); }); });
 }
 
 }  // namespace app

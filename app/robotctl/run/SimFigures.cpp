@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "app/core/simulated/ArcosSimulation.h"
 #include "app/core/simulated/SimulatedRun.h"
@@ -91,6 +92,26 @@ std::string fileName(const json& figures, const char* name) {
   return std::filesystem::path(figures.value(name, std::string())).filename().string();
 }
 
+/// ", in the layout soccer", or, where they differ, ", in the layouts parallel (red1, red2) and soccer
+/// (blue1)".
+std::string layoutsText(const json& layouts) {
+  std::map<std::string, std::string> robotsIn;
+  for (const auto& [robot, file] : layouts.items()) {
+    std::string& robots = robotsIn[std::filesystem::path(file.get<std::string>()).stem().string()];
+    robots += (robots.empty() ? "" : ", ") + robot;
+  }
+  // Bodies have none here.
+  robotsIn.erase("");
+  if (robotsIn.empty()) return {};
+  if (robotsIn.size() == 1) return ", in the layout " + robotsIn.begin()->first;
+  std::string text;
+  for (const auto& [layout, robots] : robotsIn) {
+    const bool isLast = layout == robotsIn.rbegin()->first;
+    text += fmt::format("{}{} ({})", text.empty() ? "" : isLast ? " and " : ", ", layout, robots);
+  }
+  return ", in the layouts " + text;
+}
+
 void addTimes(const json& figures, Lines& lines) {
   lines.add("time",
             fmt::format("{} simulated in {}: {} times real time", secondsText(figures["simulated_seconds"]),
@@ -159,6 +180,8 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   json figures;
   figures["scene"] = run.options().scene.string();
   figures["layout"] = run.layout().string();
+  figures["layouts"] = json::object();
+  for (const std::string& robot : run.robots()) figures["layouts"][robot] = run.layoutOf(robot).string();
   figures["seed"] = world.options().seed;
   figures["threads"] = world.options().threads;
   figures["robots"] = run.robots().size();
@@ -208,10 +231,9 @@ std::string figuresText(const json& figures) {
   Lines lines;
   lines.add("scene",
             fmt::format("{}, seed {}", fileName(figures, "scene"), figures.value("seed", std::uint64_t{0})));
-  if (figures.contains("layout")) {
-    const auto layout = std::filesystem::path(fileName(figures, "layout")).stem().string();
+  if (figures.contains("layouts")) {
     const auto robots = figures["robots"].get<std::size_t>();
-    lines.add("robots", fmt::format("{}{}", robots, layout.empty() ? "" : ", in the layout " + layout));
+    lines.add("robots", fmt::format("{}{}", robots, layoutsText(figures["layouts"])));
   }
   if (figures.value("kinematic", false)) lines.add("movement", "by odometry, without forces");
   addTimes(figures, lines);

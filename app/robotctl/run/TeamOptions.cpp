@@ -38,15 +38,6 @@ robotlink::Result<void> chooseColorTable(const std::string& text, RunOptions& ru
   return {};
 }
 
-/// Puts shadows into the presets with which programs start.
-robotlink::Result<void> chooseShadows(const std::vector<std::string>& texts, RunOptions& run) {
-  const auto shadows = shadowsOf(texts);
-  if (!shadows) return tl::unexpected(shadows.error());
-  run.preset = withShadows(run.preset, *shadows);
-  for (auto& [name, preset] : run.robotPresets) preset = withShadows(preset, *shadows);
-  return {};
-}
-
 }  // namespace
 
 void TeamOptions::addTo(CLI::App& command) {
@@ -74,7 +65,7 @@ void TeamOptions::addTo(CLI::App& command) {
   command.add_option(
       "--shadow", shadows,
       "TASK=SOLUTION that runs in all programs beside the one that is used, on the same inputs; "
-      "with --errors it has figures of its own");
+      "NAME/TASK=SOLUTION for one robot or team; with --errors it has figures of its own");
   command.add_option("--game", game,
                      "The rules of the game: the name of shipped ones (2002), or a file; none: without a "
                      "referee (default: as the scene says)");
@@ -94,6 +85,9 @@ robotlink::Result<void> TeamOptions::check(const SimulatedRun& run) {
   if (auto found = find(run.options().robotLayouts, "--layout"); !found) return found;
   if (auto found = find(run.options().robotSolutions, "--solution"); !found) return found;
   if (auto found = find(run.options().robotPresets, "--preset"); !found) return found;
+  auto shadows = run.options().shadows;
+  shadows.erase("");
+  if (auto found = find(shadows, "--shadow"); !found) return found;
   auto tables = run.options().colorTables;
   tables.erase("");
   return find(tables, "--color-table");

@@ -101,6 +101,37 @@ TEST(Robotctl, robotsAreAddedToAGame) {
   EXPECT_EQ(house.status, 0) << house.text;
 }
 
+TEST(Robotctl, simRefusesOptionsThatWouldHaveNoEffect) {
+  const auto script = std::filesystem::path(testing::TempDir()) / "nothing.script";
+  std::ofstream(script) << "simulation.step\n";
+  const auto refused = [](const std::string& options, const std::string& why, int status = 2) {
+    const PrintedOutcome outcome = robotctl("sim " + kScene + " --seconds 0.1 " + options);
+    EXPECT_EQ(outcome.status, status) << options << ": " << outcome.text;
+    EXPECT_THAT(outcome.text, testing::HasSubstr(why)) << options;
+  };
+  refused("--teams red", "--robots");
+  refused("--robot burger", "--robots");
+  refused("--radius 2", "--trials");
+  refused("--shadow nonsense=kalman", "there is no task 'nonsense'");
+  refused("--shadow ball-model=nonsense", "has no solution 'nonsense'");
+  refused("--shadow red9/ball-model=last-percept", "red9", 1);
+  refused("--solution ball-model=kalman --shadow red1/ball-model=kalman", "is the solution that is used", 1);
+  refused("--walk 0.1 --errors", "omit --errors");
+  refused("--script " + script.string(), "omit --seconds");
+  const PrintedOutcome errors = robotctl("sim " + kScene + " --errors --script " + script.string());
+  EXPECT_EQ(errors.status, 2);
+  EXPECT_THAT(errors.text, testing::HasSubstr("omit --errors"));
+  const std::string room = "sim " ROBOTCONTROL_SOURCE_DIR "/resources/scenes/pioneer.sdf --seconds 0.1";
+  const PrintedOutcome game = robotctl(room + " --game 2002");
+  EXPECT_EQ(game.status, 1);
+  EXPECT_THAT(game.text, testing::HasSubstr("--game"));
+  EXPECT_EQ(robotctl(room + " --game none").status, 0);
+  const PrintedOutcome shadow =
+      robotctl("sim " + kScene + " --seconds 0.1 --shadow red1/ball-model=last-percept");
+  EXPECT_EQ(shadow.status, 0) << shadow.text;
+  std::filesystem::remove(script);
+}
+
 TEST(Robotctl, layoutsAreChosenForSingleRobotsAndModelsSearchedInFolders) {
   const PrintedOutcome outcome =
       robotctl("sim mixed --layout p3at1=pioneer --layout parallel --seconds 0.1 --json");

@@ -18,6 +18,7 @@ using testing::Not;
 json game() {
   return {{"scene", "/scenes/field2002.sdf"},
           {"layout", "/layouts/compact.yaml"},
+          {"layouts", {{"blue1", "/layouts/compact.yaml"}, {"red1", "/layouts/compact.yaml"}}},
           {"seed", 7},
           {"robots", 2},
           {"simulated_seconds", 12.5},
@@ -61,6 +62,14 @@ json served() {
           {"contacts", 2}};
 }
 
+TEST(SimFigures, robotsWithOtherLayoutsAreNamed) {
+  json figures = game();
+  figures["layouts"] = {
+      {"blue1", "/a/soccer.yaml"}, {"red1", "/a/parallel.yaml"}, {"red2", "/a/parallel.yaml"}};
+  EXPECT_THAT(figuresText(figures),
+              HasSubstr("robots      2, in the layouts parallel (red1, red2) and soccer (blue1)\n"));
+}
+
 TEST(SimFigures, aGameHasALineForEachSubject) {
   EXPECT_EQ(figuresText(game()),
             "scene       field2002.sdf, seed 7\n"
@@ -79,7 +88,7 @@ TEST(SimFigures, whatDidNotHappenHasNoLine) {
   quiet["ball_contacts"] = 0;
   quiet.erase("goals");
   quiet.erase("digest");
-  quiet["layout"] = "";
+  quiet["layouts"] = {{"blue1", ""}, {"red1", ""}};
   EXPECT_EQ(figuresText(quiet),
             "scene       field2002.sdf, seed 7\n"
             "robots      2\n"

@@ -2,6 +2,7 @@
 // A game of two robots in the window: their solutions are switched and shadowed while they play, and their
 // behavior is controlled.
 #include <qtadvanceddocking/DockWidget.h>
+#include <QComboBox>
 #include <QTreeView>
 
 #include "app/core/program/ShippedFiles.h"
@@ -147,6 +148,18 @@ class GameGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(desk.timeOf(package) > before, kWaitMs);
   }
 
+  void theToolbarShowsTheLayoutOfTheSelectedRobot() {
+    GameDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    const auto& box = desk.find<QComboBox>("layoutBox");
+    QTRY_COMPARE_WITH_TIMEOUT(box.currentText(), QStringLiteral("soccer"), kWaitMs);
+    QVERIFY(desk.run("layout.open balanced blue"));
+    QVERIFY(desk.run("robot.select blue1"));
+    QTRY_COMPARE_WITH_TIMEOUT(box.currentText(), QStringLiteral("balanced"), kWaitMs);
+    QVERIFY(desk.run("robot.select red1"));
+    QTRY_COMPARE_WITH_TIMEOUT(box.currentText(), QStringLiteral("soccer"), kWaitMs);
+  }
+
   void theBehaviorIsForcedHeldAndSteppedInTheRunningGame() {
     GameDesk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
@@ -192,6 +205,11 @@ class GameGuiTest : public WindowTest {
     QCOMPARE(desk.stateOf("game"), wanted);
     step.trigger();
     QTRY_VERIFY_WITH_TIMEOUT(desk.stateOf("game") != wanted, kWaitMs);
+    // Another robot is not held; this one is when it is shown again.
+    QVERIFY(desk.run("robot.select red1"));
+    QTRY_VERIFY_WITH_TIMEOUT(!hold.isChecked() && hold.isEnabled(), kWaitMs);
+    QVERIFY(desk.run("robot.select blue1"));
+    QTRY_VERIFY_WITH_TIMEOUT(hold.isChecked() && step.isEnabled(), kWaitMs);
     hold.trigger();
   }
 };

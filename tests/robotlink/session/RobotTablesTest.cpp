@@ -87,5 +87,17 @@ TEST(RobotTables, aProcessThatHasEndedReportsNothing) {
   EXPECT_TRUE(areTasksKnown(session));
 }
 
+TEST(RobotTables, theActiveSolutionIsThatOfTheRobotAsked) {
+  Session session;
+  auto table = std::make_shared<robotcontrol::SolutionTable>();
+  table->add_tasks()->set_name("ball");
+  table->mutable_tasks(0)->set_active("kalman");
+  session.push({"red2/tables/solutions", Instant(fromSeconds(1)), table});
+  session.tick();
+  EXPECT_EQ(activeSolution(session.store(), "red2", "ball"), "kalman");
+  EXPECT_EQ(activeSolution(session.store(), "red2", "walking"), "");
+  EXPECT_EQ(activeSolution(session.store(), "red1", "ball"), "");
+}
+
 }  // namespace
 }  // namespace robotlink

@@ -8,6 +8,8 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/packages/Conversions.h"
 #include "tests/widgets/Bench.h"
 
 namespace widgets::test {
@@ -87,6 +89,31 @@ class GameViewTest : public QObject {
     QCOMPARE(child<QDoubleSpinBox>(*view, "gameRadioDelay").value(), 20.0);
     QCOMPARE(child<QDoubleSpinBox>(*view, "gameRadioLoss").value(), 5.0);
     keepPicture(*view, "game");
+  }
+
+  void whatRobotsTellTheirTeamThatTheyPlayIsShownWithItsAge() {
+    GameBench bench;
+    robotcontrol::KeyTable keys;
+    keys.add_keys()->set_name("package/team/message");
+    keys.mutable_keys(0)->set_stream("team/message");
+    bench.push("blue1/tables/keys", keys, 1);
+    auto view = bench.open<GameView>();
+    auto& model = *child<QTableView>(*view, "gamePlayers").model();
+    const auto played = [&](int row) {
+      return model.index(row, GamePlayerModel::kPlayedRole).data().toString();
+    };
+    bench.tick(*view);
+    QCOMPARE(played(1), QString());
+    QCOMPARE(bench.requests.back().set_key().name(), std::string("package/team/message"));
+    QCOMPARE(bench.requests.back().robot(), std::string("blue1"));
+    robotcontrol::TeamMessage told;
+    told.set_role("striker");
+    robotlink::assign(*told.mutable_timestamp(), robotlink::Instant(robotlink::fromSeconds(2)));
+    bench.push("blue1/team/message", told, 2);
+    bench.push("game", gameStatus(), 3.5);
+    bench.tick(*view);
+    QCOMPARE(played(1), QStringLiteral("striker, 1.5 s ago"));
+    QCOMPARE(played(0), QString());
   }
 
   void buttonsAskTheReferee() {

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
 #include "tests/widgets/Bench.h"
@@ -262,6 +263,36 @@ class SolutionsViewTest : public QObject {
     bench.answer(false, "it has no camera");
     bench.tick(*view);
     QVERIFY(child<QLabel>(*view, "solutionsState").text().contains(QStringLiteral("blue1")));
+  }
+
+  void oneClickSwitchesATaskInTheTeam() {
+    Bench bench;
+    bench.session.setRobots({"red1", "red2", "blue1"});
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    auto& inTeam = child<QAction>(*view, "solutionsInTeamAction");
+    tree.setCurrentIndex(find(tree, QStringLiteral("regions")));
+    bench.tick(*view);
+    QVERIFY2(!inTeam.isEnabled(), "nothing says that it is of a team");
+    robotcontrol::WorldObjects objects;
+    for (const auto& [name, team] :
+         {std::pair("red1", "a"), std::pair("red2", "b"), std::pair("blue1", "a")}) {
+      auto& robot = *objects.add_objects();
+      robot.set_path(name);
+      robot.add_properties()->set_name("team");
+      robot.mutable_properties(0)->set_text(team);
+    }
+    bench.push("objects", objects, 1);
+    bench.tick(*view);
+    QVERIFY(inTeam.isEnabled());
+    bench.requests.clear();
+    inTeam.trigger();
+    QCOMPARE(bench.requests.size(), std::size_t{2});
+    QCOMPARE(bench.requests[0].robot(), std::string("red1"));
+    QCOMPARE(bench.requests[1].robot(), std::string("blue1"));
+    QCOMPARE(bench.requests[1].select_solution().solution(), std::string("regions"));
   }
 
   void defaultsSwitchesOnlyWhatIsNotDefault() {

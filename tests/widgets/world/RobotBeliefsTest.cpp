@@ -127,22 +127,6 @@ TEST(TeamColor, theTeamThatTheSceneNamesCountsNotTheName) {
   EXPECT_EQ(teamColor("red1", "", &field), teamColor("p3at1", "", &field)) << "it plays in no team";
 }
 
-TEST_F(RobotBeliefsTest, theTeamIsWhatTheSceneSays) {
-  EXPECT_FALSE(teamOf(session.store(), "red1", atSeconds(10))) << "old logs do not say it";
-  robotcontrol::WorldObjects objects;
-  for (const auto& [name, team] : {std::pair("red1", "blue"), std::pair("blue1", "")}) {
-    auto& robot = *objects.add_objects();
-    robot.set_path(name);
-    auto& property = *robot.add_properties();
-    property.set_name("team");
-    property.set_text(team);
-  }
-  push("objects", objects);
-  EXPECT_EQ(teamOf(session.store(), "red1", atSeconds(10)), "blue");
-  EXPECT_EQ(teamOf(session.store(), "blue1", atSeconds(10)), "");
-  EXPECT_FALSE(teamOf(session.store(), "red2", atSeconds(10)));
-}
-
 TEST(TeamColor, robotsWithoutATeamHaveColorsByTheirNumber) {
   const robotlink::FieldDescription field;
   const QColor gray(128, 128, 128);

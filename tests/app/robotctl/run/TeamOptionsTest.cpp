@@ -89,15 +89,11 @@ TEST_F(TeamOptionsTest, aFileWithAnEqualsSignInItsNameIsAFile) {
   EXPECT_THAT(run_.robotPresets, IsEmpty());
 }
 
-TEST_F(TeamOptionsTest, shadowsRunInAllProgramsAlsoInThoseWithAPresetOfTheirOwn) {
-  options_.presets = {"red=" + preset("red.preset.json", "every 2")};
-  options_.shadows = {"ball-model=last-percept"};
+TEST_F(TeamOptionsTest, shadowsAreThoseOfAllOrOfOneTeam) {
+  options_.shadows = {"ball-model=last-percept", "red/ball-model=kalman"};
   EXPECT_THAT(apply(), IsEmpty());
-  const std::string shadow = robotlink::shadowKey("ball-model", "last-percept");
-  ASSERT_NE(run_.preset, nullptr);
-  EXPECT_EQ(modeIn(run_.preset, shadow), "always");
-  EXPECT_EQ(modeIn(run_.robotPresets.at("red"), shadow), "always");
-  EXPECT_EQ(modeIn(run_.robotPresets.at("red")), "every 2") << "what the preset has stays";
+  EXPECT_THAT(run_.shadows.at(""), ElementsAre(robotlink::ShadowName{"ball-model", "last-percept"}));
+  EXPECT_THAT(run_.shadows.at("red"), ElementsAre(robotlink::ShadowName{"ball-model", "kalman"}));
 }
 
 TEST_F(TeamOptionsTest, allThatIsWrongIsSaidAtOnce) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robotlink/session/Session.h"
+
+// The teams of the robots of a session. Only in the thread that ticks the session.
+namespace robotlink {
+
+/// The team of a robot as the scene says, empty if it has none; unset: not known, as in old logs.
+std::optional<std::string> teamOf(const StreamStore& store, const std::string& robot, Instant shown);
+/// The teams of the session's robots now, each once, in the order of the robots.
+std::vector<std::string> teamNames(Session& session);
+/// The robots that a name stands for now: the robot that is called so, or else all of that team. Empty: there
+/// are none.
+std::vector<std::string> robotsNamed(Session& session, const std::string& name);
+
+}  // namespace robotlink
