@@ -89,6 +89,28 @@ TEST(SnapshotsOfRuns, itIsSaidWhyProgramsCannotBeRunAgain) {
   EXPECT_TRUE(other->restore(early)) << "but the world can be put there";
 }
 
+TEST(SnapshotsOfRuns, inAnEditedSceneTheWorldIsPutBackAsFarAsItIsThere) {
+  const auto run = runOf();
+  ASSERT_TRUE(run);
+  stepRun(*run, 20);
+  const simcore::Snapshot snapshot = run->snapshot();
+  const auto ball = run->world().simulation().modelPose("ball")->translation();
+  ASSERT_TRUE(run->addModel({.model = "burger", .place = {1, 0.6, 0}}));
+  ASSERT_TRUE(run->changeWorld(placeBall(0.7)));
+  stepRun(*run, 10);
+  const auto again = run->runAgain(snapshot);
+  ASSERT_FALSE(again);
+  EXPECT_THAT(again.error().text, HasSubstr("the scene was changed"));
+  const auto restored = run->restore(snapshot);
+  ASSERT_TRUE(restored) << restored.error().text;
+  EXPECT_TRUE(restored->empty());
+  EXPECT_EQ(run->world().simulation().steps(), snapshot.step);
+  EXPECT_EQ(run->world().simulation().modelPose("ball")->translation(), ball);
+  EXPECT_TRUE(run->world().simulation().modelPose("burger1"));
+  stepRun(*run, 20);
+  EXPECT_EQ(run->world().simulation().steps(), snapshot.step + 40);
+}
+
 TEST(SnapshotsOfRuns, theClockOfProgramsGoesOnWhereTheWorldGoesBack) {
   RunOptions options = defaultSimulation();
   options.world.rewindBytes = std::size_t{64} << 20U;

@@ -21,7 +21,8 @@ const char* const kLift =
 <light name="sun" type="directional"><pose>0 0 5 0 0 0</pose><direction>0 0 -1</direction></light>
 <model name="lift"><pose>0 0 0.1 0 0 0</pose>
 <link name="mast"><inertial><mass>5</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
-<collision name="c"><geometry><cylinder><radius>0.1</radius><length>0.2</length></cylinder></geometry></collision></link>
+<collision name="c"><geometry><cylinder><radius>0.1</radius><length>0.2</length></cylinder></geometry></collision>
+<sensor name="way" type="custom"><robotcontrol:odometry/></sensor><sensor name="imu" type="imu"/></link>
 <link name="fork"><inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial>
 <collision name="c"><geometry><box><size>0.1 0.2 0.3</size></box></geometry></collision></link>
 <link name="hand"><inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial></link>
@@ -80,6 +81,16 @@ TEST_F(WorldObjectsTest, sensorsOfJointsHaveTheRangeOfTheirJoint) {
   EXPECT_EQ(object("lift/wrist/position").port().maximum(), 1);
   EXPECT_EQ(object("lift/rail/position").port().maximum(), 0.5);
   EXPECT_EQ(number("lift/wrist/position", "maximum"), "") << "it has a single number";
+}
+
+TEST_F(WorldObjectsTest, onlyWhatHasARangeHasOne) {
+  EXPECT_EQ(object("lift/imu").port().maximum(), 0) << "of the acceleration nothing is known";
+  EXPECT_EQ(object("lift/imu").port().unit(), "m/s^2");
+  const auto& properties = object("lift/way").properties();
+  const auto maximum = std::ranges::find(properties, "maximum", &robotcontrol::WorldProperty::name);
+  ASSERT_NE(maximum, properties.end());
+  EXPECT_EQ(maximum->values(0), 0) << "it may be anywhere";
+  EXPECT_NEAR(maximum->values(2), 3.14159, 1e-5);
 }
 
 TEST_F(WorldObjectsTest, servosOfHingesHaveTorques) {
