@@ -9772,6 +9772,10 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <source>%1, %2 s ago</source>
         <translation>%1, vor %2 s</translation>
     </message>
+    <message>
+        <source>program does not run</source>
+        <translation>Programm läuft nicht</translation>
+    </message>
 </context>
 <context>
     <name>widgets::GameView</name>

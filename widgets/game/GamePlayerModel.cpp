@@ -43,6 +43,7 @@ QVariant GamePlayerModel::text(const GamePlayerRow& row, int column) const {
     case kRole:
       return QString::fromStdString(row.role);
     case kPlayedRole:
+      if (!row.played.trouble.empty()) return tr("program does not run");
       return row.played.role.empty() ? QString()
                                      : tr("%1, %2 s ago")
                                            .arg(QString::fromStdString(row.played.role),
@@ -62,7 +63,11 @@ QVariant GamePlayerModel::data(const QModelIndex& index, int role) const {
       return text(row, index.column());
     case Qt::TextAlignmentRole:
       return index.column() == kNumber || index.column() == kLeft ? QVariant(kNumberAlignment) : QVariant();
+    case Qt::ToolTipRole:
+      return row.played.trouble.empty() ? QVariant() : QString::fromStdString(row.played.trouble);
     case Qt::ForegroundRole:
+      if (index.column() == kPlayedRole && !row.played.trouble.empty())
+        return colorOf(Meaning::kBad, QGuiApplication::palette());
       return row.reason.empty() ? QVariant() : colorOf(Meaning::kWarning, QGuiApplication::palette());
     default:
       return {};

@@ -15,8 +15,10 @@ namespace widgets {
 
 /// What a robot last told its team that it plays ("striker"; empty: nothing yet), and how long ago, s.
 struct PlayedRole {
-  std::string role;
+  std::string role = {};
   double seconds = 0;
+  /// Why its program does not run, in sentences; empty: it runs.
+  std::string trouble = {};
 };
 /// By the names of robots.
 using PlayedRoles = std::map<std::string, PlayedRole>;

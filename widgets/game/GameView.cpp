@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robotcontrol/Hosting.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/GamePackages.h"
@@ -235,11 +236,17 @@ PlayedRoles GameView::playedRoles(const robotcontrol::GameStatus& status) {
   const robotlink::Instant shown = session().timeline().shown();
   for (const auto& player : status.players()) {
     told_.want(session(), player.robot(), {robotlink::kTeamMessage.name});
+    PlayedRole& played = roles[player.robot()];
+    const auto* hosting = session().store().latestAs<robotcontrol::HostingStatus>(
+        player.robot() + '/' + robotlink::streams::kHosting, shown);
+    if (hosting != nullptr && hosting->state() != robotcontrol::HostingStatus::RUNNING)
+      played.trouble = hosting->text();
     const auto* message = session().store().latestAs<robotcontrol::TeamMessage>(
         player.robot() + '/' + robotlink::kTeamMessage.name, shown);
     if (message == nullptr) continue;
     const auto age = shown - robotlink::instant(message->timestamp());
-    roles[player.robot()] = {message->role(), std::max(0.0, robotlink::seconds(age))};
+    played.role = message->role();
+    played.seconds = std::max(0.0, robotlink::seconds(age));
   }
   return roles;
 }

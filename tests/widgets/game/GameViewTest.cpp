@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/Bench.h"
 
@@ -114,6 +115,25 @@ class GameViewTest : public QObject {
     bench.tick(*view);
     QCOMPARE(played(1), QStringLiteral("striker, 1.5 s ago"));
     QCOMPARE(played(0), QString());
+  }
+
+  void aRobotWhoseProgramDoesNotRunIsMarkedWithTheReason() {
+    GameBench bench;
+    robotcontrol::HostingStatus crashed;
+    crashed.set_state(robotcontrol::HostingStatus::ENDED);
+    crashed.set_text("The program of blue1 crashed.");
+    bench.push("blue1/hosting", crashed, 1);
+    auto view = bench.open<GameView>();
+    const QModelIndex cell =
+        child<QTableView>(*view, "gamePlayers").model()->index(1, GamePlayerModel::kPlayedRole);
+    QCOMPARE(cell.data().toString(), QStringLiteral("program does not run"));
+    QCOMPARE(cell.data(Qt::ToolTipRole).toString(), QStringLiteral("The program of blue1 crashed."));
+    QVERIFY(cell.data(Qt::ForegroundRole).isValid());
+    crashed.set_state(robotcontrol::HostingStatus::RUNNING);
+    bench.push("blue1/hosting", crashed, 2);
+    bench.advance();
+    bench.tick(*view);
+    QCOMPARE(cell.data().toString(), QString());
   }
 
   void buttonsAskTheReferee() {
