@@ -226,6 +226,29 @@ std::vector<std::string> Simulation::modelsTouching(const std::string& model) co
   return names;
 }
 
+std::vector<std::string> Simulation::linksAtObstacles(const std::string& model) const {
+  const Implementation& i = *implementation_;
+  std::vector<std::string> names;
+  const int index = i.modelIndex(model);
+  if (index < 0) return names;
+  const auto& links = i.world.models[static_cast<std::size_t>(index)].type->links;
+  const std::size_t first = i.physics->bodiesOf(index).first;
+  for (const ObstacleTouch& touch : i.physics->obstacleTouches()) {
+    if (touch.body < first || touch.body - first >= links.size()) continue;
+    if (i.world.models[static_cast<std::size_t>(touch.other)].type->isBall) continue;
+    const std::string& name = links[touch.body - first].name;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+double Simulation::heightInAir(const std::string& model) const {
+  const Implementation& i = *implementation_;
+  const int index = i.modelIndex(model);
+  if (index < 0 || !i.physics->isMovedByForces(index) || i.physics->touchesAnything(index)) return 0;
+  return i.physics->lowestPoint(index);
+}
+
 std::uint64_t Simulation::ballContacts() const {
   return implementation_->ballContacts;
 }

@@ -281,6 +281,13 @@ class Simulation {
   /// model is unknown or static.
   std::vector<std::string> modelsTouching(const std::string& model) const;
 
+  /// The links of a model that touched anything but a floor and a ball in the last step, by their names, each
+  /// once.
+  std::vector<std::string> linksAtObstacles(const std::string& model) const;
+  /// How far the lowest point of a model that forces move is above the ground (z = 0) while it touches
+  /// nothing, m; 0 while it does, and of any other model.
+  double heightInAir(const std::string& model) const;
+
   /// How often robots began to touch a ball.
   std::uint64_t ballContacts() const;
 

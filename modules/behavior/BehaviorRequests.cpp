@@ -51,6 +51,11 @@ void BehaviorRequests::send(std::shared_ptr<MotionRequest> motion, std::shared_p
     debug_.plot(kBehaviorSpeedKey, "y", motion->walk().y(), "m/s");
     debug_.plot(kBehaviorSpeedKey, "rotation", motion->walk().rotation(), "rad/s");
   }
+  if (debug_.on(kBehaviorWalkKey)) {
+    auto drawing = debug_.robotDrawing(kBehaviorWalkKey);
+    const robotlink::Vector2 end(motion->walk().x(), motion->walk().y());
+    drawing.line(robotlink::Vector2(0, 0), end, robotlink::colors::kOrange, 3);
+  }
   motion_.send(std::move(motion));
   head_.send(std::move(head));
 }

@@ -156,6 +156,7 @@ const robotlink::SolutionRegistration kGoToBallAndKick =
     robotlink::SolutionBuilder<GoToBallAndKick>("behavior", "go-to-ball-and-kick",
                                                 "Looks for the ball, walks to it, gets behind it as seen "
                                                 "from the goal where that is known, and kicks it.")
+        .source("A method of this project.")
         .needs(robotlink::kBallModel)
         .uses(robotlink::kRobotPose)
         .uses(robotlink::kColorRegions)
@@ -163,7 +164,7 @@ const robotlink::SolutionRegistration kGoToBallAndKick =
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)
-        .keys({&kStateKey, &kTargetKey, &kBehaviorSpeedKey})
+        .keys({&kStateKey, &kTargetKey, &kBehaviorSpeedKey, &kBehaviorWalkKey})
         .parameters<robotcontrol::GoToBallParameters>();
 
 class Stand final : public Behavior {
@@ -180,10 +181,11 @@ class Stand final : public Behavior {
 
 const robotlink::SolutionRegistration kStand =
     robotlink::SolutionBuilder<Stand>("behavior", "stand", "Stands and looks ahead.")
+        .source("A method of this project.")
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)
-        .keys({&kBehaviorSpeedKey});
+        .keys({&kBehaviorSpeedKey, &kBehaviorWalkKey});
 
 class Obey final : public Behavior {
  public:
@@ -219,11 +221,12 @@ class Obey final : public Behavior {
 const robotlink::SolutionRegistration kObey =
     robotlink::SolutionBuilder<Obey>(
         "behavior", "obey", "Does only what the user requests; stands until then, and when requests stop.")
+        .source("A method of this project.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)
-        .keys({&kBehaviorSpeedKey});
+        .keys({&kBehaviorSpeedKey, &kBehaviorWalkKey});
 
 }  // namespace
 }  // namespace modules

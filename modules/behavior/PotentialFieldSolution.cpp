@@ -138,6 +138,10 @@ const robotlink::SolutionRegistration kPotentialField =
         "behavior", "potential-field",
         "Walks along the sum of forces of ball, robots and walls, and kicks whenever the ball is before its "
         "chest and the goal ahead; knows neither roles nor states.")
+        .source(
+            "O. Khatib: Real-time obstacle avoidance for manipulators and mobile robots, 1986; T. Laue, T. "
+            "R\u00f6fer: A behavior architecture for autonomous mobile robots based on potential fields, "
+            "RoboCup 2004.")
         .needs(robotlink::kBallModel)
         .uses(robotlink::kRobotPose)
         .uses(robotlink::kPlayersModel)
@@ -151,7 +155,7 @@ const robotlink::SolutionRegistration kPotentialField =
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)
-        .keys({&kForcesKey, &kForceKey, &kBehaviorSpeedKey})
+        .keys({&kForcesKey, &kForceKey, &kBehaviorSpeedKey, &kBehaviorWalkKey})
         .parameters<robotcontrol::PotentialFieldParameters>(
             kPotentialFieldTable.rules<robotcontrol::PotentialFieldParameters>());
 

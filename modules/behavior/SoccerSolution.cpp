@@ -324,6 +324,10 @@ const robotlink::SolutionRegistration kSoccer =
         "behavior", "soccer",
         "Plays in a team as goalie, defender, supporter or striker, by a hierarchy of state machines: the "
         "phase of the game, the role that it agrees on with its team by messages, and skills with the ball.")
+        .source(
+            "M. L\u00f6tzsch, J. Bach, H.-D. Burkhard, M. J\u00fcngel: Designing agent behavior with the "
+            "extensible agent behavior specification language XABSL, RoboCup 2003; D. Vail, M. Veloso: "
+            "Dynamic multi-robot coordination, 2003.")
         .needs(robotlink::kBallModel)
         .uses(robotlink::kRobotPose)
         .uses(robotlink::kPlayersModel)
@@ -340,7 +344,7 @@ const robotlink::SolutionRegistration kSoccer =
         .yields(robotlink::kBehaviorGraph)
         .yields(robotlink::kTeamMessage)
         .keys({&kSoccerStateKey, &kSoccerPlanKey, &kSoccerTeamKey, &kSoccerBidKey, &kSoccerRoleKey,
-               &kBehaviorSpeedKey})
+               &kBehaviorSpeedKey, &kBehaviorWalkKey})
         .parameters<robotcontrol::SoccerParameters>(kSoccerTable.rules<robotcontrol::SoccerParameters>());
 
 }  // namespace

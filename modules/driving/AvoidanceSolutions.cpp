@@ -30,6 +30,8 @@ const RobotDrawingKey kWindowKey{
     "obstacle-avoidance/window",
     "The arcs of the velocities that it could choose (green, red where it could not "
     "brake) (drawn around the robot)"};
+const RobotDrawingKey kArcKey{"obstacle-avoidance/arc",
+                              "Where what it drives leads in a second (drawn around the robot)"};
 const PlotKey kSpeedKey{"obstacle-avoidance/speed",
                         "The desired, requested and driven speeds and rotations (plots)"};
 
@@ -105,6 +107,11 @@ class Avoidance : public robotlink::Solution {
   }
 
   void plot(const DriveVelocity& driven) {
+    if (debug_.on(kArcKey)) {
+      const double turned = 0.5 * driven.rotation;
+      const Vector2 end = driven.forward * Vector2(std::cos(turned), std::sin(turned));
+      debug_.robotDrawing(kArcKey).line(Vector2(0, 0), end, robotlink::colors::kGreen, 3);
+    }
     if (!debug_.on(kSpeedKey)) return;
     debug_.plot(kSpeedKey, "wished", desired().forward, "m/s");
     debug_.plot(kSpeedKey, "requested", limiter_.last().forward, "m/s");
@@ -226,12 +233,15 @@ const robotlink::SolutionRegistration kVectorField =
     robotlink::SolutionBuilder<VectorFieldAvoidance>(
         "obstacle-avoidance", "vector-field",
         "Takes the open direction nearest to the desired one, from a polar histogram of recent readings.")
+        .source(
+            "J. Borenstein, Y. Koren: The vector field histogram, 1991; I. Ulrich, J. Borenstein: VFH+, "
+            "1998.")
         .needs(robotlink::kBehaviorDrive)
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
         .yields(robotlink::kDriveRequest)
-        .keys({&kPointsKey, &kHistogramKey, &kSpeedKey})
+        .keys({&kPointsKey, &kHistogramKey, &kSpeedKey, &kArcKey})
         .parameters<robotcontrol::VectorFieldParameters>(
             kVectorFieldTable.rules<robotcontrol::VectorFieldParameters>());
 
@@ -268,12 +278,13 @@ const robotlink::SolutionRegistration kDynamicWindow =
         "obstacle-avoidance", "dynamic-window",
         "Takes the velocity nearest to the desired one that its motors can reach and from which it can brake "
         "in time.")
+        .source("D. Fox, W. Burgard, S. Thrun: The dynamic window approach to collision avoidance, 1997.")
         .needs(robotlink::kBehaviorDrive)
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
         .yields(robotlink::kDriveRequest)
-        .keys({&kPointsKey, &kWindowKey, &kSpeedKey})
+        .keys({&kPointsKey, &kWindowKey, &kSpeedKey, &kArcKey})
         .parameters<robotcontrol::DynamicWindowParameters>(
             kDynamicWindowTable.rules<robotcontrol::DynamicWindowParameters>());
 
@@ -290,9 +301,10 @@ const robotlink::SolutionRegistration kNone =
     robotlink::SolutionBuilder<NoAvoidance>(
         "obstacle-avoidance", "none",
         "Passes desired velocities on whatever is in the way, within what the motors can do: for experts.")
+        .source("A method of this project.")
         .needs(robotlink::kBehaviorDrive)
         .yields(robotlink::kDriveRequest)
-        .keys({&kSpeedKey});
+        .keys({&kSpeedKey, &kArcKey});
 
 }  // namespace
 }  // namespace modules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <memory>
 
 #include "modules/BehaviorReport.h"
@@ -15,6 +16,8 @@ namespace modules {
 // Inline, so that it is defined in every file that registers a solution of the task.
 inline const robotlink::PlotKey kDrivingSpeedKey{"driving/speed",
                                                  "The speed and rotation that the behavior desires (plots)"};
+inline const robotlink::RobotDrawingKey kDrivingArcKey{
+    "driving/arc", "Where the desired speed and rotation lead in a second (drawn around the robot)"};
 
 /// The base of solutions of the task "driving": sends the requested velocity before obstacle avoidance, and
 /// plots it; derived classes send their state by report_. Obstacle avoidance treats a request older than a
@@ -36,6 +39,12 @@ class DrivingSolution : public robotlink::Solution {
     desired->mutable_velocity()->set_x(velocity.forward);
     desired->mutable_velocity()->set_rotation(velocity.rotation);
     desired_.send(std::move(desired));
+    if (debug_.on(kDrivingArcKey)) {
+      const double turned = 0.5 * velocity.rotation;
+      const robotlink::Vector2 end =
+          velocity.forward * robotlink::Vector2(std::cos(turned), std::sin(turned));
+      debug_.robotDrawing(kDrivingArcKey).line(robotlink::Vector2(0, 0), end, robotlink::colors::kOrange, 3);
+    }
     if (!debug_.on(kDrivingSpeedKey)) return;
     debug_.plot(kDrivingSpeedKey, "speed", velocity.forward, "m/s");
     debug_.plot(kDrivingSpeedKey, "rotation", velocity.rotation, "rad/s");

@@ -119,12 +119,13 @@ class Wander final : public DrivingSolution {
 const robotlink::SolutionRegistration kWander =
     robotlink::SolutionBuilder<Wander>("driving", "wander",
                                        "Wanders by sonars and laser to where it has not been for a while.")
+        .source("A method of this project.")
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
         .yields(robotlink::kBehaviorDrive)
         .yields(robotlink::kBehaviorState)
-        .keys({&kDrivingSpeedKey, &kDirectionKey})
+        .keys({&kDrivingSpeedKey, &kDrivingArcKey, &kDirectionKey})
         .parameters<robotcontrol::WanderParameters>(kWanderTable.rules<robotcontrol::WanderParameters>());
 
 class FollowPath final : public DrivingSolution {
@@ -223,6 +224,7 @@ const robotlink::SolutionRegistration kFollowPath =
     robotlink::SolutionBuilder<FollowPath>(
         "driving", "follow-path",
         "Follows the path to the goal that the user set; wanders while it does not know where it is.")
+        .source("R. C. Coulter: Implementation of the pure pursuit path tracking algorithm, 1992.")
         .needs(robotlink::kDrivePath)
         .needs(robotlink::kRobotPose)
         .needs(robotlink::kDriveState)
@@ -230,7 +232,7 @@ const robotlink::SolutionRegistration kFollowPath =
         .uses(robotlink::kLaser)
         .yields(robotlink::kBehaviorDrive)
         .yields(robotlink::kBehaviorState)
-        .keys({&kDrivingSpeedKey, &kDirectionKey, &kTargetKey})
+        .keys({&kDrivingSpeedKey, &kDrivingArcKey, &kDirectionKey, &kTargetKey})
         .parameters<robotcontrol::FollowPathParameters>(
             kFollowPathTable.rules<robotcontrol::FollowPathParameters>());
 
@@ -261,10 +263,11 @@ class ObeyOnWheels final : public DrivingSolution {
 const robotlink::SolutionRegistration kObey =
     robotlink::SolutionBuilder<ObeyOnWheels>(
         "driving", "obey", "Drives as the user requests; stands until then, and when requests stop.")
+        .source("A method of this project.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kBehaviorDrive)
         .yields(robotlink::kBehaviorState)
-        .keys({&kDrivingSpeedKey});
+        .keys({&kDrivingSpeedKey, &kDrivingArcKey});
 
 class Halt final : public DrivingSolution {
  public:
@@ -275,10 +278,12 @@ class Halt final : public DrivingSolution {
   }
 };
 
-const robotlink::SolutionRegistration kHalt = robotlink::SolutionBuilder<Halt>("driving", "halt", "Stands.")
-                                                  .yields(robotlink::kBehaviorDrive)
-                                                  .yields(robotlink::kBehaviorState)
-                                                  .keys({&kDrivingSpeedKey});
+const robotlink::SolutionRegistration kHalt =
+    robotlink::SolutionBuilder<Halt>("driving", "halt", "Stands, whatever the user requests.")
+        .source("A method of this project.")
+        .yields(robotlink::kBehaviorDrive)
+        .yields(robotlink::kBehaviorState)
+        .keys({&kDrivingSpeedKey, &kDrivingArcKey});
 
 }  // namespace
 }  // namespace modules

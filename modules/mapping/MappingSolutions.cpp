@@ -299,6 +299,7 @@ const robotlink::SolutionRegistration kOdometryMapping =
     robotlink::SolutionBuilder<OdometryMapping>(
         "mapping", "odometry",
         "Puts each scan of the laser where dead reckoning says; walls smear and double as its error grows.")
+        .source("Occupancy grids: H. Moravec, A. Elfes: High resolution maps from wide angle sonar, 1985.")
         .needs(robotlink::kDriveState)
         .needs(robotlink::kLaser)
         .yields(robotlink::kGridMap)
@@ -346,6 +347,9 @@ const robotlink::SolutionRegistration kScanMatching =
     robotlink::SolutionBuilder<ScanMatchingMapping>(
         "mapping", "scan-matching",
         "Puts each scan of the laser where it fits best to the map so far, near what dead reckoning says.")
+        .source(
+            "E. Olson: Real-time correlative scan matching, 2009; H. Moravec, A. Elfes: High resolution maps "
+            "from wide angle sonar, 1985.")
         .needs(robotlink::kDriveState)
         .needs(robotlink::kLaser)
         .yields(robotlink::kGridMap)

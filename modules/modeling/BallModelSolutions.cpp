@@ -44,6 +44,7 @@ const robotlink::SolutionRegistration kLastPercept =
     robotlink::SolutionBuilder<LastPerceptBall>(
         "ball-model", "last-percept",
         "The ball stays where it was seen last, while the robot moves by dead reckoning.")
+        .source("A method of this project.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
         .uses(robotlink::kCameraPose)
@@ -57,6 +58,7 @@ const robotlink::SolutionRegistration kFiltered =
     robotlink::SolutionBuilder<FilteredBall>(
         "ball-model", "filtered",
         "A Kalman filter over place and velocity of the ball in the frame of dead reckoning.")
+        .source("R. E. Kalman: A new approach to linear filtering and prediction problems, 1960.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
         .uses(robotlink::kCameraPose)
@@ -86,6 +88,7 @@ class OracleBall final : public BallModeler {
 const robotlink::SolutionRegistration kOracleBall =
     robotlink::SolutionBuilder<OracleBall>("ball-model", "oracle",
                                            "The ball's true place, from the simulator.")
+        .source("The simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kBallModel)
         .keys({&kBallKey, &kBallPositionKey, &kBallAgeKey});

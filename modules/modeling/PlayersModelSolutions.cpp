@@ -44,6 +44,7 @@ const robotlink::SolutionRegistration kPercepts =
     robotlink::SolutionBuilder<PerceptPlayers>(
         "players-model", "percepts",
         "Keeps the robots that were seen until they have not been seen for a while.")
+        .source("A method of this project.")
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)
         .uses(robotlink::kTeamMessages)
@@ -71,6 +72,7 @@ class OraclePlayers final : public PlayersModeler {
 const robotlink::SolutionRegistration kOraclePlayers =
     robotlink::SolutionBuilder<OraclePlayers>("players-model", "oracle",
                                               "The true places of the other robots, from the simulator.")
+        .source("The simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kPlayersModel)
         .keys({&kPlayersKey, &kPlayerCountKey});

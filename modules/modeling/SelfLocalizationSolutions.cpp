@@ -56,6 +56,7 @@ class OdometryLocalization final : public SelfLocalization {
 const robotlink::SolutionRegistration kOdometry =
     robotlink::SolutionBuilder<OdometryLocalization>(
         "self-localisation", "odometry", "Dead reckoning from a known start; its error only grows.")
+        .source("Dead reckoning: S. Thrun, W. Burgard, D. Fox: Probabilistic Robotics, 2005, chapter 5.")
         .needs(robotlink::kMotionStatus)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorPlotKey})
@@ -134,6 +135,8 @@ const robotlink::SolutionRegistration kLandmarks =
     robotlink::SolutionBuilder<LandmarkLocalization>(
         "self-localisation", "landmarks",
         "A particle filter over dead reckoning and the bearings and distances of beacons and goals.")
+        .source(
+            "F. Dellaert, D. Fox, W. Burgard, S. Thrun: Monte Carlo localization for mobile robots, 1999.")
         .needs(robotlink::kLandmarkPercepts)
         .uses(robotlink::kMotionStatus)
         .yields(robotlink::kRobotPose)
@@ -157,6 +160,7 @@ class OracleLocalization final : public SelfLocalization {
 const robotlink::SolutionRegistration kOracleLocator =
     robotlink::SolutionBuilder<OracleLocalization>("self-localisation", "oracle",
                                                    "The robot's true pose, from the simulator.")
+        .source("The simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorPlotKey});

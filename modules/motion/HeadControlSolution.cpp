@@ -156,6 +156,7 @@ class LookAround final : public HeadControlSolution {
 template <typename S>
 robotlink::SolutionDescription headSolution(const char* name, const char* help) {
   return robotlink::SolutionBuilder<S>("head-control", name, help)
+      .source("A method of this project.")
       .needs(robotlink::kJointStates)
       .uses(robotlink::kHeadMode)
       .uses(robotlink::kBallModel)

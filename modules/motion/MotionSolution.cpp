@@ -50,6 +50,9 @@ class HalfEllipseMotion final : public MotionSolution {
 template <typename S>
 robotlink::SolutionDescription described(const char* name, const char* help) {
   return robotlink::SolutionBuilder<S>("motion", name, help)
+      .source(
+          "B. Hengst, D. Ibbotson, S. B. Pham, C. Sammut: Omnidirectional locomotion for quadruped robots, "
+          "RoboCup 2001; T. R\u00f6fer et al.: GermanTeam RoboCup 2002, team report, 2002.")
       .needs(robotlink::kJointStates)
       .needs(robotlink::kBodySensors)
       .uses(robotlink::kMotionRequest)
@@ -76,6 +79,11 @@ const robotlink::SolutionRegistration kFast =
     described<RectangleMotion>("wheel-model-fast",
                                "As wheel-model-rectangle, with a gait that was tuned for speed in games: "
                                "short, quick steps.");
+
+const robotlink::SolutionRegistration kTuned =
+    described<RectangleMotion>("wheel-model-tuned",
+                               "As wheel-model-rectangle, with the stance and the steps that were found for "
+                               "its speed straight ahead by robotctl tune.");
 
 WalkSpeed walkSpeed(const robotcontrol::Velocity2& from) {
   return {from.x(), from.y(), from.rotation()};

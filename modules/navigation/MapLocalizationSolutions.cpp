@@ -204,6 +204,9 @@ const robotlink::SolutionRegistration kMonteCarlo =
     robotlink::SolutionBuilder<MonteCarloLocalization>(
         "self-localisation", "monte-carlo",
         "A particle filter over odometry and what laser or sonars measure in the map; starts anywhere.")
+        .source(
+            "F. Dellaert, D. Fox, W. Burgard, S. Thrun: Monte Carlo localization for mobile robots, 1999; D. "
+            "Fox: Adapting the sample size in particle filters through KLD-sampling, 2003.")
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
@@ -254,6 +257,7 @@ const robotlink::SolutionRegistration kWheels =
     robotlink::SolutionBuilder<WheelLocalization>(
         "self-localisation", "wheel-odometry",
         "Dead reckoning by the wheels from the home of the map; its error only grows.")
+        .source("Dead reckoning: S. Thrun, W. Burgard, D. Fox: Probabilistic Robotics, 2005, chapter 5.")
         .needs(robotlink::kDriveState)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorPlotKey})

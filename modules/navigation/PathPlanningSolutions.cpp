@@ -23,6 +23,7 @@ using robotlink::FieldDrawingKey;
 using robotlink::Level;
 using robotlink::Vector2;
 
+const robotlink::PlotKey kLengthKey{"path-planning/length", "How long the planned path is (plot, m)"};
 const FieldDrawingKey kPathKey{"path-planning/path",
                                "The way to the goal, and the goal (drawn on the field)"};
 const FieldDrawingKey kWaveKey{
@@ -112,6 +113,14 @@ class PathPlanner : public robotlink::Solution {
   }
 
   void draw() {
+    if (sent_ && debug_.on(kLengthKey)) {
+      double length = 0;
+      for (int i = 1; i < sent_->points_in_field_size(); ++i)
+        length += (robotlink::vector2(sent_->points_in_field(i)) -
+                   robotlink::vector2(sent_->points_in_field(i - 1)))
+                      .norm();
+      debug_.plot(kLengthKey, "length", length, "m");
+    }
     if (sent_ && debug_.on(kPathKey)) {
       auto drawing = debug_.fieldDrawing(kPathKey);
       for (int i = 1; i < sent_->points_in_field_size(); ++i)
@@ -252,12 +261,15 @@ const robotlink::SolutionRegistration kGrid =
                                                 "The way of least cost on the map's grid, away from walls "
                                                 "and from what the laser sees that is not on "
                                                 "the map, not through what is forbidden.")
+        .source(
+            "E. W. Dijkstra: A note on two problems in connexion with graphs, 1959; P. Felzenszwalb, D. "
+            "Huttenlocher: Distance transforms of sampled functions, 2012.")
         .needs(robotlink::kRobotPose)
         .uses(robotlink::kDriveGoal)
         .uses(robotlink::kDriveState)
         .uses(robotlink::kLaser)
         .yields(robotlink::kDrivePath)
-        .keys({&kPathKey, &kWaveKey, &kObstaclesKey})
+        .keys({&kPathKey, &kLengthKey, &kWaveKey, &kObstaclesKey})
         .parameters<robotcontrol::GridPlanningParameters>(
             kGridPlanningTable.rules<robotcontrol::GridPlanningParameters>(builtInPlanning));
 
@@ -272,10 +284,11 @@ class DirectPathPlanner final : public PathPlanner {
 const robotlink::SolutionRegistration kDirect =
     robotlink::SolutionBuilder<DirectPathPlanner>("path-planning", "direct",
                                                   "Straight to the goal, whatever is in between.")
+        .source("A method of this project.")
         .needs(robotlink::kRobotPose)
         .uses(robotlink::kDriveGoal)
         .yields(robotlink::kDrivePath)
-        .keys({&kPathKey});
+        .keys({&kPathKey, &kLengthKey});
 
 }  // namespace
 }  // namespace modules

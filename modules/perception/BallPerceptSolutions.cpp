@@ -111,6 +111,7 @@ const robotlink::SolutionRegistration kRegion =
     robotlink::SolutionBuilder<RegionBallPerceptor>(
         "ball-percept", "region",
         "Takes the orange region whose shape, size and place suit a ball on the ground best.")
+        .source("A method of this project.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kBallPercept)
@@ -152,6 +153,7 @@ const robotlink::SolutionRegistration kCircleFit =
     robotlink::SolutionBuilder<CircleFitBallPerceptor>("ball-percept", "circle-fit",
                                                        "Follows rays from the middle of orange regions to "
                                                        "the ball's edge and fits a circle to it, robustly.")
+        .source("I. K\u00e5sa: A circle fitting procedure and its error analysis, 1976.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .needs(robotlink::kCameraImage)

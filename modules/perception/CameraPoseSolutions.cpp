@@ -29,6 +29,8 @@ const ImageDrawingKey kHorizonKey{
     "camera-pose/horizon", "The horizon, where the camera's pose puts it in the image (drawn in the image)"};
 const RobotDrawingKey kViewKey{
     "camera-pose/view", "The camera, and the part of the ground that it sees (drawn around the robot)"};
+const PlotKey kCameraKey{"camera-pose/camera",
+                         "Height of the camera over the ground, and the elevation of its axis"};
 const PlotKey kTiltKey{"camera-pose/tilt", "Height, pitch and roll of the body over the ground"};
 
 /// The common part of all solutions: the package, and drawings.
@@ -64,6 +66,10 @@ class CameraPoseEstimator : public robotlink::Solution {
         debug_.imageDrawing(kHorizonKey).line({0, *left}, {view.width, *right}, robotlink::colors::kSkyBlue);
     }
     if (debug_.on(kViewKey)) drawView(view);
+    if (debug_.on(kCameraKey)) {
+      debug_.plot(kCameraKey, "height", view.cameraInRobot.translation().z(), "m");
+      debug_.plot(kCameraKey, "elevation", view.elevation(view.center()), "rad");
+    }
   }
 
   void drawView(const CameraView& view) {
@@ -169,11 +175,12 @@ const robotlink::SolutionRegistration kKinematic =
     robotlink::SolutionBuilder<KinematicCameraPose>("camera-pose", "kinematic",
                                                     "Follows the neck's joints from a body whose height and "
                                                     "slope come from its legs' joints and paw contacts.")
+        .source("T. R\u00f6fer et al.: GermanTeam RoboCup 2002, team report, 2002.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kJointStates)
         .uses(robotlink::kBodySensors)
         .yields(robotlink::kCameraPose)
-        .keys({&kHorizonKey, &kViewKey, &kTiltKey})
+        .keys({&kHorizonKey, &kViewKey, &kCameraKey, &kTiltKey})
         .parameters<robotcontrol::KinematicCameraPoseParameters>();
 
 struct AccelerometerOptions : BodyPosture::Options, BodyTiltFilter::Options {
@@ -228,11 +235,14 @@ const robotlink::SolutionRegistration kAccelerometer =
         "camera-pose", "accelerometer",
         "Follows the neck's joints from a body whose slope comes from the legs in the short run and from the "
         "accelerometer in the long run.")
+        .source(
+            "R. Mahony, T. Hamel, J.-M. Pflimlin: Nonlinear complementary filters on the special orthogonal "
+            "group, 2008.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kJointStates)
         .needs(robotlink::kBodySensors)
         .yields(robotlink::kCameraPose)
-        .keys({&kHorizonKey, &kViewKey, &kTiltKey})
+        .keys({&kHorizonKey, &kViewKey, &kCameraKey, &kTiltKey})
         .parameters<AccelerometerFields>(kAccelerometerTable.rules<AccelerometerFields>());
 
 class FixedStanceCameraPose final : public HeadCameraPose {
@@ -253,10 +263,11 @@ const robotlink::SolutionRegistration kFixedStance =
     robotlink::SolutionBuilder<FixedStanceCameraPose>(
         "camera-pose", "fixed-stance",
         "Follows the neck's joints from a body that always has the height and slope of the stance.")
+        .source("A method of this project.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kJointStates)
         .yields(robotlink::kCameraPose)
-        .keys({&kHorizonKey, &kViewKey, &kTiltKey})
+        .keys({&kHorizonKey, &kViewKey, &kCameraKey, &kTiltKey})
         .parameters<robotcontrol::FixedStanceCameraPoseParameters>();
 
 class MountedCameraPose final : public CameraPoseEstimator {
@@ -300,9 +311,10 @@ const robotlink::SolutionRegistration kMounted =
     robotlink::SolutionBuilder<MountedCameraPose>("camera-pose", "mounted",
                                                   "The camera's place in the robot's description, as one on "
                                                   "a tripod has it; height and angles can be tuned.")
+        .source("A method of this project.")
         .needs(robotlink::kCameraImage)
         .yields(robotlink::kCameraPose)
-        .keys({&kHorizonKey, &kViewKey})
+        .keys({&kHorizonKey, &kViewKey, &kCameraKey})
         .parameters<robotcontrol::MountedCameraPoseParameters>();
 
 class OracleCameraPose final : public CameraPoseEstimator {
@@ -331,10 +343,11 @@ class OracleCameraPose final : public CameraPoseEstimator {
 const robotlink::SolutionRegistration kOracle =
     robotlink::SolutionBuilder<OracleCameraPose>("camera-pose", "oracle",
                                                  "The camera's true place and angles, from the simulator.")
+        .source("The simulator.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kCameraPose)
-        .keys({&kHorizonKey, &kViewKey});
+        .keys({&kHorizonKey, &kViewKey, &kCameraKey});
 
 }  // namespace
 }  // namespace modules

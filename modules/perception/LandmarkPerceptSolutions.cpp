@@ -118,6 +118,9 @@ const robotlink::SolutionRegistration kColorBands =
         "landmark-percepts", "color-bands",
         "Takes two regions upon each other for a beacon, and the largest other region in a goal's color for "
         "the goal.")
+        .source(
+            "A method of this project, on regions as J. Bruce, T. Balch and M. Veloso find them: Fast and "
+            "inexpensive color image segmentation for interactive robots, 2000.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kLandmarkPercepts)
@@ -163,6 +166,9 @@ const robotlink::SolutionRegistration kHorizonScan =
         "landmark-percepts", "horizon-scan",
         "Reads scan lines across the horizon as sequences of colors and gathers those that beacons and "
         "goals have.")
+        .source(
+            "T. R\u00f6fer, M. J\u00fcngel: Vision-based fast and reactive Monte-Carlo localization, ICRA "
+            "2003.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kLandmarkPercepts)

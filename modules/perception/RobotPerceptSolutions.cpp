@@ -87,6 +87,7 @@ class PatchRobotPerceptor final : public RobotPerceptor {
 const robotlink::SolutionRegistration kPatches =
     robotlink::SolutionBuilder<PatchRobotPerceptor>("robot-percepts", "patches",
                                                     "Takes every patch of a team's color for a robot.")
+        .source("A method of this project.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kRobotPercepts)
@@ -108,6 +109,7 @@ const robotlink::SolutionRegistration kClusters =
     robotlink::SolutionBuilder<ClusterRobotPerceptor>(
         "robot-percepts", "patch-clusters",
         "Takes patches of a team's color that are less than a robot's length apart for one robot.")
+        .source("A method of this project.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kRobotPercepts)

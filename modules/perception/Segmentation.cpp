@@ -133,6 +133,9 @@ const robotlink::SolutionRegistration kWholeImage =
         "segmentation", "whole-image",
         "Sorts every pixel into a color class by the color table and joins touching runs of equal class to "
         "regions.")
+        .source(
+            "J. Bruce, T. Balch, M. Veloso: Fast and inexpensive color image segmentation for interactive "
+            "robots, 2000.")
         .needs(robotlink::kCameraImage)
         .uses(robotlink::kColorTable)
         .yields(robotlink::kColorRegions)
@@ -161,6 +164,7 @@ const robotlink::SolutionRegistration kScanLines =
         "segmentation", "scan-lines",
         "Reads vertical scan lines by the color table and groups runs of equal class on neighboring lines "
         "to regions.")
+        .source("A method of this project.")
         .needs(robotlink::kCameraImage)
         .uses(robotlink::kColorTable)
         .yields(robotlink::kColorRegions)

@@ -9096,10 +9096,6 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Die Lösung, die es veröffentlicht hat, oder eine, die in ihrem Schatten läuft</translation>
     </message>
     <message>
-        <source>What is compared; relative errors are shares of the distance</source>
-        <translation>Was verglichen wird; relative Fehler sind Anteile der Entfernung</translation>
-    </message>
-    <message>
         <source>The newest error</source>
         <translation>Der neueste Fehler</translation>
     </message>
@@ -9122,6 +9118,14 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     <message>
         <source>Mean time from the reading until what is based on it was published, on the robot&apos;s clock</source>
         <translation>Mittlere Zeit vom Messwert bis zur Veröffentlichung dessen, was auf ihm beruht, auf der Uhr des Roboters</translation>
+    </message>
+    <message>
+        <source>% of the time</source>
+        <translation>% der Zeit</translation>
+    </message>
+    <message>
+        <source>What is compared; relative errors are shares of the distance, delays pass until something that happens is reported</source>
+        <translation>Was verglichen wird; relative Fehler sind Anteile der Entfernung, Verzögerungen vergehen, bis gemeldet wird, was geschieht</translation>
     </message>
 </context>
 <context>

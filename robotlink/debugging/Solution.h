@@ -120,6 +120,8 @@ struct SolutionDescription {
   std::string name;
   /// A sentence for users: what it does and how.
   std::string help;
+  /// Whose method it is: papers, books or other programs; "The simulator." of an oracle.
+  std::string source;
   // Packages without which it cannot run.
   std::vector<std::string> required;
   // Packages that it uses if they are offered.
@@ -142,6 +144,7 @@ struct SolutionDescription {
 ///     const SolutionRegistration kRegistration =
 ///         SolutionBuilder<ScanLineBallPerceptor>("ball-percept", "scan-lines", "Fits a circle to the ball's
 ///         edge.")
+///             .source("A. Author: Circles, 1999.")
 ///             .needs(kCameraImage).needs(kCameraPose).uses(kOracleWorld).yields(kBallPercept)
 ///             .keys({&kCircleKey, &kEdgeKey}).parameters<robotcontrol::ScanLineBallParameters>();
 template <typename S>
@@ -154,6 +157,11 @@ class SolutionBuilder {
     description_.create = [](SolutionContext& context) -> std::unique_ptr<Solution> {
       return std::make_unique<S>(context);
     };
+  }
+  /// Names whose method it is.
+  SolutionBuilder& source(std::string source) {
+    description_.source = std::move(source);
+    return *this;
   }
   /// Declares a package without which the solution cannot run.
   template <typename T>

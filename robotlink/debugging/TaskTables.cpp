@@ -79,7 +79,7 @@ std::string defaultSolution(const Layout& layout, const std::string& process, co
 
 void fillSolution(const SolutionDescription& solution, robotcontrol::SolutionTable::Solution& to) {
   to.set_name(solution.name);
-  to.set_help(solution.help);
+  to.set_help(solution.source.empty() ? solution.help : solution.help + "\nSource: " + solution.source);
   to.set_has_parameters(solution.parameters != nullptr);
   for (const std::string& package : solution.required) to.add_required_inputs(package);
   for (const std::string& package : solution.optional) to.add_optional_inputs(package);

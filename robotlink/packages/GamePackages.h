@@ -25,6 +25,8 @@ inline constexpr Package<robotcontrol::TeamMessages> kTeamMessages{"team/message
 inline constexpr Package<robotcontrol::FieldLinePercepts> kFieldLines{"percepts/lines"};
 /// Whether the robot was picked up, has fallen, or touches something.
 inline constexpr Package<robotcontrol::RobotState> kRobotState{"percepts/robot-state"};
+/// What has truly happened to the robot's body, from a simulated platform.
+inline constexpr Package<robotcontrol::RobotState> kOracleState{"oracle/state"};
 /// The ball as the team sees it.
 inline constexpr Package<robotcontrol::TeamBall> kTeamBall{"models/team-ball"};
 /// The options of the behavior, sent only on request.

@@ -39,7 +39,7 @@ const Types& ownPackageTypes() {
       kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions, kBallPercept, kLandmarkPercepts,
       kRobotPercepts, kBallModel, kRobotPose, kPlayersModel, kMotionRequest, kHeadMode, kHeadRequest,
       kMotionStatus, kDrivePath, kBehaviorDrive, kBehaviorState, kGridMap, kGripper, kGameState, kTeamMessage,
-      kTeamMessages, kFieldLines, kRobotState, kTeamBall, kBehaviorGraph);
+      kTeamMessages, kFieldLines, kRobotState, kOracleState, kTeamBall, kBehaviorGraph);
   return kTypes;
 }
 

@@ -15,12 +15,14 @@
 #include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/packages/ViewFrustum.h"
+#include "robotlink/truth/LineComparison.h"
 #include "robotlink/truth/PackageErrors.h"
 
 namespace robotlink {
 namespace {
 
 using robotcontrol::OracleWorld;
+using robotcontrol::RobotState;
 
 /// How far away a thing may be that counts as missed if it is not reported, m.
 constexpr double kNear = 2;
@@ -35,12 +37,8 @@ constexpr double kJustSeen = 0.1;
 constexpr double kLandmarkDistance = 4, kLandmarkHeight = 0.2;
 /// Another robot's height of which the center is looked at, m.
 constexpr double kRobotHeight = 0.1;
-
-void note(PackageErrors& errors, const char* quantity, const char* unit, double amount) {
-  ErrorQuantity& found = errors.quantities[quantity];
-  found.unit = unit;
-  found.amounts.add(amount);
-}
+/// The legs whose collisions are compared, as packages name them.
+constexpr const char* kLegs[] = {"front left", "front right", "hind left", "hind right"};
 
 bool isInvented(double error, double distance) {
   return error > kInvented + kInventedShare * distance;
@@ -68,8 +66,8 @@ Vector2 ballInRobot(const OracleWorld& truth) {
 
 void noteBall(PackageErrors& errors, const Vector2& reported, const Vector2& ball) {
   const double error = (reported - ball).norm(), distance = ball.norm();
-  note(errors, "position", "m", error);
-  if (distance <= kRelativeUpTo) note(errors, "relative", "", error / std::max(distance, kRelativeFrom));
+  errors.add("position", "m", error);
+  if (distance <= kRelativeUpTo) errors.add("relative", "", error / std::max(distance, kRelativeFrom));
 }
 
 void compareBallModel(const google::protobuf::Message& value, const OracleWorld& truth,
@@ -86,7 +84,7 @@ void compareBallModel(const google::protobuf::Message& value, const OracleWorld&
   errors.invented += isInvented((reported - ball).norm(), ball.norm()) ? 1 : 0;
   noteBall(errors, reported, ball);
   if (model->seconds_since_seen() <= kJustSeen && ball.norm() <= kRelativeUpTo)
-    note(errors, "relative-seen", "", (reported - ball).norm() / std::max(ball.norm(), kRelativeFrom));
+    errors.add("relative-seen", "", (reported - ball).norm() / std::max(ball.norm(), kRelativeFrom));
 }
 
 void compareTeamBall(const google::protobuf::Message& value, const OracleWorld& truth,
@@ -101,7 +99,7 @@ void compareTeamBall(const google::protobuf::Message& value, const OracleWorld& 
   const double error = (vector2(model->position_in_field()) - ball).norm();
   ++errors.reported;
   errors.invented += isInvented(error, distance) ? 1 : 0;
-  note(errors, "position", "m", error);
+  errors.add("position", "m", error);
 }
 
 void compareBallPercept(const google::protobuf::Message& value, const OracleWorld& truth,
@@ -127,8 +125,8 @@ void comparePose(const google::protobuf::Message& value, const OracleWorld& trut
   const auto* estimate = dynamic_cast<const robotcontrol::RobotPose*>(&value);
   if (estimate == nullptr || !truth.has_robot_in_field()) return;
   const Pose2 reported = pose2(estimate->robot_in_field()), pose = robotIn(truth);
-  note(errors, "position", "m", (reported.translation() - pose.translation()).norm());
-  note(errors, "heading", "rad", std::abs(normalizedAngle(reported.heading - pose.heading)));
+  errors.add("position", "m", (reported.translation() - pose.translation()).norm());
+  errors.add("heading", "rad", std::abs(normalizedAngle(reported.heading - pose.heading)));
 }
 
 void compareCameraPose(const google::protobuf::Message& value, const OracleWorld& truth,
@@ -137,9 +135,9 @@ void compareCameraPose(const google::protobuf::Message& value, const OracleWorld
   if (estimate == nullptr || !truth.has_camera()) return;
   const Pose3 reported = pose3(estimate->camera_in_robot());
   const Pose3 camera = pose3(truth.camera().camera_in_robot());
-  note(errors, "position", "m", (reported.translation() - camera.translation()).norm());
+  errors.add("position", "m", (reported.translation() - camera.translation()).norm());
   const Eigen::AngleAxisd between(reported.linear().transpose() * camera.linear());
-  note(errors, "direction", "rad", std::abs(between.angle()));
+  errors.add("direction", "rad", std::abs(between.angle()));
 }
 
 /// Assigns each reported place to the nearest thing that is left, notes its error, and counts.
@@ -154,7 +152,7 @@ void matchPlaces(const std::vector<Vector2>& reported, std::vector<Thing> things
       ++errors.invented;
       continue;
     }
-    note(errors, "position", "m", error);
+    errors.add("position", "m", error);
     things.erase(nearest);
   }
   for (const Thing& thing : things) errors.missed += thing.isDue ? 1 : 0;
@@ -225,11 +223,42 @@ void compareLandmarks(const google::protobuf::Message& value, const OracleWorld&
       continue;
     }
     const Vector2& place = known->second.position;
-    note(errors, "distance", "m", std::abs(percept.distance() - distance));
-    note(errors, "bearing", "rad",
-         std::abs(normalizedAngle(percept.bearing() - std::atan2(place.y(), place.x()))));
+    errors.add("distance", "m", std::abs(percept.distance() - distance));
+    errors.add("bearing", "rad",
+               std::abs(normalizedAngle(percept.bearing() - std::atan2(place.y(), place.x()))));
   }
   for (const auto& [name, thing] : missed) errors.missed += thing.isDue ? 1 : 0;
+}
+
+void compareFieldLines(const google::protobuf::Message& value, const OracleWorld& truth,
+                       const FieldDescription* field, PackageErrors& errors) {
+  const auto* percepts = dynamic_cast<const robotcontrol::FieldLinePercepts*>(&value);
+  if (percepts == nullptr || field == nullptr || !truth.has_robot_in_field() || !truth.has_camera()) return;
+  compareLines(*percepts, truth, *field, errors);
+}
+
+/// `name` is that of the quantity, `event` that of one of several events that it has.
+void compareEvent(const std::string& name, const std::string& event, Instant time, bool happens,
+                  bool isReported, PackageErrors& errors) {
+  ErrorQuantity& quantity = errors.quantities[name];
+  quantity.unit = kShareOfTime;
+  if (const auto delay = errors.events[event].add(time, happens, isReported, quantity))
+    errors.add(name + " delay", "s", seconds(*delay));
+}
+
+/// What happened to the body, as a solution and as the oracle say it.
+void compareState(const RobotState& state, const RobotState& truth, PackageErrors& errors) {
+  const Instant time = instant(state.timestamp());
+  compareEvent("picked up", "picked up", time, truth.picked_up(), state.picked_up(), errors);
+  compareEvent("fallen", "fallen", time, truth.fallen(), state.fallen(), errors);
+  if (truth.fallen() && state.fallen())
+    errors.add("side", kShareOfTime, truth.side() == state.side() ? 0 : 1);
+  for (const char* leg : kLegs) {
+    const auto has = [&](const RobotState& one) {
+      return std::ranges::find(one.collisions(), leg) != one.collisions().end();
+    };
+    compareEvent("collided", leg, time, has(truth), has(state), errors);
+  }
 }
 
 using Compare = void (*)(const google::protobuf::Message&, const OracleWorld&, const FieldDescription*,
@@ -240,22 +269,35 @@ const std::map<std::string, Compare>& comparisons() {
       {kCameraPose.name, compareCameraPose}, {kBallPercept.name, compareBallPercept},
       {kRobotPercepts.name, compareRobots},  {kLandmarkPercepts.name, compareLandmarks},
       {kBallModel.name, compareBallModel},   {kRobotPose.name, comparePose},
-      {kPlayersModel.name, comparePlayers},  {kTeamBall.name, compareTeamBall}};
+      {kPlayersModel.name, comparePlayers},  {kTeamBall.name, compareTeamBall},
+      {kFieldLines.name, compareFieldLines}};
   return kAll;
 }
 
 }  // namespace
 
 std::vector<std::string> comparablePackages() {
-  std::vector<std::string> names;
+  std::vector<std::string> names{kRobotState.name};
   for (const auto& [name, compare] : comparisons()) names.push_back(name);
   return names;
 }
 
+const char* truthOf(std::string_view package) {
+  return package == kRobotState.name ? kOracleState.name : kOracleWorld.name;
+}
+
 void comparePackage(const std::string& package, const google::protobuf::Message& value,
-                    const OracleWorld& truth, const FieldDescription* field, PackageErrors& errors) {
+                    const google::protobuf::Message& truth, const FieldDescription* field,
+                    PackageErrors& errors) {
+  if (package == kRobotState.name) {
+    const auto* state = dynamic_cast<const RobotState*>(&value);
+    const auto* known = dynamic_cast<const RobotState*>(&truth);
+    if (state != nullptr && known != nullptr) compareState(*state, *known, errors);
+    return;
+  }
   const auto found = comparisons().find(package);
-  if (found != comparisons().end()) found->second(value, truth, field, errors);
+  const auto* world = dynamic_cast<const OracleWorld*>(&truth);
+  if (found != comparisons().end() && world != nullptr) found->second(value, *world, field, errors);
 }
 
 }  // namespace robotlink

@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <string>
 
-#include "robotlink/truth/ErrorSamples.h"
+#include "robotlink/truth/ErrorQuantity.h"
+#include "robotlink/truth/EventErrors.h"
 
 namespace robotlink {
 
-/// What is compared with the simulator's truth, by the name of its quantity ("position"), with its unit.
-struct ErrorQuantity {
-  ErrorSamples amounts;
-  std::string unit;
-};
-
 /// How far what a solution publishes is from the truth.
-struct PackageErrors {
+struct PackageErrors : ErrorCounts {
   std::map<std::string, ErrorQuantity> quantities;
-  /// Things that were there to be seen or known and were not, of those that were there; and things that were
-  /// reported and were not there, of those that were reported.
-  std::size_t there = 0, missed = 0, reported = 0, invented = 0;
   /// From the reading that a package is based on until it was published, s of the platform's time.
   ErrorSamples latency;
+  /// What is going on, by the name of what happens.
+  std::map<std::string, EventErrors> events;
+
+  void add(const std::string& quantity, const char* unit, double amount) {
+    ErrorQuantity& found = quantities[quantity];
+    found.unit = unit;
+    found.amounts.add(amount);
+  }
+  /// The counts that belong to a quantity.
+  const ErrorCounts& countsOf(const ErrorQuantity& quantity) const {
+    return quantity.own.there + quantity.own.reported > 0 ? quantity.own : *this;
+  }
 };
 
 }  // namespace robotlink

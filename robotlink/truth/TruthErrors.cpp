@@ -29,6 +29,10 @@ constexpr std::size_t kMaxWaiting = 2000;
 constexpr Duration kSameTime = std::chrono::milliseconds(20);
 constexpr std::string_view kShadowPrefix = "shadow/";
 
+bool isTruth(std::string_view path) {
+  return path == kOracleWorld.name || path == kOracleState.name;
+}
+
 /// The solution of a shadow's stream, and where the path of what it publishes begins; empty if it is none.
 std::pair<std::string_view, std::string_view> shadowIn(std::string_view path) {
   if (!path.starts_with(kShadowPrefix)) return {{}, path};
@@ -61,14 +65,22 @@ const std::vector<std::string>& TruthErrors::packages() {
   return kPackages;
 }
 
+const std::vector<std::string>& TruthErrors::neededPackages() {
+  static const std::vector<std::string> kNeeded = [] {
+    std::vector<std::string> names{kOracleWorld.name, kOracleState.name, kGameState.name};
+    names.insert(names.end(), packages().begin(), packages().end());
+    return names;
+  }();
+  return kNeeded;
+}
+
 std::string_view TruthErrors::comparedPackage(std::string_view path) {
   const std::string_view package = shadowIn(path).second;
   return std::ranges::find(packages(), package) == packages().end() ? std::string_view() : package;
 }
 
 bool TruthErrors::reads(std::string_view path) {
-  return path == kOracleWorld.name || path == kGameState.name || isSolutionTable(path) ||
-         !comparedPackage(path).empty();
+  return isTruth(path) || path == kGameState.name || isSolutionTable(path) || !comparedPackage(path).empty();
 }
 
 void TruthErrors::add(const std::string& robot, const SharedDebugQueue& queue) {
@@ -88,14 +100,15 @@ void TruthErrors::add(const std::string& name, const std::string& path, Instant 
     addGameState(robot, value);
     return;
   }
-  if (path != kOracleWorld.name) {
-    robot.waiting.push_back({path, published, value});
-    if (robot.waiting.size() > kMaxWaiting) robot.waiting.pop_front();
+  Truths& truths = robot.truths[isTruth(path) ? path : truthOf(comparedPackage(path))];
+  if (!isTruth(path)) {
+    truths.waiting.push_back({path, published, value});
+    if (truths.waiting.size() > kMaxWaiting) truths.waiting.pop_front();
     return;
   }
-  if (const auto time = timeOf(*value)) robot.truths.emplace_back(*time, value);
-  if (robot.truths.size() > kMaxTruths) robot.truths.pop_front();
-  compareWaiting(name, robot);
+  if (const auto time = timeOf(*value)) truths.known.emplace_back(*time, value);
+  if (truths.known.size() > kMaxTruths) truths.known.pop_front();
+  compareWaiting(name, robot, truths);
 }
 
 void TruthErrors::addGameState(Robot& robot, const PackagePtr& value) {
@@ -140,34 +153,34 @@ bool TruthErrors::isPenalized(const Robot& robot, Instant time) {
          (!robot.playsAgainAt || time < *robot.playsAgainAt);
 }
 
-void TruthErrors::compareWaiting(const std::string& name, Robot& robot) {
-  if (robot.truths.empty()) return;
-  const Instant newest = robot.truths.back().first;
-  std::erase_if(robot.waiting, [&](const Waiting& one) {
+void TruthErrors::compareWaiting(const std::string& name, const Robot& robot, Truths& truths) {
+  if (truths.known.empty()) return;
+  const Instant newest = truths.known.back().first;
+  std::erase_if(truths.waiting, [&](const Waiting& one) {
     const std::optional<Instant> time = timeOf(*one.value);
     if (!time) return true;
     if (*time > newest) return false;
-    const auto* truth = isPenalized(robot, *time) ? nullptr : truthAt(robot, *time);
+    const auto* truth = isPenalized(robot, *time) ? nullptr : truthAt(truths, *time);
     if (truth != nullptr) compare(name, robot, one, *time, *truth);
     return true;
   });
 }
 
-const robotcontrol::OracleWorld* TruthErrors::truthAt(const Robot& robot, Instant time) {
+const google::protobuf::Message* TruthErrors::truthAt(const Truths& truths, Instant time) {
   const auto later =
-      std::ranges::lower_bound(robot.truths, time, {}, [](const auto& truth) { return truth.first; });
+      std::ranges::lower_bound(truths.known, time, {}, [](const auto& truth) { return truth.first; });
   auto best = later;
-  if (later != robot.truths.begin()) {
+  if (later != truths.known.begin()) {
     const auto before = std::prev(later);
-    if (later == robot.truths.end() || time - before->first < later->first - time) best = before;
+    if (later == truths.known.end() || time - before->first < later->first - time) best = before;
   }
-  if (best == robot.truths.end()) return nullptr;
+  if (best == truths.known.end()) return nullptr;
   const auto distance = best->first > time ? best->first - time : time - best->first;
-  return distance > kSameTime ? nullptr : dynamic_cast<const robotcontrol::OracleWorld*>(best->second.get());
+  return distance > kSameTime ? nullptr : best->second.get();
 }
 
 void TruthErrors::compare(const std::string& name, const Robot& robot, const Waiting& one, Instant time,
-                          const robotcontrol::OracleWorld& truth) {
+                          const google::protobuf::Message& truth) {
   PackageErrors& errors = errors_[name][{one.path, solutionOf(robot, one)}];
   comparePackage(std::string(comparedPackage(one.path)), *one.value, truth, field_.get(), errors);
   errors.latency.add(seconds(one.published - time));

@@ -14,10 +14,6 @@
 #include "robotlink/process/Link.h"
 #include "robotlink/truth/PackageErrors.h"
 
-namespace robotcontrol {
-class OracleWorld;
-}
-
 namespace robotlink {
 
 struct FieldDescription;
@@ -32,14 +28,15 @@ struct ErrorSource {
   auto operator<=>(const ErrorSource&) const = default;
 };
 
-/// Compares percepts and models of robots with the ground truth (oracle/world) of their simulation. Fed with
-/// the debug queues of a run in which the packages and oracle/world are published; what comes before the
-/// truth of its time waits for it. The tables of solutions say which solution published a package, so that
-/// each has errors of its own, though solutions are switched while it runs.
+/// Compares percepts and models of robots with the ground truth (oracle/world, oracle/state) of their
+/// simulation. Fed with the debug queues of a run in which these and the packages are published; what comes
+/// before the truth of its time waits for it. The tables of solutions say which solution published a package,
+/// so that each has errors of its own, though solutions are switched while it runs.
 ///
 /// A percept counts as missed if its object's center was in the image and nearer than 2 m, whatever stood in
 /// front of it. What a model does not know counts as missed only while it could: within 2 m. While a robot is
-/// penalized, as game/state says, it stands beside the field, and nothing is compared.
+/// penalized, as game/state says, it stands beside the field, and nothing is compared. See EventErrors for
+/// what happens to its body.
 ///
 /// One thread at a time. Memory is bounded, however long it runs.
 class TruthErrors {
@@ -51,8 +48,10 @@ class TruthErrors {
   /// Without a field landmarks are not compared.
   void setField(std::shared_ptr<const FieldDescription> field) { field_ = std::move(field); }
 
-  /// The packages that are compared; their keys have to be on, and those of oracle/world and game/state.
+  /// The packages that are compared.
   static const std::vector<std::string>& packages();
+  /// The packages whose keys have to be on: those, the truth, and game/state.
+  static const std::vector<std::string>& neededPackages();
   /// Whether add() does anything with messages of this path below the robot's name.
   static bool reads(std::string_view path);
   /// The package of a stream: that of "shadow/kalman/models/ball" is models/ball. Empty if it is not
@@ -81,10 +80,14 @@ class TruthErrors {
     std::string solution, before;
     Instant since;
   };
-  struct Robot {
-    /// The newest last.
-    std::deque<std::pair<Instant, PackagePtr>> truths;
+  /// The packages of one kind of truth, the newest last, and what waits for it.
+  struct Truths {
+    std::deque<std::pair<Instant, PackagePtr>> known;
     std::deque<Waiting> waiting;
+  };
+  struct Robot {
+    /// Keyed by the package of the truth.
+    std::map<std::string, Truths, std::less<>> truths;
     /// When the last penalty began, and when it was over.
     std::optional<Instant> penalizedAt, playsAgainAt;
     /// Keyed by package.
@@ -95,10 +98,10 @@ class TruthErrors {
   static void addSolutions(Robot& robot, Instant time, const PackagePtr& value);
   static bool isPenalized(const Robot& robot, Instant time);
   static std::string solutionOf(const Robot& robot, const Waiting& one);
-  void compareWaiting(const std::string& name, Robot& robot);
-  static const robotcontrol::OracleWorld* truthAt(const Robot& robot, Instant time);
+  void compareWaiting(const std::string& name, const Robot& robot, Truths& truths);
+  static const google::protobuf::Message* truthAt(const Truths& truths, Instant time);
   void compare(const std::string& name, const Robot& robot, const Waiting& one, Instant time,
-               const robotcontrol::OracleWorld& truth);
+               const google::protobuf::Message& truth);
 
   std::shared_ptr<const FieldDescription> field_ = nullptr;
   std::map<std::string, Robot> robots_;

@@ -287,10 +287,10 @@ void Actuation::follow(std::size_t index, std::uint64_t step, const Randomness& 
 }
 
 void Actuation::afterStep() {
-  const std::span<const std::size_t> stopped = physics_.bodiesAtObstacles();
-  for (std::size_t i = 0; i < servos_.size() && !stopped.empty(); ++i) {
+  const std::span<const ObstacleTouch> touches = physics_.obstacleTouches();
+  for (std::size_t i = 0; i < servos_.size() && !touches.empty(); ++i) {
     const bool meets = std::ranges::any_of(ports_.servoBodies[i], [&](std::size_t body) {
-      return std::ranges::find(stopped, body) != stopped.end();
+      return std::ranges::find(touches, body, &ObstacleTouch::body) != touches.end();
     });
     if (meets) servos_[i].unobstructed = false;
   }

@@ -76,9 +76,8 @@ void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double upward) {
   if (bothMove) ode.touches.emplace_back(std::minmax(a.model, b.model));
   if (!bothMove && std::abs(upward) >= kFloor) return;
   first.touchesObstacle = second.touchesObstacle = true;
-  for (const OdeGeom* geom : {&a, &b}) {
-    if (geom->body != OdeGeom::kNoBody) ode.obstacleBodies.push_back(geom->body);
-  }
+  if (a.body != OdeGeom::kNoBody) ode.obstacleTouches.push_back({a.body, b.model});
+  if (b.body != OdeGeom::kNoBody) ode.obstacleTouches.push_back({b.body, a.model});
 }
 
 /// The mass that two bodies that meet have together: the reciprocal of the sum of their reciprocals, kg. Null

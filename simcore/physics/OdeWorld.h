@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "simcore/physics/ObstacleTouch.h"
 #include "simcore/physics/OdeDrive.h"
 #include "simcore/physics/OdeFollower.h"
 #include "simcore/physics/shapes/StaticGrid.h"
@@ -255,7 +256,7 @@ struct OdeWorld {
   std::vector<OdeContactRecord> contactRecords;
   std::deque<dJointFeedback> contactForces;
   /// Bodies that touched anything but a floor in the last step, some of them several times.
-  std::vector<std::size_t> obstacleBodies;
+  std::vector<ObstacleTouch> obstacleTouches;
   /// The joints of all contacts of this step.
   int contactCount = 0;
   /// Pairs of moving models that touched in the last step, lower index first.

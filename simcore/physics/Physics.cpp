@@ -47,7 +47,7 @@ void Physics::step(std::uint64_t seed) {
   ode_->touchedGeoms.clear();
   for (OdeModel& model : ode_->models) model.touchesObstacle = false;
   ode_->touches.clear();
-  ode_->obstacleBodies.clear();
+  ode_->obstacleTouches.clear();
   ode_->wheelContactCount = 0;
   ode_->contactCount = 0;
   resist(*ode_);
@@ -247,8 +247,20 @@ void Physics::follow(int model, double ahead, double sideways, double turning) {
   one.turning = turning;
 }
 
-std::span<const std::size_t> Physics::bodiesAtObstacles() const {
-  return ode_->obstacleBodies;
+std::span<const ObstacleTouch> Physics::obstacleTouches() const {
+  return ode_->obstacleTouches;
+}
+
+bool Physics::touchesAnything(int model) const {
+  return std::ranges::any_of(ode_->touchedGeoms,
+                             [&](const OdeGeom* geom) { return geom->touched && geom->model == model; });
+}
+
+double Physics::lowestPoint(int model) const {
+  prepareOdeForThread();
+  StaticGrid::Bounds bounds;
+  dGeomGetAABB(reinterpret_cast<dGeomID>(ode_->models[static_cast<std::size_t>(model)].space), bounds.data());
+  return bounds[4];
 }
 
 bool Physics::touched(std::size_t body, int collision) const {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "simcore/physics/ObstacleTouch.h"
 #include "simcore/physics/Step.h"
 #include "simcore/world/WorldDescription.h"
 
@@ -113,7 +114,11 @@ class Physics {
   bool touched(std::size_t body, int collision) const;
   /// The bodies that touched anything but a floor in the last step, some of them several times; valid until
   /// the next one.
-  std::span<const std::size_t> bodiesAtObstacles() const;
+  std::span<const ObstacleTouch> obstacleTouches() const;
+  /// Whether a model touched anything in the last step.
+  bool touchesAnything(int model) const;
+  /// The height of the lowest point of a moving model's collision shapes, m.
+  double lowestPoint(int model) const;
   /// Whether two moving models touched each other in the last step.
   bool touched(int modelA, int modelB) const;
   /// Whether a model touched anything but a floor in the last step.

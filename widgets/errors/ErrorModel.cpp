@@ -17,6 +17,8 @@ struct ShownUnit {
 ShownUnit shownUnit(const std::string& unit) {
   if (unit == "m") return {QStringLiteral("mm"), 1000};
   if (unit == "rad") return {QStringLiteral("°"), 180 / robotlink::kPi};
+  if (unit == "s") return {QStringLiteral("ms"), 1000};
+  if (unit == robotlink::kShareOfTime) return {ErrorModel::tr("% of the time"), 100};
   return {QStringLiteral("%"), 100};
 }
 
@@ -25,13 +27,17 @@ std::optional<double> percentOf(std::size_t part, std::size_t all) {
   return 100 * static_cast<double>(part) / static_cast<double>(all);
 }
 
+void countIn(ErrorRow& row, const robotlink::ErrorCounts& counts) {
+  row.missed = percentOf(counts.missed, counts.there);
+  row.invented = percentOf(counts.invented, counts.reported);
+}
+
 /// The row of a stream, without a quantity.
 ErrorRow rowOf(const robotlink::ErrorSource& source, const robotlink::PackageErrors& errors) {
   ErrorRow row;
   row.source = source;
   row.package = robotlink::TruthErrors::comparedPackage(source.path);
-  row.missed = percentOf(errors.missed, errors.there);
-  row.invented = percentOf(errors.invented, errors.reported);
+  countIn(row, errors);
   row.latency = 1000 * errors.latency.mean();
   return row;
 }
@@ -43,6 +49,7 @@ void fillIn(ErrorRow& row, const std::string& quantity, const robotlink::ErrorQu
   row.samples = error.amounts.count();
   row.last = unit.factor * error.amounts.last();
   row.mean = unit.factor * error.amounts.mean();
+  if (error.unit == robotlink::kShareOfTime) return;
   row.median = unit.factor * error.amounts.quantile(0.5);
   row.ninetyFive = unit.factor * error.amounts.quantile(0.95);
   row.maximum = unit.factor * error.amounts.maximum();
@@ -90,6 +97,7 @@ void ErrorModel::setErrors(const robotlink::TruthErrors::Packages& errors) {
     for (const auto& [name, quantity] : package.quantities) {
       rows.push_back(whole);
       fillIn(rows.back(), name, quantity);
+      countIn(rows.back(), package.countsOf(quantity));
     }
   }
   const auto identity = [](const ErrorRow& row) { return std::tie(row.source, row.quantity); };
@@ -131,7 +139,9 @@ QVariant ErrorModel::headerData(int section, Qt::Orientation orientation, int ro
     case kSolution:
       return tr("The solution that published it, or one that runs in its shadow");
     case kError:
-      return tr("What is compared; relative errors are shares of the distance");
+      return tr(
+          "What is compared; relative errors are shares of the distance, delays pass until something that "
+          "happens is reported");
     case kLast:
       return tr("The newest error");
     case kMedian:

@@ -16,10 +16,12 @@ struct ErrorRow {
   std::string package;
   /// "position"; empty: nothing was reported yet that could be compared.
   std::string quantity;
-  /// mm, degrees or percent.
+  /// mm, degrees, ms, percent, or percent of the time.
   QString unit;
   std::size_t samples = 0;
-  double last = 0, mean = 0, median = 0, ninetyFive = 0, maximum = 0;
+  double last = 0, mean = 0;
+  /// Unset where only the mean says something, as of a share of the time.
+  std::optional<double> median, ninetyFive, maximum;
   /// Percent; unset: nothing could be missed, or nothing was reported.
   std::optional<double> missed, invented;
   /// Mean, ms.

@@ -44,8 +44,8 @@ constexpr int kShownEach = 10;
 /// The packages that have to be published.
 const std::vector<const char*>& neededPackages() {
   static const std::vector<const char*> kNeeded = [] {
-    std::vector<const char*> names{robotlink::kOracleWorld.name, robotlink::kGameState.name};
-    for (const std::string& name : robotlink::TruthErrors::packages()) names.push_back(name.c_str());
+    std::vector<const char*> names;
+    for (const std::string& name : robotlink::TruthErrors::neededPackages()) names.push_back(name.c_str());
     return names;
   }();
   return kNeeded;

@@ -253,7 +253,9 @@ QString SolutionModel::stateOf(const TaskEntry& task, const TaskEntry::Solution&
     return tr("refused: %1").arg(refusal->second.reason);
   }
   if (choiceOf(task, solution) == Choice::kPending) return tr("switching…");
-  return solution.unavailable.isEmpty() ? solution.help : solution.unavailable;
+  // The rest of the help is whose method it is.
+  return solution.unavailable.isEmpty() ? solution.help.section(QLatin1Char('\n'), 0, 0)
+                                        : solution.unavailable;
 }
 
 QString SolutionModel::packagesOf(const TaskEntry::Solution& solution) {

@@ -6,6 +6,8 @@
 
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/base/Clock.h"
+#include "robotlink/base/Error.h"
+#include "robotlink/process/Process.h"
 #include "robotlink/process/Sender.h"
 
 namespace app {

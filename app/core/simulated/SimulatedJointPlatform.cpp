@@ -5,8 +5,10 @@
 #include <cmath>
 #include <tuple>
 
+#include "app/core/world/TrueState.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/Packages.h"
 #include "simcore/Scene.h"
 
@@ -37,6 +39,7 @@ SimulatedJointPlatform::SimulatedJointPlatform(SimulatedWorld& world, std::strin
       settings_(*this),
       jointStates_(*this, robotlink::kJointStates.name, Blocking::kNo),
       bodySensors_(*this, robotlink::kBodySensors.name, Blocking::kNo),
+      trueState_(*this, robotlink::kOracleState.name, Blocking::kNo),
       jointRequest_(*this, robotlink::kJointRequest.name, Blocking::kNo) {}
 
 robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedJointPlatform::create(
@@ -164,6 +167,7 @@ void SimulatedJointPlatform::execute() {
   sendJoints();
   sendBody();
   sendOracle();
+  sendTrueState();
   exchangeGame();
   sendImages();
 }
@@ -200,6 +204,12 @@ void SimulatedJointPlatform::sendBody() {
   for (const std::size_t contact : contacts_)
     body->add_paw_contacts(isGuided || sensors[contact].values[0] > 0.5);
   bodySensors_.send(std::move(body));
+}
+
+void SimulatedJointPlatform::sendTrueState() {
+  auto state = std::make_shared<robotcontrol::RobotState>(trueState(world().simulation(), robot()));
+  robotlink::assign(*state->mutable_timestamp(), clock().now());
+  trueState_.send(std::move(state));
 }
 
 void SimulatedJointPlatform::sendImages() {

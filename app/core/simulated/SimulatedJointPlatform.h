@@ -11,6 +11,7 @@
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Motion.pb.h"
+#include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 
 namespace app {
@@ -69,6 +70,8 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
   void holdStill();
   /// Sends joints/states, with angles in rad and velocities in rad/s.
   void sendJoints();
+  /// Sends oracle/state.
+  void sendTrueState();
   /// Sends the readings of the body's sensors.
   void sendBody();
   /// Sends the images of cameras that are due, with their true classes if these are wanted.
@@ -95,6 +98,7 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
   CameraSettingsSender settings_;
   robotlink::Sender<foxglove::JointStates> jointStates_;
   robotlink::Sender<robotcontrol::BodySensors> bodySensors_;
+  robotlink::Sender<robotcontrol::RobotState> trueState_;
   robotlink::Receiver<robotcontrol::JointRequest> jointRequest_;
   /// Only if there is a port for it: the index of the guide.
   std::optional<robotlink::Receiver<robotcontrol::MotionStatus>> motionStatus_;

@@ -18,23 +18,36 @@ using robotlink::TruthErrors;
 constexpr char kMissed[] = "missed", kFalse[] = "false", kLatency[] = "latency";
 
 json figuresOf(const ErrorSamples& samples, const std::string& unit) {
-  return {{"unit", unit},
-          {"count", samples.count()},
-          {"mean", samples.mean()},
-          {"median", samples.quantile(0.5)},
-          {"p95", samples.quantile(0.95)},
-          {"max", samples.maximum()}};
+  json figures{{"unit", unit}, {"count", samples.count()}, {"mean", samples.mean()}};
+  if (unit == robotlink::kShareOfTime) return figures;
+  figures["median"] = samples.quantile(0.5);
+  figures["p95"] = samples.quantile(0.95);
+  figures["max"] = samples.maximum();
+  return figures;
+}
+
+/// Adds shares, and of how many they are.
+void addShares(const robotlink::ErrorCounts& counts, json& figures) {
+  const auto share = [](std::size_t part, std::size_t all) {
+    return static_cast<double>(part) / static_cast<double>(all);
+  };
+  if (counts.there > 0) {
+    figures[kMissed] = share(counts.missed, counts.there);
+    figures["there"] = counts.there;
+  }
+  if (counts.reported > 0) {
+    figures[kFalse] = share(counts.invented, counts.reported);
+    figures["reported"] = counts.reported;
+  }
 }
 
 json figuresOf(const PackageErrors& errors) {
   json figures = json::object();
-  for (const auto& [name, quantity] : errors.quantities)
+  for (const auto& [name, quantity] : errors.quantities) {
     figures[name] = figuresOf(quantity.amounts, quantity.unit);
-  const auto share = [](std::size_t part, std::size_t all) {
-    return static_cast<double>(part) / static_cast<double>(all);
-  };
-  if (errors.there > 0) figures[kMissed] = share(errors.missed, errors.there);
-  if (errors.reported > 0) figures[kFalse] = share(errors.invented, errors.reported);
+    addShares(quantity.own, figures[name]);
+  }
+  addShares(errors, figures);
   if (errors.latency.count() > 0) figures[kLatency] = figuresOf(errors.latency, "s");
   return figures;
 }
@@ -53,6 +66,7 @@ std::string shareText(const json& package, const char* name) {
 
 /// A number of an error in the unit that users read: mm, degrees, ms, or a share in percent.
 std::string amountText(const json& quantity, const char* name) {
+  if (!quantity.contains(name) || quantity["count"] == 0) return "-";
   const double amount = quantity[name];
   const std::string unit = quantity["unit"];
   if (unit == "m") return fmt::format("{:.0f} mm", 1000 * amount);
@@ -75,7 +89,7 @@ std::string errorsText(const json& figures) {
   std::string text;
   const auto line = [&](const std::string& robot, const std::string& package, const std::string& quantity,
                         const auto&... columns) {
-    text += fmt::format("{:<8} {:<22} {:<10}", robot, package, quantity);
+    text += fmt::format("{:<8} {:<22} {:<15}", robot, package, quantity);
     ((text += fmt::format(" {:>9}", columns)), ...);
     text += "\n";
   };
@@ -84,8 +98,10 @@ std::string errorsText(const json& figures) {
     for (const auto& [path, package] : packages.items()) {
       for (const auto& [name, quantity] : package.items()) {
         if (!quantity.is_object()) continue;
+        const bool hasOwn = quantity.contains(kMissed) || quantity.contains(kFalse);
         line(robot, path, name, amountText(quantity, "mean"), amountText(quantity, "median"),
-             amountText(quantity, "p95"), shareText(package, kMissed), shareText(package, kFalse));
+             amountText(quantity, "p95"), shareText(hasOwn ? quantity : package, kMissed),
+             shareText(hasOwn ? quantity : package, kFalse));
       }
     }
   }

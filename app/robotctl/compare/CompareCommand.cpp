@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -11,6 +12,8 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/compare/CompareReport.h"
 #include "app/robotctl/compare/RunExecution.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/truth/TruthErrors.h"
 
 namespace app {
 namespace {
@@ -71,6 +74,34 @@ int compare(const CompareArguments& arguments, const std::vector<PlannedRun>& ru
   return results->missing.empty() ? kDone : kFailed;
 }
 
+/// The packages that solutions of a task yield.
+std::vector<std::string> packagesOf(const CompareArguments& arguments) {
+  std::set<std::string> packages;
+  for (const std::string& solution : arguments.solutions) {
+    const auto& outputs = robotlink::SolutionRegistry::find(arguments.task, solution)->outputs;
+    packages.insert(outputs.begin(), outputs.end());
+  }
+  return {packages.begin(), packages.end()};
+}
+
+/// What is to be known of a task about whose packages the simulator knows no truth; empty if it does.
+std::string noTruthNote(const CompareArguments& arguments, const std::vector<std::string>& packages) {
+  const auto& compared = robotlink::TruthErrors::packages();
+  if (std::ranges::any_of(packages, [&](const std::string& package) {
+        return std::ranges::find(compared, package) != compared.end();
+      }))
+    return {};
+  std::string text = fmt::format(
+      "The task {} has no truth of its own: of what it yields ({}), nothing is right or wrong by "
+      "itself. Compare by what comes of it: goals and other figures of the game, how far what "
+      "other tasks believe is from the truth, and what it costs.",
+      arguments.task, joined(packages));
+  if (arguments.task == "motion")
+    text += " The options '-- --walk 1' measure how fast and how upright a robot walks.";
+  if (!arguments.logs.empty()) text += " A log goes on as it was, whatever the task does: use --scene.";
+  return text;
+}
+
 int usage(const char* command, const std::string& text) {
   std::cerr << "robotctl " << command << ": " << text << "\n";
   return kUsage;
@@ -93,12 +124,15 @@ int runCompare(const CompareArguments& arguments) {
                  ? " --log " + shellLine(arguments.logs)
                  : fmt::format(" --scene {} --seeds {} --seconds {}", shellLine({arguments.scene}),
                                arguments.seeds, arguments.execution.seconds);
-  return compare(
-      arguments, solutionRuns(arguments),
-      {arguments.task + ": " + joined(arguments.solutions),
-       command + " --out " + arguments.execution.out + (arguments.execution.options.empty() ? "" : " -- ") +
-           shellLine(arguments.execution.options),
-       {}});
+  command += " --out " + arguments.execution.out;
+  if (!arguments.execution.options.empty()) command += " -- " + shellLine(arguments.execution.options);
+  ReportTitle title{arguments.task + ": " + joined(arguments.solutions), command, {}};
+  title.packages = packagesOf(arguments);
+  if (const std::string note = noTruthNote(arguments, title.packages); !note.empty()) {
+    std::cout << note << "\n";
+    title.notes.push_back(note);
+  }
+  return compare(arguments, solutionRuns(arguments), title);
 }
 
 }  // namespace

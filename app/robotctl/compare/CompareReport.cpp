@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/Geometry.h"
+#include "robotlink/truth/PackageErrors.h"
 
 namespace app {
 namespace {
@@ -52,16 +54,39 @@ std::string csvNumber(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : std::string();
 }
 
-/// A number with four significant digits, and its unit.
-std::string numberText(double value, const std::string& unit) {
-  if (!std::isfinite(value)) return "-";
-  return fmt::format("{:.4g}", value) + (unit.empty() ? "" : " " + unit);
+/// A package or another thing whose figures stand together: "models/ball"; empty: they belong to the whole.
+std::string groupOf(const std::string& figure) {
+  const std::string word = figure.substr(0, figure.find(' '));
+  return word.find('/') == std::string::npos ? std::string() : word;
 }
 
-std::string intervalText(const MeanInterval& interval, const std::string& unit) {
+/// How a figure is shown: its unit, and what its numbers are multiplied by.
+struct ShownUnit {
+  std::string name;
+  double factor = 1;
+};
+
+/// Errors are small: mm, degrees, ms and percent read best.
+ShownUnit shownUnit(const std::string& figure, const std::string& unit) {
+  if (groupOf(figure).empty()) return {unit};
+  if (unit == "m") return {"mm", 1000};
+  if (unit == "rad") return {"\u00b0", 180 / robotlink::kPi};
+  if (unit == "s") return {"ms", 1000};
+  if (unit == kShare) return {"%", 100};
+  if (unit == robotlink::kShareOfTime) return {"% of the time", 100};
+  return {unit};
+}
+
+/// A number with four significant digits, and its unit.
+std::string numberText(double value, const ShownUnit& unit) {
+  if (!std::isfinite(value)) return "-";
+  return fmt::format("{:.4g}", unit.factor * value) + (unit.name.empty() ? "" : " " + unit.name);
+}
+
+std::string intervalText(const MeanInterval& interval, const ShownUnit& unit) {
   if (!std::isfinite(interval.low)) return numberText(interval.mean, unit);
   return fmt::format("{} <span class=note>[{:.3g}, {:.3g}]</span>", numberText(interval.mean, unit),
-                     interval.low, interval.high);
+                     unit.factor * interval.low, unit.factor * interval.high);
 }
 
 /// Whether less of a figure is better; nothing where neither is.
@@ -74,12 +99,6 @@ std::optional<bool> isLessBetter(const std::string& figure) {
   for (const char* part : {"won", "goals", "forward", "least_upright", "real_time_factor", "share of trials"})
     if (has(part)) return false;
   return std::nullopt;
-}
-
-/// A package or another thing whose figures stand together: "models/ball"; empty: they belong to the whole.
-std::string groupOf(const std::string& figure) {
-  const std::string word = figure.substr(0, figure.find(' '));
-  return word.find('/') == std::string::npos ? std::string() : word;
 }
 
 /// The range that a plot shows. It begins at 0, unless what is shown is so far from there that it could not
@@ -120,12 +139,13 @@ std::string plotLine(const Comparison::Row& row, const std::string& variant, con
                                 escaped(shortened(variant)));
   const auto cell = row.byVariant.find(variant);
   if (cell == row.byVariant.end()) return svg;
+  const ShownUnit unit = shownUnit(row.name, row.unit);
   for (const auto& [subject, value] : cell->second.bySubject)
     svg += fmt::format(
         "<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='{}' fill-opacity='.45'><title>{}, {}: "
         "{}</title></circle>",
         range.place(value), y, kDotRadius, color, escaped(variant), escaped(subject),
-        numberText(value, row.unit));
+        numberText(value, unit));
   const MeanInterval mean = Comparison::meanOf(row, variant);
   if (std::isfinite(mean.low))
     svg += fmt::format("<line x1='{:.1f}' x2='{:.1f}' y1='{:.1f}' y2='{:.1f}' stroke='{}' stroke-width='2'/>",
@@ -155,9 +175,10 @@ std::string plotOf(const Comparison::Row& row, const std::vector<std::string>& v
     svg += plotLine(row, variants[i], kVariantColors[i % kVariantColors.size()], range, y);
     y += kLineHeight;
   }
+  const ShownUnit unit = shownUnit(row.name, row.unit);
   svg += fmt::format("<text x='{}' y='{}'>{}</text><text x='{}' y='{}' text-anchor='end'>{}</text></svg>",
-                     kLabelWidth + kMargin, height - 6, numberText(range.low, row.unit), kWidth - kMargin,
-                     height - 6, numberText(range.high, row.unit));
+                     kLabelWidth + kMargin, height - 6, numberText(range.low, unit), kWidth - kMargin,
+                     height - 6, numberText(range.high, unit));
   return svg;
 }
 
@@ -173,39 +194,66 @@ std::string plainTable(const ReportTable& table) {
   return html + "</table>\n";
 }
 
-std::string summaryTable(const Comparison& comparison) {
+using Rows = std::vector<const Comparison::Row*>;
+
+std::string summaryTable(const Comparison& comparison, const Rows& rows) {
   std::string html = "<div class=wide><table><tr><th>figure</th>";
   for (const std::string& variant : comparison.variants()) html += "<th>" + escaped(variant) + "</th>";
   html += "<th>mean, 95 % bounds, single runs</th></tr>\n";
   std::string group, constants;
-  for (const Comparison::Row& row : comparison.rows()) {
-    if (const auto value = row.constant()) {
-      constants += fmt::format("{}{} ({})", constants.empty() ? "" : ", ", escaped(row.name),
-                               numberText(*value, row.unit));
+  for (const Comparison::Row* row : rows) {
+    const ShownUnit unit = shownUnit(row->name, row->unit);
+    if (const auto value = row->constant()) {
+      constants += fmt::format("{}{} ({})", constants.empty() ? "" : ", ", escaped(row->name),
+                               numberText(*value, unit));
       continue;
     }
-    const std::string own = groupOf(row.name);
+    const std::string own = groupOf(row->name);
     if (std::exchange(group, own) != own && !own.empty())
       html += fmt::format("<tr class=group><td colspan={}>{}</td></tr>\n", comparison.variants().size() + 2,
                           escaped(own));
-    html += "<tr><td>" + escaped(own.empty() ? row.name : row.name.substr(own.size() + 1)) + "</td>";
+    html += "<tr><td>" + escaped(own.empty() ? row->name : row->name.substr(own.size() + 1)) + "</td>";
     for (const std::string& variant : comparison.variants())
       html += "<td>" +
-              (row.byVariant.contains(variant) ? intervalText(Comparison::meanOf(row, variant), row.unit)
-                                               : std::string("-")) +
+              (row->byVariant.contains(variant) ? intervalText(Comparison::meanOf(*row, variant), unit)
+                                                : std::string("-")) +
               "</td>";
-    html += "<td>" + plotOf(row, comparison.variants()) + "</td></tr>\n";
+    html += "<td>" + plotOf(*row, comparison.variants()) + "</td></tr>\n";
   }
   html += "</table></div>\n";
   if (!constants.empty()) html += "<p class=note>The same in all runs: " + constants + ".</p>\n";
   return html;
 }
 
+/// Whether a figure is one of what is compared above all.
+bool isOwn(const ReportTitle& title, const std::string& figure) {
+  return std::ranges::find(title.packages, groupOf(figure)) != title.packages.end();
+}
+
+/// The tables of all figures: those of what is compared above all come first.
+std::string figureTables(const Comparison& comparison, const ReportTitle& title) {
+  Rows own, others;
+  for (const Comparison::Row& row : comparison.rows())
+    (isOwn(title, row.name) ? own : others).push_back(&row);
+  const char* note =
+      "<p class=note>Means over the runs, in brackets the bounds that hold the mean with 95 % confidence "
+      "(bootstrap over the runs, each of which counts once). In a run, errors of several robots are pooled "
+      "by "
+      "how many samples each has; medians and 95 % are means weighted so. A dot is a run; its tip says "
+      "which.</p>\n";
+  if (own.empty()) return std::string("<h2>Figures</h2>\n") + note + summaryTable(comparison, others);
+  return fmt::format("<h2>Figures of {}</h2>\n{}{}<h2>Other figures of the same runs</h2>\n{}",
+                     escaped(fmt::format("{}", fmt::join(title.packages, ", "))), note,
+                     summaryTable(comparison, own), summaryTable(comparison, others));
+}
+
 /// "12 % less", colored where it is known whether that is good.
 std::string changeText(const Comparison& comparison, const Difference& one) {
   const auto row = std::ranges::find(comparison.rows(), one.figure, &Comparison::Row::name);
-  const double before =
-      row == comparison.rows().end() ? 0 : std::abs(Comparison::meanOf(*row, one.first).mean);
+  const MeanInterval first =
+      row == comparison.rows().end() ? MeanInterval() : Comparison::meanOf(*row, one.first);
+  // Of what may be 0 there is no share.
+  const double before = first.low > 0 || first.high < 0 ? std::abs(first.mean) : 0;
   const bool isLess = one.change.mean < 0;
   const std::string amount =
       before > 0 ? fmt::format("{:.3g} % ", 100 * std::abs(one.change.mean) / before) : std::string();
@@ -221,7 +269,7 @@ std::string differenceTable(const Comparison& comparison, const std::vector<Diff
     rows +=
         fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{:.2g}</td><td>{}</td></tr>\n",
                     escaped(one.figure), escaped(one.first), escaped(one.second), changeText(comparison, one),
-                    intervalText(one.change, one.unit), one.chance, one.subjects);
+                    intervalText(one.change, shownUnit(one.figure, one.unit)), one.chance, one.subjects);
   }
   if (rows.empty()) {
     const bool areFew = std::ranges::all_of(
@@ -303,8 +351,11 @@ std::string reportHtml(const Comparison& comparison, const ReportTitle& title) {
                      escaped(title.title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
                      escaped(title.title) + "</h1>\n";
   html += "<p>Made by <code>" + escaped(title.command) + "</code></p>\n";
-  const std::vector<Difference> differences = comparison.differences();
+  std::vector<Difference> differences = comparison.differences();
+  std::stable_partition(differences.begin(), differences.end(),
+                        [&](const Difference& one) { return isOwn(title, one.figure); });
   html += extentText(comparison, differences);
+  for (const std::string& note : title.notes) html += "<p>" + escaped(note) + "</p>\n";
   for (const std::string& run : title.missing)
     html += "<p class=missing>Without a result: " + escaped(run) + "</p>\n";
   for (const ReportTable& table : title.tables) html += plainTable(table);
@@ -315,10 +366,7 @@ std::string reportHtml(const Comparison& comparison, const ReportTitle& title) {
       "20 may be (permutation test, corrected for the number of figures). All others are in "
       "differences.csv.</p>\n" +
       differenceTable(comparison, differences);
-  html +=
-      "<h2>Figures</h2>\n<p class=note>Means over the runs, in brackets the bounds that hold the mean with "
-      "95 % confidence (bootstrap). A dot is a run; its tip says which.</p>\n" +
-      summaryTable(comparison);
+  html += figureTables(comparison, title);
   return html + "</body></html>\n";
 }
 

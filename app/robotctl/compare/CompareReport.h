@@ -22,6 +22,9 @@ struct ReportTitle {
   std::string command;               ///< that makes it again
   std::vector<std::string> missing;  ///< runs without a result
   std::vector<ReportTable> tables = {};
+  /// The packages that are compared above all; their figures come first.
+  std::vector<std::string> packages = {};
+  std::vector<std::string> notes = {};  ///< sentences for readers, above all figures
 };
 
 /// A text as a field of CSV.

@@ -10,27 +10,31 @@ namespace {
 using nlohmann::json;
 
 /// Figures of the run itself that are comparable, with their units.
-constexpr std::array<std::pair<const char*, const char*>, 4> kOwn{
-    {{"ball_contacts", ""}, {"ms_per_step", "ms"}, {"ms_per_image", "ms"}, {"real_time_factor", ""}}};
+constexpr std::array<std::pair<const char*, const char*>, 5> kOwn{{{"ball_contacts", ""},
+                                                                   {"ms_per_step", "ms"},
+                                                                   {"ms_per_image", "ms"},
+                                                                   {"ms_per_step_of_programs", "ms"},
+                                                                   {"real_time_factor", ""}}};
 
 constexpr std::array<std::pair<const char*, const char*>, 4> kOfWalk{
     {{"forward", "m/s"}, {"sideward", "m/s"}, {"rotation", "rad/s"}, {"least_upright", ""}}};
 
-/// Sums up what several robots have, to be divided by their number.
+/// Means of what several robots have, each with its weight.
 class Means {
  public:
-  void add(const std::string& name, const std::string& unit, double value) {
+  void add(const std::string& name, const std::string& unit, double value, double weight = 1) {
+    if (!(weight > 0)) return;
     auto found = std::ranges::find(
         all_, name, [](const Sum& sum) -> const auto& { return sum.figure.name; });
     if (found == all_.end()) found = all_.insert(found, {{name, unit, 0}, 0});
-    found->figure.value += value;
-    ++found->count;
+    found->figure.value += weight * value;
+    found->weight += weight;
   }
   std::vector<Figure> result() const {
     std::vector<Figure> figures;
     for (const Sum& sum : all_) {
       figures.push_back(sum.figure);
-      figures.back().value /= sum.count;
+      figures.back().value /= sum.weight;
     }
     return figures;
   }
@@ -38,21 +42,32 @@ class Means {
  private:
   struct Sum {
     Figure figure;
-    int count = 0;
+    double weight = 0;
   };
   std::vector<Sum> all_;
 };
 
+/// Shares are weighted by how many things they are of, where that is known.
+void addShares(const std::string& name, const json& figures, Means& means) {
+  for (const auto& [share, all] : {std::pair("missed", "there"), std::pair("false", "reported")})
+    if (figures.contains(share) && figures[share].is_number())
+      means.add(name + " " + share, kShare, figures[share].get<double>(), figures.value(all, 1.0));
+}
+
+void addQuantity(const std::string& name, const json& quantity, Means& means) {
+  const std::string unit = quantity.value("unit", "");
+  for (const char* statistic : {"mean", "median", "p95"})
+    if (quantity.contains(statistic) && quantity[statistic].is_number())
+      means.add(name + " " + statistic, unit.empty() ? kShare : unit, quantity[statistic].get<double>(),
+                quantity.value("count", 1.0));
+  addShares(name, quantity, means);
+}
+
 void addErrors(const json& packages, Means& means) {
   for (const auto& [path, package] : packages.items()) {
-    for (const auto& [name, quantity] : package.items()) {
-      if (quantity.is_number()) means.add(path + " " + name, "", quantity.get<double>());
-      if (!quantity.is_object()) continue;
-      for (const char* statistic : {"mean", "median", "p95"})
-        if (quantity.contains(statistic) && quantity[statistic].is_number())
-          means.add(path + " " + name + " " + statistic, quantity.value("unit", ""),
-                    quantity[statistic].get<double>());
-    }
+    for (const auto& [name, quantity] : package.items())
+      if (quantity.is_object()) addQuantity(path + " " + name, quantity, means);
+    addShares(path, package, means);
   }
 }
 

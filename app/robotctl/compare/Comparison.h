@@ -12,14 +12,19 @@
 
 namespace app {
 
-/// A figure of one run: "models/pose position mean", with its unit ("m", "rad", "s", or none).
+/// The unit of shares.
+inline constexpr char kShare[] = "share";
+
+/// A figure of one run: "models/pose position mean", with its unit ("m", "rad", "s", kShare, or none).
 struct Figure {
   std::string name, unit;
   double value = 0;
 };
 
 /// The figures that a run has printed (`robotctl sim --errors --json`, `robotctl run --errors --json`):
-/// errors as means over its robots, goals, contacts with the ball, and what it cost.
+/// errors, goals, contacts with the ball, and what it cost. Errors of several robots are pooled by how many
+/// samples each has: means and shares as if all samples were of one robot, medians and percentiles as means
+/// that are weighted so.
 std::vector<Figure> figuresIn(const nlohmann::json& printed);
 
 /// How two variants differ in a figure, on the subjects that both were tried on.

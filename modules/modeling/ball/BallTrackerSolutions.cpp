@@ -82,6 +82,7 @@ const robotlink::SolutionRegistration kKalmanBall =
     robotlink::SolutionBuilder<KalmanBall>(
         "ball-model", "kalman",
         "Two Kalman filters with velocity, of a resting and of a rolling ball, mixed by how well they fit.")
+        .source("H. Blom, Y. Bar-Shalom: The interacting multiple model algorithm, 1988.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
         .uses(robotlink::kCameraPose)
@@ -149,6 +150,7 @@ const robotlink::SolutionRegistration kParticleBall =
     robotlink::SolutionBuilder<ParticleBallModeler>(
         "ball-model", "particle",
         "A particle filter over place and velocity of the ball; each particle rests or rolls.")
+        .source("C. Kwok, D. Fox: Map-based multiple model tracking of a moving object, RoboCup 2004.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
         .uses(robotlink::kCameraPose)

@@ -179,6 +179,10 @@ const robotlink::SolutionRegistration kFieldMonteCarlo =
         "self-localisation", "field-monte-carlo",
         "A particle filter over dead reckoning, beacons, goals and lines; finds itself anywhere, and again "
         "after it was carried away.")
+        .source(
+            "D. Fox, W. Burgard, F. Dellaert, S. Thrun: Monte Carlo localization, 1999; S. Lenser, M. "
+            "Veloso: Sensor resetting localization, 2000; T. R\u00f6fer, M. J\u00fcngel: Vision-based fast "
+            "and reactive Monte-Carlo localization, 2003.")
         .needs(robotlink::kLandmarkPercepts)
         .uses(robotlink::kFieldLines)
         .uses(robotlink::kMotionStatus)
@@ -240,6 +244,7 @@ const robotlink::SolutionRegistration kKalmanLocator =
     robotlink::SolutionBuilder<KalmanLocalization>(
         "self-localisation", "kalman",
         "An extended Kalman filter over dead reckoning, beacons, goals and lines, with several hypotheses.")
+        .source("R. E. Kalman, 1960; M. Quinlan, R. Middleton: Multiple model Kalman filters, RoboCup 2009.")
         .needs(robotlink::kLandmarkPercepts)
         .uses(robotlink::kFieldLines)
         .uses(robotlink::kMotionStatus)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "modules/modeling/PoseEstimate.h"
-#include "modules/modeling/localization/FieldEdges.h"
+#include "modules/modeling/localization/FieldEdgeMap.h"
 #include "modules/modeling/localization/FieldMonteCarlo.h"
 #include "modules/modeling/localization/LandmarkMemory.h"
 

@@ -129,6 +129,7 @@ const robotlink::SolutionRegistration kGridPlayers =
     robotlink::SolutionBuilder<GridPlayers>(
         "players-model", "grid",
         "Collects evidence in the cells of the field, which fades where nobody is seen; players are peaks.")
+        .source("H. Moravec, A. Elfes: High resolution maps from wide angle sonar, 1985.")
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)
         .uses(robotlink::kTeamMessages)
@@ -183,6 +184,7 @@ const robotlink::SolutionRegistration kKalmanPlayers =
     robotlink::SolutionBuilder<KalmanPlayers>(
         "players-model", "kalman",
         "A Kalman filter with velocity for each other robot, to which percepts are assigned.")
+        .source("Y. Bar-Shalom, T. Fortmann: Tracking and data association, 1988.")
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)
         .uses(robotlink::kTeamMessages)

@@ -132,6 +132,7 @@ class OwnTeamBall final : public TeamBallModeler {
 const robotlink::SolutionRegistration kOwnBall =
     robotlink::SolutionBuilder<OwnTeamBall>("team-ball", "own",
                                             "The ball as the robot itself knows it, whatever its team says.")
+        .source("A method of this project.")
         .needs(robotlink::kBallModel)
         .needs(robotlink::kRobotPose)
         .yields(robotlink::kTeamBall)
@@ -186,6 +187,9 @@ const robotlink::SolutionRegistration kWeightedBall =
         "team-ball", "weighted",
         "Fuses what the robots of the team know of the ball, by how certain each is (covariance "
         "intersection).")
+        .source(
+            "S. Julier, J. Uhlmann: A non-divergent estimation algorithm in the presence of unknown "
+            "correlations, 1997.")
         .needs(robotlink::kBallModel)
         .needs(robotlink::kRobotPose)
         .uses(robotlink::kTeamMessages)

@@ -26,15 +26,11 @@ const BodyEvents& ContactEvents::update(const BodyFrame& frame) {
 }
 
 void JointErrorEvents::updateLoad(const BodyFrame& frame, double seconds) {
-  double nearer = 0;
-  for (const Leg leg : kLegs) {
-    const auto measured = kinematics_.pawInHip(leg, frame.measured[index(leg)]);
-    const auto requested = kinematics_.pawInHip(leg, frame.requested[index(leg)]);
-    nearer += 0.25 * (measured.z() - requested.z());
-  }
-  if (!std::isfinite(nearer)) return;
+  double torque = 0;
+  for (const double knee : frame.kneeTorques) torque += 0.25 * std::abs(knee);
+  if (!std::isfinite(torque) || torque == 0) return;
   const double share = seconds / (options_.loadTime + seconds);
-  load_ += share * (nearer - load_);
+  load_ += share * (torque - load_);
   loadKnown_ = frame.shaken ? 0 : loadKnown_ + seconds;
 }
 

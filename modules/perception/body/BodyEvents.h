@@ -28,6 +28,8 @@ struct BodyFrame {
   std::array<LegAngles, 4> measured;
   /// What was requested of the joints, at the time at which these angles were measured.
   std::array<LegAngles, 4> requested;
+  /// The torques of the knees, N m; all 0 where they are not measured.
+  std::array<double, 4> kneeTorques{};
   /// The robot walks.
   bool walking = false;
   /// It plays key frames or gets up, so that its legs do what they never do otherwise.
@@ -63,15 +65,15 @@ class ContactEvents {
   std::array<double, 4> kept_{};
 };
 
-/// Judges by the differences of requested and measured joint angles. The load of the body bends its legs, so
-/// paws are nearer to it than requested; where the mean of this is missing, the robot was picked up. A leg
-/// whose joints lag far more than they usually do in walking has collided (Quinlan, Murch, Middleton, Chalup:
-/// Traction monitoring for collision detection with legged robots, RoboCup 2003). Not thread-safe.
+/// Judges by what the joints exert, and by the differences of requested and measured angles. The knees bear
+/// the body; where they do not, the robot was picked up. A leg whose joints lag far more than they usually do
+/// in walking has collided (Quinlan, Murch, Middleton, Chalup: Traction monitoring for collision detection
+/// with legged robots, RoboCup 2003). Not thread-safe.
 class JointErrorEvents {
  public:
   struct Options {
-    /// How much nearer to the body the paws are on the ground, in the mean over legs and time, m.
-    double load = 0.001;
+    /// The least torque of the knees that bear the body, in the mean over legs and time, N m.
+    double load = 0.06;
     /// Over which time that is averaged, s.
     double loadTime = 0.5;
     /// How many standard deviations above its mean the error of a leg is when it has collided.
@@ -86,7 +88,7 @@ class JointErrorEvents {
 
   /// Call it once a frame.
   const BodyEvents& update(const BodyFrame& frame);
-  /// How much nearer to the body the paws are than requested, averaged, m.
+  /// The averaged torque of the knees, N m.
   double load() const { return load_; }
   /// The present error of a leg in standard deviations above its mean.
   double excess(Leg leg) const { return legs_[index(leg)].excess; }
@@ -101,7 +103,6 @@ class JointErrorEvents {
   void updateErrors(const BodyFrame& frame, double seconds);
 
   Options options_;
-  LegKinematics kinematics_;
   FallDetector falls_;
   BodyEvents events_;
   double load_ = 0;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions of the task "robot-state": whether the robot was picked up, has fallen, or touches something.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "PerceptionParameters.pb.h"
 #include "foxglove/Robot.pb.h"
@@ -33,7 +35,7 @@ const robotlink::PlotKey kEventsKey{
 const robotlink::PlotKey kContactsKey{"robot-state/contacts", "The contacts of the paws, 1 on the ground"};
 const robotlink::PlotKey kLoadKey{
     "robot-state/load",
-    "How much nearer to the body the paws are than requested, and the legs' errors in standard deviations"};
+    "The torque with which the knees bear the body, and the legs' errors in standard deviations"};
 
 constexpr std::array<const char*, 4> kLegNames{"front left", "front right", "hind left", "hind right"};
 /// Slower walks do not count, because their steps are too small, m/s and rad/s.
@@ -41,25 +43,25 @@ constexpr double kLeastSpeed = 0.02, kLeastRotation = 0.1;
 /// A later frame counts as long as this, s.
 constexpr double kLongestFrame = 0.1;
 
+constexpr std::array<std::pair<FallDetector::Side, RobotState::Side>, 6> kSides{
+    {{FallDetector::Side::kNone, RobotState::UPRIGHT},
+     {FallDetector::Side::kFront, RobotState::ON_NOSE},
+     {FallDetector::Side::kRear, RobotState::ON_TAIL},
+     {FallDetector::Side::kBack, RobotState::ON_BACK},
+     {FallDetector::Side::kLeft, RobotState::ON_LEFT},
+     {FallDetector::Side::kRight, RobotState::ON_RIGHT}}};
+
 RobotState::Side sideOf(FallDetector::Side side) {
-  switch (side) {
-    case FallDetector::Side::kFront:
-      return RobotState::ON_NOSE;
-    case FallDetector::Side::kRear:
-      return RobotState::ON_TAIL;
-    case FallDetector::Side::kBack:
-      return RobotState::ON_BACK;
-    case FallDetector::Side::kLeft:
-      return RobotState::ON_LEFT;
-    case FallDetector::Side::kRight:
-      return RobotState::ON_RIGHT;
-    case FallDetector::Side::kNone:
-      break;
-  }
-  return RobotState::UPRIGHT;
+  return std::ranges::find(kSides, side, [](const auto& pair) { return pair.first; })->second;
 }
 
-/// The common part of both solutions: what the detectors look at, the package, and drawings.
+/// The side that a package says; none if it is not known here.
+FallDetector::Side sideOf(RobotState::Side side) {
+  const auto found = std::ranges::find(kSides, side, [](const auto& pair) { return pair.second; });
+  return found == kSides.end() ? FallDetector::Side::kNone : found->first;
+}
+
+/// The common part of all solutions: what the detectors look at, the package, and drawings.
 class RobotStateEstimator : public robotlink::Solution {
  public:
   explicit RobotStateEstimator(robotlink::SolutionContext& context)
@@ -115,6 +117,11 @@ class RobotStateEstimator : public robotlink::Solution {
     for (int i = 0; i < joints_->joints_size() && i < static_cast<int>(layout_.size()); ++i)
       positions_[static_cast<std::size_t>(i)] = joints_->joints(i).position();
     frame.measured = frame.requested = legsOf(positions_);
+    efforts_.assign(layout_.size(), 0);
+    for (int i = 0; i < joints_->joints_size() && i < static_cast<int>(layout_.size()); ++i)
+      efforts_[static_cast<std::size_t>(i)] = joints_->joints(i).effort();
+    const std::array<LegAngles, 4> torques = legsOf(efforts_);
+    for (const Leg leg : kLegs) frame.kneeTorques[index(leg)] = torques[index(leg)].knee;
     if (!motion_) return frame;
     const auto kind = motion_->executed().kind();
     const auto& speed = motion_->velocity();
@@ -161,7 +168,7 @@ class RobotStateEstimator : public robotlink::Solution {
   LegKinematics kinematics_;
   robotlink::Output<RobotState> state_;
   RobotState package_;
-  std::vector<double> positions_;
+  std::vector<double> positions_, efforts_;
   double last_ = NAN;
   bool began_ = false;
 };
@@ -198,6 +205,7 @@ const robotlink::SolutionRegistration kContactState =
         "robot-state", "contacts",
         "Judges by the foot switches and the accelerometer: a robot without contacts was picked up, and a "
         "leg that does not step has collided.")
+        .source("A method of this project.")
         .needs(robotlink::kBodySensors)
         .needs(robotlink::kJointStates)
         .uses(robotlink::kMotionStatus)
@@ -212,7 +220,7 @@ struct JointErrorOptions : JointErrorEvents::Options {
 
 using ErrorFields = robotcontrol::JointErrorRobotStateParameters;
 const robotlink::ParameterTable<JointErrorOptions> kJointErrorTable{
-    {ErrorFields::kLoadFieldNumber, &JointErrorOptions::load, {-1, 1}},
+    {ErrorFields::kLoadFieldNumber, &JointErrorOptions::load, kAtLeastZero},
     {ErrorFields::kLoadTimeFieldNumber, &JointErrorOptions::loadTime, kAtLeastZero},
     {ErrorFields::kDeviationsFieldNumber, &JointErrorOptions::deviations, kAboveZero},
     {ErrorFields::kErrorTimeFieldNumber, &JointErrorOptions::errorTime, kAtLeastZero},
@@ -238,7 +246,7 @@ class JointErrorRobotState final : public RobotStateEstimator {
     if (!requests_.empty()) frame.requested = requests_.front().legs;
     const BodyEvents& events = detector_.update(frame);
     if (debug_.on(kLoadKey)) {
-      debug_.plot(kLoadKey, "load", detector_.load(), "m");
+      debug_.plot(kLoadKey, "load", detector_.load(), "N m");
       constexpr std::array kCurves{"front-left", "front-right", "hind-left", "hind-right"};
       for (const Leg leg : kLegs) debug_.plot(kLoadKey, kCurves[index(leg)], detector_.excess(leg));
     }
@@ -269,8 +277,11 @@ class JointErrorRobotState final : public RobotStateEstimator {
 const robotlink::SolutionRegistration kJointErrorState =
     robotlink::SolutionBuilder<JointErrorRobotState>(
         "robot-state", "joint-errors",
-        "Judges by the differences of requested and measured joint angles: a body without load was picked "
-        "up, and a leg that lags more than usual has collided.")
+        "Judges by what the joints do: a robot whose knees bear nothing was picked up, and a leg whose "
+        "angles lag more than usual behind what is requested has collided.")
+        .source(
+            "M. Quinlan, C. Murch, R. Middleton, S. Chalup: Traction monitoring for collision detection with "
+            "legged robots, RoboCup 2003.")
         .needs(robotlink::kBodySensors)
         .needs(robotlink::kJointStates)
         .needs(robotlink::kJointRequest)
@@ -278,6 +289,39 @@ const robotlink::SolutionRegistration kJointErrorState =
         .yields(robotlink::kRobotState)
         .keys({&kLegStatesKey, &kEventsKey, &kLoadKey})
         .parameters<ErrorFields>(kJointErrorTable.rules<ErrorFields>());
+
+/// Says what truly happens.
+class OracleRobotState final : public RobotStateEstimator {
+ public:
+  explicit OracleRobotState(robotlink::SolutionContext& context)
+      : RobotStateEstimator(context), truth_(context.input(robotlink::kOracleState)) {}
+
+ private:
+  const BodyEvents& detect(BodyFrame&) override {
+    if (!truth_) return events_;
+    events_.pickedUp = truth_->picked_up();
+    events_.fallen = truth_->fallen();
+    events_.side = sideOf(truth_->side());
+    for (const Leg leg : kLegs)
+      events_.collided[index(leg)] =
+          std::ranges::find(truth_->collisions(), kLegNames[index(leg)]) != truth_->collisions().end();
+    return events_;
+  }
+
+  robotlink::Input<RobotState> truth_;
+  BodyEvents events_;
+};
+
+const robotlink::SolutionRegistration kOracleRobotState =
+    robotlink::SolutionBuilder<OracleRobotState>("robot-state", "oracle",
+                                                 "What truly happens to the body, from the simulator.")
+        .source("The simulator.")
+        .needs(robotlink::kBodySensors)
+        .needs(robotlink::kJointStates)
+        .needs(robotlink::kOracleState)
+        .uses(robotlink::kMotionStatus)
+        .yields(robotlink::kRobotState)
+        .keys({&kLegStatesKey, &kEventsKey});
 
 }  // namespace
 }  // namespace modules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions of the task "line-percepts": lines of the field in the image and on the ground.
 #include <array>
+#include <cmath>
 
 #include "PerceptionParameters.pb.h"
 #include "foxglove/Image.pb.h"
@@ -9,6 +10,7 @@
 #include "modules/perception/lines/SegmentFinder.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/config/FieldEdges.h"
 #include "robotlink/debugging/ParameterTable.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
@@ -74,19 +76,19 @@ const robotlink::ParameterTable<LineOptions> kSegmentTable{
     {SegmentFields::kMaximumSegmentGapFieldNumber, &Joining::maximumGap, kAtLeastZero},
     {SegmentFields::kMaximumSegmentsFieldNumber, &Joining::maximumSegments, kAtLeastOne}};
 
-/// The common part of both solutions: the points, the package, and drawings.
+/// The common part of all solutions: the package, and drawings.
 class LinePerceptor : public robotlink::Solution {
  public:
   explicit LinePerceptor(robotlink::SolutionContext& context)
       : debug_(context.debug()),
         image_(context.input(robotlink::kCameraImage)),
-        pose_(context.input(robotlink::kCameraPose)),
         percepts_(context.output(robotlink::kFieldLines)) {}
 
   void execute() override {
-    if (!image_ || !image_.isNew() || !pose_) return;
-    scanner_.setOptions(scanOptions());
-    const std::vector<LinePoint>& points = scanner_.find(robotlink::imageView(*image_), cameraView(*pose_));
+    if (!image_ || !image_.isNew()) return;
+    const std::vector<LinePoint>* found = find(*image_);
+    if (found == nullptr) return;
+    const std::vector<LinePoint>& points = *found;
     auto package = std::make_shared<robotcontrol::FieldLinePercepts>();
     *package->mutable_timestamp() = image_->timestamp();
     package->mutable_points()->Reserve(static_cast<int>(points.size()));
@@ -106,7 +108,8 @@ class LinePerceptor : public robotlink::Solution {
   }
 
  protected:
-  virtual Scan scanOptions() const = 0;
+  /// The points in an image; null if something is missing that it needs.
+  virtual const std::vector<LinePoint>* find(const foxglove::RawImage& image) = 0;
   virtual void addSegments(const std::vector<LinePoint>&, robotcontrol::FieldLinePercepts&) {}
   virtual Color colorOf(std::size_t /*point*/) const { return robotlink::colors::kPink; }
 
@@ -130,15 +133,33 @@ class LinePerceptor : public robotlink::Solution {
   }
 
   robotlink::Input<foxglove::RawImage> image_;
-  robotlink::Input<robotcontrol::CameraPose> pose_;
   robotlink::Output<robotcontrol::FieldLinePercepts> percepts_;
+};
+
+/// Finds points along scan lines.
+class ScanningPerceptor : public LinePerceptor {
+ public:
+  explicit ScanningPerceptor(robotlink::SolutionContext& context)
+      : LinePerceptor(context), pose_(context.input(robotlink::kCameraPose)) {}
+
+ protected:
+  virtual Scan scanOptions() const = 0;
+
+ private:
+  const std::vector<LinePoint>* find(const foxglove::RawImage& image) override {
+    if (!pose_) return nullptr;
+    scanner_.setOptions(scanOptions());
+    return &scanner_.find(robotlink::imageView(image), cameraView(*pose_));
+  }
+
+  robotlink::Input<robotcontrol::CameraPose> pose_;
   FieldLineScanner scanner_{{}};
 };
 
-class EdgePointLinePerceptor final : public LinePerceptor {
+class EdgePointLinePerceptor final : public ScanningPerceptor {
  public:
   explicit EdgePointLinePerceptor(robotlink::SolutionContext& context)
-      : LinePerceptor(context), parameters_(context.parameters<PointFields>()) {}
+      : ScanningPerceptor(context), parameters_(context.parameters<PointFields>()) {}
 
  private:
   Scan scanOptions() const override { return kScanTable.read(parameters_); }
@@ -150,16 +171,19 @@ const robotlink::SolutionRegistration kEdgePoints =
     robotlink::SolutionBuilder<EdgePointLinePerceptor>(
         "line-percepts", "edge-points",
         "Finds where scan lines cross from green to white and back, and the direction of the edge there.")
+        .source(
+            "T. R\u00f6fer, M. J\u00fcngel: Vision-based fast and reactive Monte-Carlo localization, ICRA "
+            "2003.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kFieldLines)
         .keys({&kLinePointsKey, &kLinePlacesKey, &kLineCountKey})
         .parameters<PointFields>(kScanTable.rules<PointFields>());
 
-class RansacLinePerceptor final : public LinePerceptor {
+class RansacLinePerceptor final : public ScanningPerceptor {
  public:
   explicit RansacLinePerceptor(robotlink::SolutionContext& context)
-      : LinePerceptor(context), parameters_(context.parameters<SegmentFields>()) {}
+      : ScanningPerceptor(context), parameters_(context.parameters<SegmentFields>()) {}
 
  private:
   Scan scanOptions() const override { return kSegmentTable.read(parameters_); }
@@ -199,11 +223,77 @@ const robotlink::SolutionRegistration kRansacSegments =
     robotlink::SolutionBuilder<RansacLinePerceptor>(
         "line-percepts", "ransac-segments",
         "Puts the points of edges together to segments by random sample consensus, and drops the others.")
+        .source(
+            "M. Fischler, R. Bolles: Random sample consensus, 1981, on the points of T. R\u00f6fer, M. "
+            "J\u00fcngel, 2003.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kFieldLines)
         .keys({&kLinePointsKey, &kLinePlacesKey, &kLineCountKey, &kSegmentsKey})
         .parameters<SegmentFields>(kSegmentTable.rules<SegmentFields>());
+
+/// Projects the edges of the field's lines and walls into the image, as if nothing stood before them.
+class OracleLinePerceptor final : public LinePerceptor {
+ public:
+  explicit OracleLinePerceptor(robotlink::SolutionContext& context)
+      : LinePerceptor(context), world_(context.input(robotlink::kOracleWorld)) {
+    if (context.robot().field) edges_ = robotlink::fieldEdges(*context.robot().field);
+  }
+
+ private:
+  const std::vector<LinePoint>* find(const foxglove::RawImage&) override {
+    if (!world_ || !world_->has_camera()) return nullptr;
+    const CameraView view = cameraView(world_->camera());
+    const robotlink::Pose2 robot = robotlink::pose2(world_->robot_in_field());
+    points_.clear();
+    segments_.clear();
+    for (const robotlink::FieldEdge& edge : edges_) addEdge(edge, robot, view);
+    return &points_;
+  }
+
+  void addEdge(const robotlink::FieldEdge& edge, const robotlink::Pose2& robot, const CameraView& view) {
+    constexpr double kSpacing = 0.05, kFarthest = 2.5;
+    const Vector2 along = edge.end - edge.start;
+    const int steps = std::max(1, static_cast<int>(along.norm() / kSpacing));
+    bool wasSeen = false;
+    for (int i = 0; i <= steps; ++i) {
+      const Vector2 place = robot.inverse() * Vector2(edge.start + along * i / steps);
+      const auto pixel = view.pixelOf({place.x(), place.y(), 0});
+      const bool isSeen = pixel && view.contains(*pixel) && place.norm() <= kFarthest;
+      if (isSeen) {
+        points_.push_back({*pixel, place, std::remainder(edge.direction() - robot.heading, robotlink::kPi)});
+        if (!wasSeen) segments_.push_back({place, place, 1});
+        segments_.back().end = place;
+      }
+      wasSeen = isSeen;
+    }
+  }
+
+  void addSegments(const std::vector<LinePoint>&, robotcontrol::FieldLinePercepts& package) override {
+    for (const LineSegment& segment : segments_) {
+      if (segment.start == segment.end) continue;
+      robotcontrol::FieldLinePercepts::Segment& added = *package.add_segments();
+      robotlink::assign(*added.mutable_start_in_robot(), segment.start);
+      robotlink::assign(*added.mutable_end_in_robot(), segment.end);
+      added.set_confidence(segment.confidence);
+    }
+  }
+
+  robotlink::Input<robotcontrol::OracleWorld> world_;
+  std::vector<robotlink::FieldEdge> edges_;
+  std::vector<LinePoint> points_;
+  std::vector<LineSegment> segments_;
+};
+
+const robotlink::SolutionRegistration kOracleLines =
+    robotlink::SolutionBuilder<OracleLinePerceptor>(
+        "line-percepts", "oracle",
+        "The lines of the field and the feet of its walls as the true camera sees them, from the simulator.")
+        .source("The simulator.")
+        .needs(robotlink::kCameraImage)
+        .needs(robotlink::kOracleWorld)
+        .yields(robotlink::kFieldLines)
+        .keys({&kLinePointsKey, &kLinePlacesKey, &kLineCountKey});
 
 }  // namespace
 }  // namespace modules

@@ -13,6 +13,7 @@
 
 #include <string>
 
+#include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
 #include "tests/app/robotctl/RobotctlRun.h"
 
@@ -236,6 +237,32 @@ TEST(Robotctl, solutionsAreComparedWithSeedsAndResultsThatAreThereCount) {
       robotctl("compare --task ball-model --solutions filtred --scene x --out " + out);
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.text, testing::HasSubstr("did you mean 'filtered'?"));
+}
+
+TEST(Robotctl, whatHasNoTruthIsComparedByWhatComesOfIt) {
+  const TestFolder folder;
+  const std::string out = (folder / "compared").string();
+  const PrintedOutcome outcome =
+      robotctl("compare --task motion --solutions wheel-model-rectangle,wheel-model-fast --scene " + kScene +
+               " --seeds 2 --seconds 1 --out " + out + " -- --walk 1");
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, testing::HasSubstr("The task motion has no truth of its own"));
+  const std::string report = robotlink::readFile(out + "/report.html").value_or("");
+  EXPECT_THAT(report, testing::HasSubstr("The task motion has no truth of its own"));
+  EXPECT_THAT(report, testing::HasSubstr("<td>walk forward</td>"));
+}
+
+TEST(Robotctl, linesAndTheStateOfTheBodyHaveFigures) {
+  const PrintedOutcome outcome = robotctl("sim " + kScene +
+                                          " --seconds 2 --layout soccer --shadow line-percepts=oracle "
+                                          "--shadow robot-state=oracle --errors --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const auto robot = nlohmann::json::parse(outcome.text).at("errors").at("red1");
+  EXPECT_LT(robot.at("percepts/lines").at("points").at("mean"), 0.1) << "m";
+  EXPECT_LT(robot.at("shadow/oracle/percepts/lines").at("points").at("mean"), 0.01) << "m";
+  EXPECT_EQ(robot.at("shadow/oracle/percepts/lines").at("false"), 0.0);
+  EXPECT_EQ(robot.at("shadow/oracle/percepts/robot-state").at("collided").at("mean"), 0.0);
+  EXPECT_LT(robot.at("percepts/robot-state").at("fallen").at("mean"), 0.1) << "of the time";
 }
 
 TEST(Robotctl, threadsHaveRealTimeAndAnyRunTheTimeThatIsAskedFor) {

@@ -55,6 +55,29 @@ TEST(ErrorFigures, figuresHaveUnitsAndSharesOnlyOfWhatThereWas) {
   EXPECT_EQ(errorsText(nlohmann::json::object()), "");
 }
 
+TEST(ErrorFigures, whatHappensToTheBodyHasSharesOfTimeAndItsOwnCounts) {
+  robotlink::TruthErrors errors;
+  for (int i = 0; i < 100; ++i) {
+    const Instant time{std::chrono::milliseconds(40 * i)};
+    auto truth = std::make_shared<robotcontrol::RobotState>(),
+         state = std::make_shared<robotcontrol::RobotState>();
+    robotlink::assign(*truth->mutable_timestamp(), time);
+    robotlink::assign(*state->mutable_timestamp(), time);
+    truth->set_picked_up(i >= 25);
+    state->set_picked_up(i >= 30);
+    errors.add("red1", "percepts/robot-state", time, state);
+    errors.add("red1", "oracle/state", time, truth);
+  }
+  const auto figures = errorFigures(errors);
+  const auto& lifted = figures["red1"]["percepts/robot-state"]["picked up"];
+  EXPECT_NEAR(lifted.at("mean").get<double>(), 0.05, 1e-9);
+  EXPECT_FALSE(lifted.contains("median")) << "a share of time has none";
+  EXPECT_EQ(lifted.at("missed"), 0.0);
+  EXPECT_EQ(lifted.at("there"), 1);
+  EXPECT_NEAR(figures["red1"]["percepts/robot-state"]["picked up delay"]["mean"].get<double>(), 0.2, 1e-9);
+  EXPECT_THAT(errorsText(figures), testing::ContainsRegex("picked up +5.0 % +- +- +0.0 % +0.0 %"));
+}
+
 TEST(ErrorFigures, solutionsAreNamedWhereSeveralHavePublishedAStream) {
   robotlink::TruthErrors errors;
   addBallSolution(errors, 1, "scan-lines");

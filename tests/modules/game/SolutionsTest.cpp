@@ -30,6 +30,22 @@ TEST(Solutions, offerTwoWaysToDoEachTaskAndSayWhatTheyDo) {
   EXPECT_EQ(counts.size(), robotlink::describedTasks().size());
 }
 
+TEST(Solutions, sayWhoseMethodTheyAreAndCanBeLookedInto) {
+  for (const SolutionDescription& solution : SolutionRegistry::all()) {
+    const std::string name = solution.task + "/" + solution.name;
+    EXPECT_GT(solution.help.size(), 10U) << name;
+    EXPECT_TRUE(solution.source.ends_with(".")) << name;
+    EXPECT_FALSE(solution.outputs.empty()) << name;
+    const auto publishes = [&](const char* kind) {
+      return std::ranges::any_of(solution.keys, [&](int key) {
+        return robotlink::DebugKey::all()[static_cast<std::size_t>(key)].stream.starts_with(kind);
+      });
+    };
+    EXPECT_TRUE(publishes("plots/")) << name;
+    EXPECT_TRUE(publishes("drawings/")) << name;
+  }
+}
+
 TEST(Solutions, haveDefaultsForAllTheirParameters) {
   const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/resources/parameters";
   for (const SolutionDescription& solution : SolutionRegistry::all()) {
@@ -92,6 +108,10 @@ TEST(Solutions, ofTheOtherKindTellSomethingToo) {
                           {"ball-model", "kalman"},
                           {"self-localisation", "odometry"}}),
               testing::IsEmpty());
+}
+
+TEST(Solutions, thatAreTheOracleTellSomethingToo) {
+  EXPECT_THAT(silentKeys({{"line-percepts", "oracle"}, {"robot-state", "oracle"}}), testing::IsEmpty());
 }
 
 TEST(Solutions, canBeSwitchedWhileTheRobotPlays) {

@@ -15,8 +15,8 @@ using robotlink::Vector3;
 
 constexpr std::array<bool, 4> kNone{}, kAll{true, true, true, true};
 
-/// Standing, or walking in a trot of two steps a second, with legs that lag and bend under the load.
-BodyFrame frameAt(int i, bool walking, double load, double lag) {
+/// Standing, or walking in a trot of two steps a second, with knees that bear a load, and legs that lag.
+BodyFrame frameAt(int i, bool walking, double torque, double lag) {
   BodyFrame frame;
   frame.walking = walking;
   const double phase = walking ? 2 * robotlink::kPi * i * 0.008 / 0.5 : 0;
@@ -24,7 +24,8 @@ BodyFrame frameAt(int i, bool walking, double load, double lag) {
     const double shifted = phase + (leg == Leg::kFrontLeft || leg == Leg::kHindRight ? 0 : robotlink::kPi);
     const double swing = -0.6 + 0.3 * std::sin(shifted);
     frame.requested[index(leg)] = {swing, 0.1, 1.6};
-    frame.measured[index(leg)] = {swing - lag * std::cos(shifted), 0.1, 1.6 + load};
+    frame.measured[index(leg)] = {swing - lag * std::cos(shifted), 0.1, 1.6};
+    frame.kneeTorques[index(leg)] = torque;
     if (walking) frame.contacts[index(leg)] = std::cos(shifted) < 0;
   }
   return frame;
@@ -99,14 +100,19 @@ TEST(BodyEvents, gravityShowsOnWhichSideTheRobotLies) {
   }
 }
 
-TEST(JointErrorEvents, aBodyWithoutLoadWasPickedUp) {
+TEST(JointErrorEvents, aBodyThatNoKneeBearsWasPickedUp) {
   JointErrorEvents events({});
-  for (int i = 0; i < 300; ++i) EXPECT_FALSE(events.update(frameAt(i, true, 0.1, 0.05)).pickedUp) << i;
-  EXPECT_GT(events.load(), 0.001);
-  for (int i = 0; i < 300; ++i) events.update(frameAt(i, true, -0.01, 0.05));
-  EXPECT_TRUE(events.update(frameAt(0, true, -0.01, 0.05)).pickedUp);
-  for (int i = 0; i < 300; ++i) events.update(frameAt(i, true, 0.1, 0.05));
-  EXPECT_FALSE(events.update(frameAt(0, true, 0.1, 0.05)).pickedUp);
+  for (int i = 0; i < 300; ++i) EXPECT_FALSE(events.update(frameAt(i, true, -0.1, 0.05)).pickedUp) << i;
+  EXPECT_NEAR(events.load(), 0.1, 0.01);
+  for (int i = 0; i < 300; ++i) events.update(frameAt(i, true, 0.03, 0.05));
+  EXPECT_TRUE(events.update(frameAt(0, true, 0.03, 0.05)).pickedUp);
+  for (int i = 0; i < 300; ++i) events.update(frameAt(i, true, -0.1, 0.05));
+  EXPECT_FALSE(events.update(frameAt(0, true, -0.1, 0.05)).pickedUp);
+}
+
+TEST(JointErrorEvents, whoMeasuresNoTorquesIsNotPickedUp) {
+  JointErrorEvents events({});
+  for (int i = 0; i < 300; ++i) EXPECT_FALSE(events.update(frameAt(i, true, 0, 0.05)).pickedUp) << i;
 }
 
 TEST(JointErrorEvents, aLegThatLagsMoreThanUsualHasCollided) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "modules/modeling/localization/FieldEdges.h"
+#include "modules/modeling/localization/FieldEdgeMap.h"
 #include "modules/perception/lines/FieldLineScanner.h"
 #include "modules/perception/lines/SegmentFinder.h"
 #include "tests/modules/perception/FieldCamera.h"

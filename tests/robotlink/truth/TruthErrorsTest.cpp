@@ -114,6 +114,36 @@ TEST_F(TruthErrorsTest, aGameStateWithoutTimeDecidesNothing) {
   EXPECT_EQ(of("models/pose").latency.count(), 1U);
 }
 
+TEST_F(TruthErrorsTest, theStateOfTheBodyIsComparedWithItsOwnTruth) {
+  Instant time(std::chrono::seconds(1));
+  const auto pass = [&](int ms, bool isDown, bool isReported) {
+    for (const Instant end = time + std::chrono::milliseconds(ms); time < end; time += kTruthFrame) {
+      auto truth = at<robotcontrol::RobotState>(time), state = at<robotcontrol::RobotState>(time);
+      truth->set_fallen(isDown);
+      truth->set_side(isDown ? robotcontrol::RobotState::ON_LEFT : robotcontrol::RobotState::UPRIGHT);
+      truth->add_collisions("hind left");
+      state->set_fallen(isReported);
+      state->set_side(isReported ? robotcontrol::RobotState::ON_BACK : robotcontrol::RobotState::UPRIGHT);
+      errors_.add("red1", "percepts/robot-state", time, state);
+      errors_.add("red1", "oracle/state", time, truth);
+    }
+  };
+  pass(1000, false, false);
+  pass(400, true, false);
+  pass(3600, true, true);
+  const PackageErrors& state = of("percepts/robot-state");
+  const ErrorQuantity& fallen = state.quantities.at("fallen");
+  EXPECT_EQ(fallen.unit, kShareOfTime);
+  EXPECT_NEAR(fallen.amounts.mean(), 0.08, 1e-9);
+  EXPECT_EQ(fallen.own.there, 1U);
+  EXPECT_EQ(fallen.own.missed, 0U);
+  EXPECT_NEAR(state.quantities.at("fallen delay").amounts.mean(), 0.4, 1e-9);
+  EXPECT_NEAR(state.quantities.at("side").amounts.mean(), 1, 1e-9);
+  EXPECT_EQ(state.quantities.at("picked up").amounts.maximum(), 0);
+  EXPECT_NEAR(state.quantities.at("collided").amounts.mean(), 0.25, 1e-9) << "one of four legs";
+  EXPECT_EQ(state.quantities.at("collided").own.missed, 1U);
+}
+
 TEST_F(TruthErrorsTest, whatComesBeforeItsTruthWaitsForIt) {
   const Instant time(std::chrono::seconds(1));
   auto pose = at<robotcontrol::RobotPose>(time);

@@ -114,6 +114,26 @@ TEST_F(ErrorModelTest, whatIsNeverKnownHasARowThatSaysSo) {
   EXPECT_EQ(text(0, ErrorModel::kLatency), "0.0");
 }
 
+TEST_F(ErrorModelTest, whatHappensToTheBodyHasSharesOfTimeAndDelays) {
+  for (int second = 1; second <= 4; ++second) {
+    robotcontrol::RobotState state, truth;
+    truth.set_fallen(true);
+    state.set_fallen(second > 1);
+    push("percepts/robot-state", second, state);
+    push("oracle/state", second, truth);
+  }
+  show();
+  const int fallen = rowOf("percepts/robot-state", "fallen");
+  const int delay = rowOf("percepts/robot-state", "fallen delay");
+  EXPECT_EQ(text(fallen, ErrorModel::kUnit), "% of the time");
+  EXPECT_EQ(text(fallen, ErrorModel::kMean), "25.0");
+  EXPECT_EQ(text(fallen, ErrorModel::kMedian), "") << "a share has only a mean";
+  EXPECT_EQ(text(fallen, ErrorModel::kMissed), "0.0");
+  EXPECT_EQ(text(rowOf("percepts/robot-state", "picked up"), ErrorModel::kMissed), "") << "nobody lifted it";
+  EXPECT_EQ(text(delay, ErrorModel::kUnit), "ms");
+  EXPECT_EQ(text(delay, ErrorModel::kMean), "1000.0");
+}
+
 TEST_F(ErrorModelTest, theFormulaOfAnErrorComputesWhatTheTableHas) {
   pushTruth(1);
   robotcontrol::RobotPose pose;

@@ -104,6 +104,31 @@ TEST(CompareReport, figuresOfAPackageStandTogether) {
   EXPECT_THAT(page, HasSubstr("<tr><td>goals of red</td>")) << "this one is of no package";
 }
 
+TEST(CompareReport, figuresOfTheTaskComeFirstInUnitsThatReadWell) {
+  Comparison comparison;
+  for (int seed = 0; seed < 8; ++seed) {
+    for (const auto& [variant, more] : {std::pair("old", 1.0), std::pair("new", 2.0)})
+      comparison.add(variant, std::to_string(seed),
+                     {{"models/pose position mean", "m", more * 0.25 + 0.001 * seed},
+                      {"models/ball position mean", "m", more * 0.125 + 0.001 * seed},
+                      {"models/ball missed", kShare, more * 0.125 + 0.001 * seed}});
+  }
+  ReportTitle title{"t", "c", {}};
+  title.packages = {"models/ball"};
+  title.notes = {"There is more to say."};
+  const std::string page = reportHtml(comparison, title);
+  const auto own = page.find("<h2>Figures of models/ball</h2>"), others = page.find("<h2>Other figures");
+  ASSERT_NE(own, std::string::npos);
+  ASSERT_NE(others, std::string::npos);
+  EXPECT_LT(page.find("class=group><td colspan=4>models/ball", own), others);
+  EXPECT_GT(page.find("class=group><td colspan=4>models/pose", own), others);
+  EXPECT_LT(page.find("<td>models/ball position mean"), page.find("<td>models/pose position mean"));
+  EXPECT_THAT(page, HasSubstr("<td>128.5 mm <span class=note>[12"));
+  EXPECT_THAT(page, HasSubstr("<td>12.85 % <span class=note>[12"));
+  EXPECT_THAT(page, HasSubstr("<p>There is more to say.</p>"));
+  EXPECT_THAT(page, HasSubstr("pooled by how many samples"));
+}
+
 TEST(CompareReport, aVariantWithoutAFigureHasNothingInItsPlot) {
   Comparison comparison;
   for (int seed = 0; seed < 3; ++seed) {

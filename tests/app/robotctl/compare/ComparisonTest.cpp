@@ -36,15 +36,23 @@ TEST(Bootstrap, aSingleValueHasNoBounds) {
   EXPECT_TRUE(std::isinf(bootstrapMean({}).low));
 }
 
-TEST(Comparison, figuresAreMeansOverRobots) {
-  const auto printed = nlohmann::json::parse(R"({"goals": {"red": 2, "blue": 1}, "scene": "x",
-    "errors": {"red1": {"models/ball": {"position": {"unit": "m", "mean": 0.1, "p95": 0.3}, "missed": 0.2}},
-               "red2": {"models/ball": {"position": {"unit": "m", "mean": 0.3, "p95": 0.5}, "missed": 0.4}}}})");
+TEST(Comparison, errorsOfRobotsArePooledByTheirSamples) {
+  const auto printed = nlohmann::json::parse(R"({"goals": {"red": 2, "blue": 1}, "scene": "x", "errors": {
+    "red1": {"models/ball": {"position": {"unit": "m", "count": 3000, "mean": 0.1, "p95": 0.3},
+                             "missed": 0.2, "there": 10, "false": 0.5, "reported": 0}},
+    "red2": {"models/ball": {"position": {"unit": "m", "count": 1000, "mean": 0.3, "p95": 0.5},
+                             "fallen": {"unit": "share of time", "count": 5, "mean": 0.2, "missed": 1.0, "there": 2},
+                             "missed": 0.4, "there": 30},
+             "percepts/ball": {"position": {"unit": "m", "count": 0, "mean": 0}}}}})");
   std::map<std::string, double> values;
   for (const Figure& figure : figuresIn(printed)) values[figure.name] = figure.value;
-  EXPECT_DOUBLE_EQ(values.at("models/ball position mean"), 0.2);
-  EXPECT_DOUBLE_EQ(values.at("models/ball position p95"), 0.4);
-  EXPECT_DOUBLE_EQ(values.at("models/ball missed"), 0.3);
+  EXPECT_DOUBLE_EQ(values.at("models/ball position mean"), 0.15);
+  EXPECT_DOUBLE_EQ(values.at("models/ball position p95"), 0.35);
+  EXPECT_DOUBLE_EQ(values.at("models/ball missed"), 0.35);
+  EXPECT_DOUBLE_EQ(values.at("models/ball fallen missed"), 1);
+  EXPECT_FALSE(values.contains("models/ball false")) << "nothing was reported";
+  EXPECT_FALSE(values.contains("models/ball there")) << "a weight is no figure";
+  EXPECT_FALSE(values.contains("percepts/ball position mean")) << "nothing was measured";
   EXPECT_EQ(values.at("goals of red"), 2);
 }
 

@@ -8,23 +8,11 @@
 
 #include "robotlink/base/Geometry.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/FieldEdges.h"
 
 namespace modules {
 
-/// A straight edge between green and white on the ground of the field, m.
-struct FieldEdge {
-  robotlink::Vector2 start = robotlink::Vector2::Zero();
-  robotlink::Vector2 end = robotlink::Vector2::Zero();
-
-  /// From -pi/2 to pi/2, rad.
-  double direction() const;
-  /// The point of the edge that is nearest to a point.
-  robotlink::Vector2 nearest(const robotlink::Vector2& point) const;
-};
-
-/// Returns both edges of all lines, and the feet of the walls, as the field's description has them. The
-/// center circle is a polygon of 16 sides.
-std::vector<FieldEdge> fieldEdges(const robotlink::FieldDescription& field);
+using robotlink::FieldEdge;
 
 /// A map of the distances to the nearest edge of a similar direction, so that a point of a line can be
 /// compared with a pose at the cost of one look-up (Röfer, Jüngel: Vision-based fast and reactive Monte-Carlo

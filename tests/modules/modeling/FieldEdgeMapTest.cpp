@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/modeling/localization/FieldEdges.h"
+#include "modules/modeling/localization/FieldEdgeMap.h"
 
 #include <gtest/gtest.h>
 

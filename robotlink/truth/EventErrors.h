@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "robotlink/base/Clock.h"
+
+namespace robotlink {
+
+struct ErrorQuantity;
+
+/// Compares whether something happens, such as a fall, with whether it is reported, frame by frame. What
+/// happens again within kPause is one event, and what is reported again after a break is another alarm. An
+/// event is missed if nobody reports it until kPause after its end, or for kLongest; shorter ones than
+/// kShortest need not be reported. An alarm is false if nothing happens within kPause of its begin. One
+/// thread at a time.
+class EventErrors {
+ public:
+  static constexpr Duration kPause = std::chrono::seconds(1), kLongest = std::chrono::seconds(3),
+                            kShortest = std::chrono::milliseconds(300);
+
+  /// Frames come in the order of time; a gap of more than kPause forgets what was going on. Adds to `errors`
+  /// whether the report is wrong and what is decided, and returns after how long an event is reported that
+  /// was not before.
+  std::optional<Duration> add(Instant time, bool happens, bool isReported, ErrorQuantity& errors);
+
+ private:
+  struct Episode {
+    Instant begin, last;
+    /// It counts already.
+    bool isDecided = false;
+  };
+  void follow(Instant time, bool happens, ErrorQuantity& errors);
+
+  std::optional<Instant> newest_;
+  std::optional<Episode> event_, alarm_;
+};
+
+}  // namespace robotlink
