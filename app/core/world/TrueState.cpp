@@ -11,8 +11,6 @@
 namespace app {
 namespace {
 
-using robotcontrol::RobotState;
-
 constexpr double kLiftedHeight = 0.01;   // m
 constexpr double kLyingCosine = 0.7071;  // 45 degrees
 
@@ -27,16 +25,17 @@ std::string partOf(const std::string& link) {
 }
 
 /// On what a robot lies if this direction of its frame, x to the front and y to the left, points upward.
-RobotState::Side sideBelow(const robotlink::Vector3& up) {
-  if (-up.z() > std::abs(up.x()) && -up.z() > std::abs(up.y())) return RobotState::ON_BACK;
-  if (std::abs(up.x()) > std::abs(up.y())) return up.x() > 0 ? RobotState::ON_TAIL : RobotState::ON_NOSE;
-  return up.y() > 0 ? RobotState::ON_RIGHT : RobotState::ON_LEFT;
+robotcontrol::RobotState::Side sideBelow(const robotlink::Vector3& up) {
+  if (-up.z() > std::abs(up.x()) && -up.z() > std::abs(up.y())) return robotcontrol::RobotState::ON_BACK;
+  if (std::abs(up.x()) > std::abs(up.y()))
+    return up.x() > 0 ? robotcontrol::RobotState::ON_TAIL : robotcontrol::RobotState::ON_NOSE;
+  return up.y() > 0 ? robotcontrol::RobotState::ON_RIGHT : robotcontrol::RobotState::ON_LEFT;
 }
 
 }  // namespace
 
-RobotState trueState(const simcore::Simulation& simulation, const std::string& robot) {
-  RobotState state;
+robotcontrol::RobotState trueState(const simcore::Simulation& simulation, const std::string& robot) {
+  robotcontrol::RobotState state;
   const auto pose = simulation.modelPose(robot);
   if (!pose) return state;
   const robotlink::Vector3 up = pose->linear().row(2);
