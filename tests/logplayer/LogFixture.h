@@ -54,7 +54,7 @@ class LogFixture {
   }
 
  private:
-  TestFolder folder_;
+  TestFolder folder_{};
 };
 
 }  // namespace logplayer::tests

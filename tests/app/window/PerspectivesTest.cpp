@@ -138,7 +138,7 @@ class PerspectivesTest : public WindowTest {
     QCOMPARE(Perspectives::beginningWith(loaded), QString());
     auto dog = std::make_shared<robotlink::RobotDescription>();
     auto rover = std::make_shared<robotlink::RobotDescription>();
-    rover->drive.emplace();
+    rover->drive = robotlink::RobotDescription::Drive();
     loaded.robots["p3at"] = rover;
     QCOMPARE(Perspectives::beginningWith(loaded), QStringLiteral("Drive"));
     loaded.robots["red1"] = dog;

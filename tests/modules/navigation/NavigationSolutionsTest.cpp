@@ -375,7 +375,8 @@ TEST(NavigationParameters, withoutAFileAViewIsToldTheBuiltInValuesOfTheRobot) {
                     ParametersOf<robotcontrol::WheelOdometryParameters>("self-localisation", "wheel-odometry")
                         .defaults()));
   robotlink::RobotSetup robot;
-  robot.description.drive.emplace().width = 0.2;
+  robot.description.drive = robotlink::RobotDescription::Drive();
+  robot.description.drive->width = 0.2;
   const ParametersOf<robotcontrol::GridPlanningParameters> grid("path-planning", "grid", "", robot);
   EXPECT_EQ("", namesOfUnset(grid.defaults()));
   EXPECT_NEAR(0.17, grid.defaults().clearance(), 1e-9);

@@ -167,7 +167,7 @@ TEST(NoiseTruth, driftOfEverySensorIsAGaussMarkovProcess) {
            0, kKolmogorovLimit, ""},
           kolmogorovOfNormal(samples, 0, stationary));
   // 0.6 time constants are 7.5 steps, rounded to 8.
-  const double steps = std::lround(0.6 * time / kStepSeconds);
+  const double steps = std::round(0.6 * time / kStepSeconds);
   compare({"drift of all sensors, correlation after 0.6 time constants", "exp(-t / T)",
            std::exp(-steps * kStepSeconds / time), 0.08, ""},
           product / square);

@@ -111,7 +111,7 @@ double largerOf(double one, double other) {
   return std::isnan(one) || std::isnan(other) ? std::nan("") : std::max(one, other);
 }
 
-void compare(const Known& known, double measured, std::source_location where) {
+void compare(const Known& known, double measured, const boost::source_location& where) {
   const double error = std::abs(measured - known.expected);
   if (kRegistered)
     table().add({known.quantity, known.reference, withUnit(known.tolerance, known.unit), known.unit, error});

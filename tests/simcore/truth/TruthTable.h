@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <source_location>
+#include <boost/assert/source_location.hpp>
 #include <string>
 
 namespace simcore::truth {
@@ -25,7 +25,7 @@ struct Known {
 /// tests, replacing what is below the line kTableBegin. When a program has run all of its tests, all rows
 /// must be in simcore/TRUTH.md, with the same references and tolerances; errors differ between processors.
 void compare(const Known& known, double measured,
-             std::source_location where = std::source_location::current());
+             const boost::source_location& where = BOOST_CURRENT_LOCATION);
 
 /// The larger of two numbers; NaN if one of them is NaN, which std::max may hide.
 double largerOf(double one, double other);

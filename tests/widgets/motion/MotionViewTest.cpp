@@ -385,7 +385,8 @@ class MotionViewTest : public QObject {
     QVERIFY(child<QWidget>(*bench.view, "headPanel").isVisible());
     QVERIFY(!child<QWidget>(*bench.view, "motionMotors").isVisible());
     auto description = std::make_shared<robotlink::RobotDescription>();
-    description->drive.emplace().maximumSpeed = 0.7;
+    description->drive = robotlink::RobotDescription::Drive();
+    description->drive->maximumSpeed = 0.7;
     bench.context.robots["red1"] = description;
     bench.step();
     QVERIFY(!child<QWidget>(*bench.view, "headPanel").isVisible());

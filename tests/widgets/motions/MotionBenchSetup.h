@@ -40,7 +40,7 @@ struct JointBench : Bench {
     context.robots["red1"] = robot;
     auto base = std::make_shared<robotlink::RobotDescription>();
     base->name = "base";
-    base->drive.emplace();
+    base->drive = robotlink::RobotDescription::Drive();
     context.robots["blue1"] = base;
     commands = robotlink::CommandTable(robotlink::commandCatalog());
     attachMotionCommands(context);

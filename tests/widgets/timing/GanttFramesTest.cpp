@@ -52,7 +52,7 @@ TEST_F(GanttFramesTest, aFrameLastsAsItSaysOrAsLongAsItsTasks) {
   addFrame(kCognition, 1, frameTimes({0.01, 0.02}, 0.05));
   addFrame(kCognition, 2, frameTimes({0.01, 0.02}));
   addFrame(kCognition, 3, frameTimes({}));
-  const auto& frames = lanes(0, 4).at(0).frames;
+  const auto frames = lanes(0, 4).at(0).frames;
   ASSERT_EQ(frames.size(), 3U);
   EXPECT_DOUBLE_EQ(frames[0].seconds, 0.05);
   EXPECT_DOUBLE_EQ(frames[1].seconds, 0.03);

@@ -43,7 +43,8 @@ class Planner {
     wave[static_cast<std::size_t>(goal)] = 0;
     front.emplace(0.0, goal);
     while (!front.empty()) {
-      const auto [way, cell] = front.top();
+      const double way = front.top().first;
+      const int cell = front.top().second;
       front.pop();
       if (way > wave[static_cast<std::size_t>(cell)]) continue;
       forNeighbors(cell, [&](int next, double step) {

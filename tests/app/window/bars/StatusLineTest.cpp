@@ -124,7 +124,7 @@ class StatusLineTest : public WindowTest {
   void aRobotOnWheelsRunsOnceItsBaseWasHeard() {
     ShownStatus shown(home_);
     robotlink::RobotDescription wheels;
-    wheels.drive.emplace();
+    wheels.drive = robotlink::RobotDescription::Drive();
     shown.openRobot(wheels);
     SimulationStatus status = simulationStatus(true);
     status.set_is_real(true);
