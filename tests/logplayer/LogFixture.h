@@ -39,6 +39,7 @@ inline StreamMessage frameInfo(const std::string& robot, const std::string& proc
 /// A log file that is written and then damaged.
 class LogFixture {
  public:
+  LogFixture() : folder_(TestFolder::Where::kDisk) {}
   std::filesystem::path path(const std::string& name = "log.mcap") const { return folder_ / name; }
   std::unique_ptr<LogWriter> write(const std::string& name = "log.mcap",
                                    mcap::Writer::Options options = {}) const {
@@ -54,7 +55,7 @@ class LogFixture {
   }
 
  private:
-  TestFolder folder_{};
+  TestFolder folder_;
 };
 
 }  // namespace logplayer::tests

@@ -26,8 +26,7 @@ using widgets::ColorCanvas;
 class Painter {
  public:
   explicit Painter(Desk& desk)
-      : desk_(desk),
-        view_(desk.find<QWidget>("colorImageView")),
+      : view_(desk.find<QWidget>("colorImageView")),
         left_(desk.find<ColorCanvas>("colorLeft")),
         right_(desk.find<ColorCanvas>("colorRight")),
         bench_(*desk.window.context().colors) {}
@@ -65,7 +64,6 @@ class Painter {
   QPoint at(QPoint pixel) const { return left_.toWidget(QPointF(pixel) + QPointF(0.5, 0.5)).toPoint(); }
 
  private:
-  Desk& desk_;
   QWidget& view_;
   ColorCanvas &left_, &right_;
   ColorBench& bench_;

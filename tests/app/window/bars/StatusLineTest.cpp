@@ -153,7 +153,7 @@ class StatusLineTest : public WindowTest {
   void aCameraRunsWithoutALine() {
     ShownStatus shown(home_);
     robotlink::RobotDescription camera;
-    camera.camera.emplace();
+    camera.camera = robotlink::RobotDescription::Camera();
     shown.openRobot(camera);
     SimulationStatus status = simulationStatus(true);
     status.set_is_real(true);
