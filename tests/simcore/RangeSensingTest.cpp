@@ -179,7 +179,7 @@ TEST(RangeSensing, allRaysOfAScanAgreeWithSingleRays) {
   for (int i = 0; i < 60; ++i) {
     const int body = i % 3 == 0 ? 0 : static_cast<int>(poses.size());
     const Pose3 pose =
-        Eigen::Translation3d(random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(-0.2, 0.2)) *
+        Eigen::Translation3d{random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(-0.2, 0.2)} *
         Pose3(Eigen::AngleAxisd(random.uniform(0, 6), Vector3d::UnitZ()));
     scene->instances.push_back({i % 2, body, body == 0 ? pose : Pose3::Identity(), {}, "thing", true});
     if (body != 0) poses.push_back(pose);

@@ -122,11 +122,11 @@ GroundMap scannedBuilding() {
   robotlink::Random random(7);
   GroundMap map;
   for (int wall = 0; wall < 30; ++wall) {
-    const Vector2 from(random.uniform(-20, 20), random.uniform(-20, 20));
+    const Vector2 from{random.uniform(-20, 20), random.uniform(-20, 20)};
     const double angle = random.uniform(0, robotlink::kPi);
     const Vector2 along(std::cos(angle), std::sin(angle));
     for (int i = 0; i < 400; ++i) {
-      const Vector2 error(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02));
+      const Vector2 error{random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)};
       const Vector2 seen = from + 0.02 * i * along + error;
       map.points.emplace_back(0.02 * std::round(seen.x() / 0.02), 0.02 * std::round(seen.y() / 0.02));
     }

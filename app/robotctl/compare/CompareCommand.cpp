@@ -34,6 +34,10 @@ std::string joined(const std::vector<std::string>& words) {
 /// Each run has one thread, as there are as many runs as cores.
 std::vector<PlannedRun> solutionRuns(const CompareArguments& arguments) {
   std::vector<PlannedRun> runs;
+  const std::vector<std::string>& options = arguments.execution.options;
+  // A walk is measured without errors of what its robot believes.
+  const bool isWalk =
+      std::ranges::any_of(options, [](const std::string& option) { return option.starts_with("--walk"); });
   for (const std::string& solution : arguments.solutions) {
     const std::string choice = arguments.task + "=" + solution;
     for (const std::string& log : arguments.logs) {
@@ -44,13 +48,14 @@ std::vector<PlannedRun> solutionRuns(const CompareArguments& arguments) {
     }
     for (int i = 0; !arguments.scene.empty() && i < arguments.seeds; ++i) {
       const std::string seed = std::to_string(arguments.execution.firstSeed + static_cast<std::uint64_t>(i));
-      runs.push_back({solution,
-                      "seed " + seed,
-                      {"sim", wholePath(arguments.scene), "--threads", "1", "--seconds",
-                       fmt::format("{}", arguments.execution.seconds), "--seed", seed, "--solution", choice,
-                       "--errors", "--json"}});
+      runs.push_back(
+          {solution,
+           "seed " + seed,
+           {"sim", wholePath(arguments.scene), "--threads", "1", "--seconds",
+            fmt::format("{}", arguments.execution.seconds), "--seed", seed, "--solution", choice, "--json"}});
       auto& words = runs.back().arguments;
-      words.insert(words.end(), arguments.execution.options.begin(), arguments.execution.options.end());
+      if (!isWalk) words.emplace_back("--errors");
+      words.insert(words.end(), options.begin(), options.end());
     }
   }
   return runs;

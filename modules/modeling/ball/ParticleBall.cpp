@@ -31,26 +31,26 @@ void ParticleBall::move(double seconds) {
     const bool rolls = !particle.velocity.isZero();
     const double chance = random_.uniform();
     if (!rolls && chance < starts)
-      particle.velocity = options_.startSpeed * Vector2(random_.normal(), random_.normal());
+      particle.velocity = options_.startSpeed * Vector2{random_.normal(), random_.normal()};
     else if (rolls && chance < stops)
       particle.velocity.setZero();
     const double speed = particle.velocity.norm();
     if (speed > 0) particle.velocity *= options_.roll.speedAfter(speed, seconds) / speed;
     if (speed > 0)
       particle.velocity +=
-          options_.velocityNoise * std::sqrt(seconds) * Vector2(random_.normal(), random_.normal());
-    particle.position += particle.velocity * seconds + drift * Vector2(random_.normal(), random_.normal());
+          options_.velocityNoise * std::sqrt(seconds) * Vector2{random_.normal(), random_.normal()};
+    particle.position += particle.velocity * seconds + drift * Vector2{random_.normal(), random_.normal()};
   }
 }
 
 ParticleBall::Particle ParticleBall::drawAt(const Vector2& place, const Matrix2d& root) {
   Particle particle;
-  particle.position = place + root * Vector2(random_.normal(), random_.normal());
+  particle.position = place + root * Vector2{random_.normal(), random_.normal()};
   if (random_.uniform() < 0.5) return particle;
   const double passed = recent_.empty() ? 0 : recent_.back().time - recent_.front().time;
   const bool known = passed > 0.5 * kVelocityTime;
   particle.velocity =
-      (known ? kVelocityError : options_.startSpeed) * Vector2(random_.normal(), random_.normal());
+      (known ? kVelocityError : options_.startSpeed) * Vector2{random_.normal(), random_.normal()};
   if (known) particle.velocity += (recent_.back().place - recent_.front().place) / passed;
   return particle;
 }

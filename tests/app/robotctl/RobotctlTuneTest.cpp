@@ -124,5 +124,5 @@ TEST_F(RobotctlTune, shadowsHaveErrorsOfTheirOwnAndChangeNothing) {
   EXPECT_TRUE(shadowed["errors"]["red1"].contains("shadow/last-percept/models/ball"));
   EXPECT_TRUE(shadowed["errors"]["red1"].contains("shadow/odometry/models/pose"));
   EXPECT_THAT(robotctl("sim " + kScene + " --seconds 0.1 --shadow ball-model=magic").errors,
-              HasSubstr("there is no 'ball-model=magic'"));
+              HasSubstr("task ball-model has no solution 'magic'"));
 }

@@ -229,8 +229,8 @@ TEST(CorrectionEstimate, strokesPredictEachOtherBetterWithIt) {
     SyntheticCamera camera(name, correction, 6);
     camera.touchAll(samples, 15);
     for (int i = 0; i < 20; ++i) {
-      camera.touch(samples, {130, 126, 129}, {0}, static_cast<int>(random() % kWidth),
-                   static_cast<int>(random() % kHeight));
+      const int y = static_cast<int>(random() % kHeight), x = static_cast<int>(random() % kWidth);
+      camera.touch(samples, {130, 126, 129}, {0}, x, y);
     }
   }
   const StrokeQuality before = *crossValidate(samples);

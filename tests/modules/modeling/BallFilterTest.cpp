@@ -36,7 +36,7 @@ TEST(BallFilter, isBetterThanItsPercepts) {
   BallFilter filter({});
   double filtered = 0, raw = 0;
   for (int i = 0; i < 200; ++i) {
-    const Vector2 noise(0.06 * random.normal(), 0.06 * random.normal());
+    const Vector2 noise{0.06 * random.normal(), 0.06 * random.normal()};
     filter.update(i * kFrame, {}, BallMeasurement{Vector2(1, 0.2) + noise, 1});
     if (i < 50) continue;
     raw += noise.norm();

@@ -19,7 +19,7 @@ class BallTracker : public testing::Test {
  protected:
   /// Shows the ball at a place, as seen by a robot at a pose of dead reckoning, with noise.
   void show(const Vector2& ball, const Pose2& robot = {}, double noise = 0.02) {
-    const Vector2 off(noise * random_.normal(), noise * random_.normal());
+    const Vector2 off{noise * random_.normal(), noise * random_.normal()};
     filter_.update(time_ += kBallImage, robot, BallMeasurement{robot.inverse() * ball + off, 1});
   }
   void hide(const Pose2& robot = {}) { filter_.update(time_ += kBallImage, robot, {}); }

@@ -36,7 +36,7 @@ class PlayerFilter : public testing::Test {
       frame.time = time_ += 0.04;
       frame.sector = sector;
       for (const auto& [team, place] : robots) {
-        const Vector2 off(0.04 * random_.normal(), 0.04 * random_.normal());
+        const Vector2 off{0.04 * random_.normal(), 0.04 * random_.normal()};
         frame.seen.push_back({team, place + off, 0.6});
       }
       filter_.update(frame);

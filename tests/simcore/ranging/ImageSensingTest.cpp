@@ -118,7 +118,7 @@ TEST(ImageSensingTest, aBundleHitsWhatSingleRaysHitAmongManyBodies) {
     scene->instances.push_back({i % 2, i + 1, Pose3::Identity(), {}, "b", true});
     scene->instances.push_back({1 - i % 2, i + 1, Pose3(Eigen::Translation3d(0, 0, 0.4)), {}, "b", true});
     poses.push_back(
-        Eigen::Translation3d(random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-2, 2)) *
+        Eigen::Translation3d{random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-2, 2)} *
         Pose3(Eigen::AngleAxisd(random.uniform(0, 6), Eigen::Vector3d::Random().normalized())));
   }
   RayCaster caster(scene);

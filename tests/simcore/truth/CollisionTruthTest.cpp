@@ -96,7 +96,7 @@ TEST(CollisionTruth, energyDoesNotGrowAmongManyBalls) {
   }
   Bodies bodies(kWeightless + balls);
   for (int i = 0; i < 27; ++i) {
-    const Vector3 velocity(random.normal(), random.normal(), random.normal());
+    const Vector3 velocity{random.normal(), random.normal(), random.normal()};
     bodies.throwModel("ball" + std::to_string(i), velocity);
   }
   const Bodies::Sums start = bodies.sums();

@@ -77,7 +77,7 @@ CameraScene exhibition() {
   add(boxMesh({0.3F, 0.2F, 0.5F}), placed({-0.5, -0.6, 0.25}, 0.6, {0, 0, 1}), {200, 200, 200});
   robotlink::Random random(3);
   for (int i = 0; i < 30; ++i) {
-    const Eigen::Vector3d at(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(0.1, 1));
+    const Eigen::Vector3d at{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(0.1, 1)};
     add(sphereMesh(static_cast<float>(random.uniform(0.02, 0.08)), 8), placed(at, 1, {1, 2, 3}),
         {static_cast<std::uint8_t>(60 + 6 * i), static_cast<std::uint8_t>(250 - 5 * i), 120});
   }
