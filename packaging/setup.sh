@@ -30,7 +30,8 @@ install_missing_packages() {
   "${privileged[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# What is built from scratch is built with clang++: it takes a sixth less time than g++, and what it makes is as fast. CXX chooses another compiler; a build folder keeps the one that it was made with. Sanitizers keep to the system's.
+# What is built from scratch is built with clang++: it takes a sixth less time than g++, and what it makes is as fast. CXX chooses
+# another compiler; a build folder keeps the one that it was made with. Sanitizers keep to the system's.
 COMPILER=clang++-14
 
 # configure PRESET [OPTION...]: configures build/PRESET if it is not yet, if an option, such as -DROBOTCONTROL_TESTS=ON, is not as in
