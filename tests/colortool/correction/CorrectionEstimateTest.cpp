@@ -50,9 +50,9 @@ class SyntheticCamera {
     std::uniform_real_distribution<double> place(-part / 2, part / 2);
     for (int i = 0; i < count; ++i) {
       for (std::size_t colorClass = 0; colorClass < classes; ++colorClass) {
-        touch(samples, kColors[colorClass], {static_cast<std::uint8_t>(colorClass + 1)},
-              static_cast<int>(kWidth * (0.5 + place(random_))),
-              static_cast<int>(kHeight * (0.5 + place(random_))));
+        const int y = static_cast<int>(kHeight * (0.5 + place(random_)));
+        const int x = static_cast<int>(kWidth * (0.5 + place(random_)));
+        touch(samples, kColors[colorClass], {static_cast<std::uint8_t>(colorClass + 1)}, x, y);
       }
     }
   }
