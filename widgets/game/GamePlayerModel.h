@@ -20,7 +20,7 @@ struct PlayedRole {
   /// Why its program does not run, in sentences; empty: it runs.
   std::string trouble = {};
 };
-/// By the names of robots.
+/// Keyed by the names of robots.
 using PlayedRoles = std::map<std::string, PlayedRole>;
 
 /// A robot that plays.

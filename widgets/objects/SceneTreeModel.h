@@ -81,7 +81,7 @@ class SceneTreeModel final : public QAbstractItemModel {
   std::shared_ptr<const robotcontrol::PortReadings> readings_;
   std::vector<Node> nodes_;
   std::map<std::string, int> byPath_;
-  /// Of readings_, by port.
+  /// The entries of readings_, keyed by port.
   using Readings = std::map<std::string, const robotcontrol::PortReading*>;
   Readings byPort_, heldByPort_;
 };

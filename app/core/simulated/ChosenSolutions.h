@@ -23,7 +23,7 @@ class ChosenSolutions {
     solutions_[request.robot()][request.select_solution().task()] = request.select_solution().solution();
     isNew_ = true;
   }
-  /// By robot.
+  /// Keyed by robot.
   TeamSolutions all() const {
     const std::lock_guard lock(mutex_);
     return solutions_;

@@ -252,7 +252,7 @@ std::string changeText(const Comparison& comparison, const Difference& one) {
   const auto row = std::ranges::find(comparison.rows(), one.figure, &Comparison::Row::name);
   const MeanInterval first =
       row == comparison.rows().end() ? MeanInterval() : Comparison::meanOf(*row, one.first);
-  // Of what may be 0 there is no share.
+  // A change from what may be 0 has no share.
   const double before = first.low > 0 || first.high < 0 ? std::abs(first.mean) : 0;
   const bool isLess = one.change.mean < 0;
   const std::string amount =

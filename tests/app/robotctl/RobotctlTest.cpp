@@ -13,7 +13,6 @@
 
 #include <string>
 
-#include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
 #include "tests/app/robotctl/RobotctlRun.h"
 
@@ -205,64 +204,6 @@ TEST(Robotctl, theDigestIsTheSameEveryTimeAndAnotherForAnotherSeed) {
   ASSERT_EQ(first.status, 0);
   EXPECT_EQ(first.text, robotctl(command + "1").text);
   EXPECT_NE(first.text, robotctl(command + "2").text);
-}
-
-TEST(Robotctl, errorsAgainstTheTruthAreMeasuredAndChangeNothing) {
-  const std::string command = "sim " + kScene + " --seconds 2 --json";
-  const PrintedOutcome measured = robotctl(command + " --errors");
-  ASSERT_EQ(measured.status, 0) << measured.text;
-  const auto figures = nlohmann::json::parse(measured.text);
-  const auto& robot = figures.at("errors").at("red1");
-  EXPECT_GT(robot.at("models/pose").at("position").at("count"), 40);
-  EXPECT_LT(robot.at("camera/pose").at("direction").at("median"), 0.1) << "rad";
-  EXPECT_LT(robot.at("percepts/ball").at("latency").at("mean"), 0.1) << "s";
-  EXPECT_EQ(figures.at("digest"), nlohmann::json::parse(robotctl(command).text).at("digest"));
-  EXPECT_EQ(robotctl("sim " + kScene + " --trials 1 --errors").status, 2);
-}
-
-TEST(Robotctl, solutionsAreComparedWithSeedsAndResultsThatAreThereCount) {
-  const TestFolder folder;
-  const std::string out = (folder / "compared").string();
-  const std::string command = "compare --task ball-model --solutions filtered,oracle --scene " + kScene +
-                              " --seeds 2 --seconds 1 --out " + out;
-  const PrintedOutcome first = robotctl(command);
-  EXPECT_EQ(first.status, 0) << first.text;
-  for (const char* file : {"report.html", "results.csv", "summary.csv", "differences.csv"})
-    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(out) / file)) << file;
-  const auto made = std::filesystem::last_write_time(out + "/runs/oracle--seed-1.json");
-  EXPECT_EQ(robotctl(command).status, 0);
-  EXPECT_EQ(std::filesystem::last_write_time(out + "/runs/oracle--seed-1.json"), made)
-      << "it is not run again";
-  const PrintedOutcome wrong =
-      robotctl("compare --task ball-model --solutions filtred --scene x --out " + out);
-  EXPECT_EQ(wrong.status, 2);
-  EXPECT_THAT(wrong.text, testing::HasSubstr("did you mean 'filtered'?"));
-}
-
-TEST(Robotctl, whatHasNoTruthIsComparedByWhatComesOfIt) {
-  const TestFolder folder;
-  const std::string out = (folder / "compared").string();
-  const PrintedOutcome outcome =
-      robotctl("compare --task motion --solutions wheel-model-rectangle,wheel-model-fast --scene " + kScene +
-               " --seeds 2 --seconds 1 --out " + out + " -- --walk 1");
-  EXPECT_EQ(outcome.status, 0) << outcome.text;
-  EXPECT_THAT(outcome.text, testing::HasSubstr("The task motion has no truth of its own"));
-  const std::string report = robotlink::readFile(out + "/report.html").value_or("");
-  EXPECT_THAT(report, testing::HasSubstr("The task motion has no truth of its own"));
-  EXPECT_THAT(report, testing::HasSubstr("<td>walk forward</td>"));
-}
-
-TEST(Robotctl, linesAndTheStateOfTheBodyHaveFigures) {
-  const PrintedOutcome outcome = robotctl("sim " + kScene +
-                                          " --seconds 2 --layout soccer --shadow line-percepts=oracle "
-                                          "--shadow robot-state=oracle --errors --json");
-  ASSERT_EQ(outcome.status, 0) << outcome.text;
-  const auto robot = nlohmann::json::parse(outcome.text).at("errors").at("red1");
-  EXPECT_LT(robot.at("percepts/lines").at("points").at("mean"), 0.1) << "m";
-  EXPECT_LT(robot.at("shadow/oracle/percepts/lines").at("points").at("mean"), 0.01) << "m";
-  EXPECT_EQ(robot.at("shadow/oracle/percepts/lines").at("false"), 0.0);
-  EXPECT_EQ(robot.at("shadow/oracle/percepts/robot-state").at("collided").at("mean"), 0.0);
-  EXPECT_LT(robot.at("percepts/robot-state").at("fallen").at("mean"), 0.1) << "of the time";
 }
 
 TEST(Robotctl, threadsHaveRealTimeAndAnyRunTheTimeThatIsAskedFor) {
