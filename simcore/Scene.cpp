@@ -76,7 +76,8 @@ void setMotion(const SceneInclude& include, ModelInstance& instance, Errors& err
   if (include.motion.empty()) return;
   const auto mode = motionModeOf(include.motion, include.motionAtObjects);
   instance.motion = mode.value_or(MotionMode::kUnset);
-  const bool pushes = instance.type->drive && include.motionAtObjects == "push";
+  const bool pushes =
+      instance.type->drive && include.motionAtObjects == "push" && mode && *mode != MotionMode::kPhysics;
   const bool fits = mode && (*mode == MotionMode::kPhysics || instance.follows() || instance.type->drive);
   if (fits && !pushes) return;
   errors.push_back({"scene.motion",

@@ -81,7 +81,7 @@ void OpenPlatform::addLog(const std::filesystem::path& file, robotlink::Duration
 robotlink::Result<void> OpenPlatform::connectNow() {
   if (!loaded_ || !loaded_->isReal())
     return robotlink::failure("robot.not-real",
-                              "no robot is connected over a line; choose Robot > Connect a Pioneer… first");
+                              "no robot is connected over a line; connect one with the menu Robot first");
   platform_.connectNow();
   return {};
 }
@@ -110,12 +110,12 @@ void OpenPlatform::goOnIn(const FileTexts& texts, bool mustFit,
   };
   if (const auto kept = keepKeys(); !kept) report({kept.error()});
   openings_.push_back(nullptr);
-  const auto inPlace = [this, refused = std::move(refused)](const auto& loaded) {
-    outcomes_.push({.change = Change::kScene, .loaded = loaded, .refused = refused});
+  const auto outcome = [this, refused = std::move(refused)](Change change) {
+    return [this, change, refused](const auto& loaded) {
+      outcomes_.push({.change = change, .loaded = loaded, .refused = refused});
+    };
   };
-  platform_.reload(texts, mustFit, again, inPlace, [this](const auto& loaded) {
-    outcomes_.push({.change = Change::kPlatform, .loaded = loaded});
-  });
+  platform_.reload(texts, mustFit, again, outcome(Change::kScene), outcome(Change::kPlatform));
 }
 
 void OpenPlatform::setLayout(const std::filesystem::path& file, const std::string& name) {

@@ -63,8 +63,8 @@ class OpenPlatform {
   void readSceneAgain();
   /// Called by readSceneAgain().
   void onSceneRead(std::function<void()> handler) { onSceneRead_ = std::move(handler); }
-  /// The same as reloadScene() if everything fits between what is there now; otherwise tick() calls `refused`
-  /// with all reasons, which onErrors() does not get then.
+  /// The same as reloadScene() if everything fits between what is there now, or if the scene is opened from
+  /// the start; otherwise tick() calls `refused` with all reasons, which onErrors() does not get then.
   void fitScene(const FileTexts& texts, std::function<void(const robotlink::Errors&)> refused);
   /// Restarts the robots' programs in another layout; with a name only those of that robot or team of a
   /// simulation.

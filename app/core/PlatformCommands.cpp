@@ -109,9 +109,7 @@ void addPlatformCommands(CommandTable& commands, OpenPlatform& open) {
       [&open](const auto& before) {
         if (before.empty()) return layoutNames(open);
         if (before.size() > 1) return std::vector<std::string>();
-        auto names = open.session().robots();
-        for (std::string& team : robotlink::teamNames(open.session())) names.push_back(std::move(team));
-        return names;
+        return robotlink::robotAndTeamNames(open.session());
       });
 }
 

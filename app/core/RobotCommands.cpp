@@ -49,13 +49,6 @@ Result<void> select(OpenPlatform& open, const std::string& name) {
 /// Stands for every robot where commands name one.
 constexpr char kAll[] = "all";
 
-/// The names of robots and teams.
-std::vector<std::string> robotsAndTeams(OpenPlatform& open) {
-  std::vector<std::string> names = open.session().robots();
-  for (std::string& team : robotlink::teamNames(open.session())) names.push_back(std::move(team));
-  return names;
-}
-
 /// The selected robot if `whose` is empty, all robots, the one of this name, or those of this team. Fails if
 /// there are none.
 Result<std::vector<std::string>> robotsMeant(OpenPlatform& open, const std::string& whose) {
@@ -66,9 +59,10 @@ Result<std::vector<std::string>> robotsMeant(OpenPlatform& open, const std::stri
   if (whose == kAll) return robots;
   auto named = robotlink::robotsNamed(open.session(), whose);
   if (!named.empty()) return named;
-  return robotlink::failure(
-      "robot.unknown",
-      "there is no robot or team " + whose + robotlink::suggestion(whose, robotsAndTeams(open)), {}, {whose});
+  return robotlink::failure("robot.unknown",
+                            "there is no robot or team " + whose +
+                                robotlink::suggestion(whose, robotlink::robotAndTeamNames(open.session())),
+                            {}, {whose});
 }
 
 /// Sends a request to each of robotsMeant().
@@ -90,7 +84,7 @@ Result<void> ask(OpenPlatform& open, const Request& request) {
 
 /// What completes the name of a robot, that of a team, or all.
 std::vector<std::string> robotsOrAll(OpenPlatform& open) {
-  std::vector<std::string> names = robotsAndTeams(open);
+  std::vector<std::string> names = robotlink::robotAndTeamNames(open.session());
   names.emplace_back(kAll);
   return names;
 }

@@ -49,7 +49,9 @@ Result<void> place(OpenPlatform& open, const Values& values) {
   const std::string& model = text(values, 0);
   const auto known = models(open);
   if (std::ranges::find(known, model) == known.end() && isModel(open, model))
-    return failure("scene.model", "'" + model + "' is fixed to the world", {}, {model});
+    return failure("scene.model",
+                   "'" + model + "' is fixed to the world; change its <pose> in the scene's file instead", {},
+                   {model});
   if (known.empty())
     return failure("scene.none", "there is no simulation in which something could be placed; open a scene");
   if (std::ranges::find(known, model) == known.end()) {

@@ -71,25 +71,29 @@ class LinkWatch {
   void look() {
     const auto poses = simulation_.bodyPoses();
     for (std::size_t i = 0; i < start_.size(); ++i) {
-      moved_[i] = std::max(moved_[i], (poses[i].translation() - start_[i].translation()).norm());
-      turned_[i] =
-          std::max(turned_[i], Eigen::AngleAxisd(start_[i].linear().transpose() * poses[i].linear()).angle());
+      keepLarger(moved_[i], (poses[i].translation() - start_[i].translation()).norm());
+      keepLarger(turned_[i], Eigen::AngleAxisd(start_[i].linear().transpose() * poses[i].linear()).angle());
     }
   }
 
-  /// The link of a model that has moved most, of several the one that has turned most.
+  /// The link of a model that has moved most, to the millimeter; of several the one that has turned most.
   LinkMotion mostOf(const std::string& model) const {
     LinkMotion most;
     const auto& names = simulation_.renderScene()->bodies;
     for (std::size_t i = 0; i < start_.size(); ++i) {
       if (!names[i].starts_with(model + "/")) continue;
-      if (moved_[i] + turned_[i] >= most.moved + most.turned)
+      const double farther = moved_[i] - most.moved;
+      if (!(std::abs(farther) < 1e-3 ? turned_[i] < most.turned : farther < 0))
         most = {names[i].substr(model.size() + 1), moved_[i], turned_[i]};
     }
     return most;
   }
 
  private:
+  /// NaN counts as larger: what has exploded must not look as if it had rested.
+  static void keepLarger(double& kept, double now) {
+    if (!(now <= kept)) kept = now;
+  }
   const simcore::Simulation& simulation_;
   std::vector<simcore::Pose3> start_;
   std::vector<double> moved_, turned_;

@@ -225,7 +225,7 @@ class Soccer final : public robotlink::Solution {
     const std::string wrong = player_.machine().wrongWith(forced);
     if (wrong.empty()) return;
     context_.debug().text(robotlink::Level::kError, "behavior",
-                          "control.forced = \"" + forced + "\" has no effect: " + wrong);
+                          "a part of control.forced = \"" + forced + "\" has no effect: " + wrong);
   }
 
   void sendToTeam() {

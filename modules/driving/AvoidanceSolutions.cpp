@@ -113,10 +113,10 @@ class Avoidance : public robotlink::Solution {
       debug_.robotDrawing(kArcKey).line(Vector2(0, 0), end, robotlink::colors::kGreen, 3);
     }
     if (!debug_.on(kSpeedKey)) return;
-    debug_.plot(kSpeedKey, "wished", desired().forward, "m/s");
+    debug_.plot(kSpeedKey, "desired", desired().forward, "m/s");
     debug_.plot(kSpeedKey, "requested", limiter_.last().forward, "m/s");
     debug_.plot(kSpeedKey, "driven", driven.forward, "m/s");
-    debug_.plot(kSpeedKey, "rotation wished", desired().rotation, "rad/s");
+    debug_.plot(kSpeedKey, "rotation desired", desired().rotation, "rad/s");
     debug_.plot(kSpeedKey, "rotation requested", limiter_.last().rotation, "rad/s");
     debug_.plot(kSpeedKey, "rotation driven", driven.rotation, "rad/s");
   }

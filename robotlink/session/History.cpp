@@ -226,7 +226,7 @@ void History::keepAround() {
   const Instant shown = timeline_.shown();
   const auto& looked = store_.lookedAt();
   if (!looked || shown < looked->from || shown > looked->to) {
-    // What the timeline shows must be there, unless others have reported so.
+    // What the timeline shows must be there, unless somebody else has set its time.
     if (!store_.has(shown)) return;
     store_.lookAt({shown - kBefore, shown + kBehind});
   }

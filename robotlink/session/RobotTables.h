@@ -29,7 +29,7 @@ std::vector<std::string> taskNames(Session& session);
 std::set<std::string> programPackages(const StreamStore& store, const std::string& robot, Instant time);
 std::set<std::string> heldPackages(const StreamStore& store, const std::string& robot, Instant time);
 std::vector<std::string> solutionNames(Session& session, const std::string& task);
-/// The solution that any robot's program uses for a task now; empty: it has no such task.
+/// The solution that the robot's program uses for a task now; empty: it has no such task.
 std::string activeSolution(const StreamStore& store, const std::string& robot, const std::string& task);
 
 }  // namespace robotlink

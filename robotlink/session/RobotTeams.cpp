@@ -34,14 +34,23 @@ std::vector<std::string> teamNames(Session& session) {
   return names;
 }
 
+std::vector<std::string> robotAndTeamNames(Session& session) {
+  std::vector<std::string> names = session.robots();
+  for (std::string& team : teamNames(session)) names.push_back(std::move(team));
+  return names;
+}
+
+std::vector<std::string> robotsOfTeam(Session& session, const std::string& team) {
+  std::vector<std::string> robots;
+  for (const std::string& robot : session.robots()) {
+    if (!team.empty() && presentTeam(session, robot) == team) robots.push_back(robot);
+  }
+  return robots;
+}
+
 std::vector<std::string> robotsNamed(Session& session, const std::string& name) {
   const auto& all = session.robots();
-  if (std::ranges::find(all, name) != all.end()) return {name};
-  std::vector<std::string> ofTeam;
-  for (const std::string& robot : all) {
-    if (!name.empty() && presentTeam(session, robot) == name) ofTeam.push_back(robot);
-  }
-  return ofTeam;
+  return std::ranges::find(all, name) != all.end() ? std::vector{name} : robotsOfTeam(session, name);
 }
 
 }  // namespace robotlink

@@ -14,6 +14,10 @@ namespace robotlink {
 std::optional<std::string> teamOf(const StreamStore& store, const std::string& robot, Instant shown);
 /// The teams of the session's robots now, each once, in the order of the robots.
 std::vector<std::string> teamNames(Session& session);
+/// The names of the session's robots now, and behind them those of their teams.
+std::vector<std::string> robotAndTeamNames(Session& session);
+/// The robots of a team now, in the order of the session's.
+std::vector<std::string> robotsOfTeam(Session& session, const std::string& team);
 /// The robots that a name stands for now: the robot that is called so, or else all of that team. Empty: there
 /// are none.
 std::vector<std::string> robotsNamed(Session& session, const std::string& name);

@@ -43,13 +43,15 @@ class EdgesAround {
   /// The edge that is nearest to a point of the robot's frame; at kToLines if there is none.
   Nearest nearest(const Vector2& point, double direction = 0) const {
     constexpr double kMeet = 0.005;  // m
-    Nearest best;
     const Vector2 inField = robot_ * point;
+    const auto distanceOf = [&](const FieldEdge& edge) { return (edge.nearest(inField) - inField).norm(); };
+    Nearest best;
+    for (const FieldEdge& edge : edges_) best.distance = std::min(best.distance, distanceOf(edge));
+    best.turned = kPi / 2;
     for (const FieldEdge& edge : edges_) {
-      const double distance = (edge.nearest(inField) - inField).norm();
-      const double turned = std::abs(std::remainder(direction + robot_.heading - edge.direction(), kPi));
-      const bool meets = std::abs(distance - best.distance) < kMeet;
-      if (meets ? turned < best.turned : distance < best.distance) best = {distance, turned};
+      if (distanceOf(edge) > best.distance + kMeet) continue;
+      best.turned =
+          std::min(best.turned, std::abs(std::remainder(direction + robot_.heading - edge.direction(), kPi)));
     }
     return best;
   }

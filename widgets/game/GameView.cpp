@@ -241,12 +241,13 @@ PlayedRoles GameView::playedRoles(const robotcontrol::GameStatus& status) {
         player.robot() + '/' + robotlink::streams::kHosting, shown);
     if (hosting != nullptr && hosting->state() != robotcontrol::HostingStatus::RUNNING)
       played.trouble = hosting->text();
-    const auto* message = session().store().latestAs<robotcontrol::TeamMessage>(
-        player.robot() + '/' + robotlink::kTeamMessage.name, shown);
-    if (message == nullptr) continue;
-    const auto age = shown - robotlink::instant(message->timestamp());
-    played.role = message->role();
-    played.seconds = std::max(0.0, robotlink::seconds(age));
+    const auto* message =
+        session().store().latest(player.robot() + '/' + robotlink::kTeamMessage.name, shown);
+    const auto* said =
+        message == nullptr ? nullptr : dynamic_cast<const robotcontrol::TeamMessage*>(message->value.get());
+    if (said == nullptr) continue;
+    played.role = said->role();
+    played.seconds = std::max(0.0, robotlink::seconds(shown - message->time));
   }
   return roles;
 }

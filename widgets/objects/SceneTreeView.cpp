@@ -351,7 +351,7 @@ bool SceneTreeView::hasPlace(const robotcontrol::WorldObject& object) const {
   const auto* at = &object;
   for (int level = 0; at != nullptr && level < kMaxLevels; ++level) {
     if (at->has_pose_in_frame()) return true;
-    at = model_.object(model_.indexOf(at->parent()));
+    at = model_.object(at->parent());
   }
   return false;
 }

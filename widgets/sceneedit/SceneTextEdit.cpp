@@ -52,6 +52,8 @@ SceneTextEdit::SceneTextEdit(std::shared_ptr<const SceneLanguage> language, QWid
     : MarkedTextEdit(parent), language_(std::move(language)) {
   describe(*this, {"sceneText", tr("Text of the scene"), {}});
   setTabChangesFocus(false);  // it indents
+  // Only what is typed right behind a completed name may be typed over it.
+  connect(this, &QPlainTextEdit::cursorPositionChanged, this, [this] { completedEnd_ = -1; });
   colors_ = new XmlColors(*this);
   numbers_ = new LineNumbers(*this);
   proposals_ = new QStandardItemModel(this);

@@ -98,7 +98,7 @@ void SolutionsView::connectSignals() {
           &SolutionsView::showCurrent);
   connect(defaults_, &QAction::triggered, this, &SolutionsView::selectDefaults);
   connect(inTeam_, &QAction::triggered, this,
-          [this] { selectIn(robotlink::robotsNamed(session(), team())); });
+          [this] { selectIn(robotlink::robotsOfTeam(session(), team())); });
   connect(inAllRobots_, &QAction::triggered, this, [this] { selectIn(session().robots()); });
   connect(&model_, &QAbstractItemModel::modelReset, tree_, &QTreeView::expandAll);
   connect(showParameters_, &QAction::toggled, this, [this](bool on) {

@@ -61,6 +61,9 @@ std::optional<SceneRename> renameBetween(const robotcontrol::WorldObjects& befor
 QString withRename(QString text, const SceneRename& rename) {
   const QString from = QString::fromStdString(rename.from), to = QString::fromStdString(rename.to);
   if (text == from) return to;
+  // With what the Data view compares.
+  const QLatin1String robot("robot:");
+  if (text == robot + from) return robot + to;
   const QString part = from + QLatin1Char('/');
   for (int at = text.indexOf(part); at >= 0; at = text.indexOf(part, at + 1)) {
     if (at > 0 && continuesPath(text[at - 1])) continue;
@@ -81,6 +84,11 @@ QJsonValue withRename(const QJsonValue& state, const SceneRename& rename) {
   QJsonObject renamed;
   const QJsonObject object = state.toObject();
   for (auto each = object.begin(); each != object.end(); ++each) {
+    // The first part of a drawing's name is its kind, such as "field", and not an object.
+    if (each.key() == QLatin1String("drawings")) {
+      renamed.insert(each.key(), each.value());
+      continue;
+    }
     // A key that is a path has more than a name.
     const bool isPath = each.key().contains(QLatin1Char('/'));
     renamed.insert(isPath ? withRename(each.key(), rename) : each.key(), withRename(each.value(), rename));

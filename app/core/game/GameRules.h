@@ -82,6 +82,8 @@ struct GameRules {
   static tl::expected<GameRules, robotlink::Errors> parse(std::string_view text, std::string file);
 };
 
+/// Takes the place of a name of rules where a game has no referee.
+inline constexpr char kNoGame[] = "none";
 /// The file of shipped rules by their name ("2002"), or any other by its path.
 std::filesystem::path gameRulesNamed(const std::string& name);
 

@@ -2,6 +2,7 @@
 #include "app/core/platform/PlatformAdapter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "robotlink/base/Registrations.h"
@@ -48,6 +49,8 @@ PlatformChoices choicesOf(const PlatformForm& form, const std::vector<FormValue>
   PlatformChoices choices;
   const auto fields = form.arguments();
   for (std::size_t i = 0; i < std::min(fields.size(), arguments.size()); ++i) {
+    // A number that was left out before others.
+    if (const auto* number = std::get_if<double>(&arguments[i]); number && std::isnan(*number)) continue;
     if (const auto* source = std::get_if<std::string>(&arguments[i]); fields[i]->isSource && source) {
       choices.sources.push_back(*source);
     } else {

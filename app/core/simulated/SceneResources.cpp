@@ -18,7 +18,7 @@ namespace {
 
 bool isFile(const std::filesystem::path& file) {
   std::error_code ignored;
-  return std::filesystem::exists(file, ignored);
+  return std::filesystem::is_regular_file(file, ignored);
 }
 
 /// An error at the model of a robot in its scene's file.
@@ -62,10 +62,10 @@ Errors missingField(const simcore::Scene& scene) {
 
 Errors missingGame(const simcore::Scene& scene) {
   const std::string& name = scene.world().game;
-  if (name.empty() || isFile(gameRulesNamed(name))) return {};
+  if (name.empty() || name == kNoGame || isFile(gameRulesNamed(name))) return {};
   return {{"scene.game",
-           scene.world().name + ": the <robotcontrol:game> is '" + name +
-               "', of which there are no rules: " + gameRulesNamed(name).string(),
+           scene.world().name + ": the <robotcontrol:game> is '" + name + "', of which there are no rules " +
+               gameRulesNamed(name).string() + "; correct it, or choose others with --game",
            {name},
            scene.world().gameWhere}};
 }
@@ -85,8 +85,7 @@ Errors missingResources(const simcore::Scene& scene) {
     add(missingKind(scene, robot));
     add(missingLayout(scene, robot));
   }
-  // RunOptions::kNoGame.
-  if (scene.world().game != "none") add(missingGame(scene));
+  add(missingGame(scene));
   return all;
 }
 

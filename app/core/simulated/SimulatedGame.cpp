@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/core/game/GameMessages.h"
+#include "app/core/game/GameRules.h"
 #include "app/core/game/KickOff.h"
 #include "app/core/platform/PublishGate.h"
 #include "app/core/program/RecordingTap.h"
@@ -35,9 +36,9 @@ constexpr robotlink::Duration kPublishEvery = std::chrono::milliseconds(96);
 Errors SimulatedRun::makeGame() {
   const std::string& ofScene = world_->simulation().scene().world().game;
   const std::string name = options_.game.empty() ? ofScene : options_.game;
-  if (options_.kickOffs && !name.empty() && name != RunOptions::kNoGame) {
-    if (Errors missing = missingGame(world_->simulation().scene()); options_.game.empty() && !missing.empty())
-      return missing;
+  if (options_.kickOffs && !name.empty() && name != kNoGame) {
+    if (options_.game.empty())
+      if (Errors missing = missingGame(world_->simulation().scene()); !missing.empty()) return missing;
     auto rules = GameRules::load(gameRulesNamed(name));
     if (!rules) return rules.error();
     rules_ = std::make_shared<const GameRules>(std::move(*rules));

@@ -204,6 +204,9 @@ ProgramOverrides SimulatedRun::overridesOf(const HostedRobot& robot) const {
     break;
   }
   for (const auto& [task, solution] : keptSolutionsOf(robot)) overrides.chooseSolution(task, solution);
+  // A robot that was removed and put back goes on with what was chosen for it.
+  for (const auto& [task, solution] : solutionsFor(chosenSolutions_->all(), robot))
+    overrides.chooseSolution(task, solution);
   return overrides;
 }
 
@@ -223,13 +226,24 @@ RunOptions SimulatedRun::optionsToKeep() const {
     kept.keptSolutions.erase(robot->name());
   }
   TeamSolutions chosen = chosenSolutions_->all();
+  // Those for all robots would win over what one of them has chosen, so each gets its own.
+  std::set<std::string> tasks;
+  for (const auto& [robot, solutions] : chosen)
+    for (const auto& [task, solution] : solutions) tasks.insert(task);
   for (const auto& robot : robots_) {
     auto& solutions = chosen[robot->name()];
+    for (const auto& [task, solution] : options_.solutions)
+      if (tasks.contains(task)) solutions.emplace(task, solution);
     solutions.merge(solutionsFor(options_.robotSolutions, robot->robot()));
     solutions.merge(keptSolutionsOf(robot->robot()));
   }
-  std::erase_if(chosen, [](const auto& one) { return one.second.empty(); });
-  kept.keptSolutions.merge(chosen);
+  std::erase_if(kept.solutions, [&](const auto& one) { return tasks.contains(one.first); });
+  for (auto& [name, solutions] : chosen) {
+    if (solutions.empty()) continue;
+    auto& all = kept.keptSolutions[name];
+    solutions.merge(all);
+    all = std::move(solutions);
+  }
   return kept;
 }
 

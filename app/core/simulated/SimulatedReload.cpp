@@ -51,6 +51,7 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn(bool mustFit) {
            next->world().models.end();
   };
   auto motions = goneMotions_;
+  std::erase_if(motions, [&](const auto& one) { return isThere(one.first); });
   for (const auto& model : before.world().models) {
     if (!isThere(model.name)) motions[model.name] = world_->simulation().motionOf(model.name);
   }

@@ -105,7 +105,6 @@ struct RunOptions {
   /// The rules by which the referee decides: the name of shipped ones, or a file. Empty: those that the scene
   /// names; kNoGame: without a referee.
   std::string game = {};
-  static constexpr char kNoGame[] = "none";
   /// Called while the scene is loaded; can cancel that.
   simcore::LoadProgress progress = {};
   /// Whether the true classes are sent with all images, even without a receiver.

@@ -101,6 +101,7 @@ Result<std::vector<std::string>> SimulatedRun::restore(const simcore::Snapshot& 
   auto restored = world_->restore(snapshot);
   if (!restored) return restored;
   again_.reset();
+  goneMotions_.clear();
   spoilJournal(isFresh ? "it began with a snapshot" : "the world was put to a snapshot without the programs");
   restoreRadio(snapshot);
   restoreGame(snapshot);

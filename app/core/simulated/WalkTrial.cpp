@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/game/GameRules.h"
 #include "app/core/simulated/RunEnd.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Random.h"
@@ -102,7 +103,7 @@ tl::unexpected<robotlink::Errors> impossible(const char* id, std::string text) {
 tl::expected<WalkTrial::Result, robotlink::Errors> WalkTrial::measure() const {
   RunOptions options = run;
   options.kickOffs = false;
-  options.game = RunOptions::kNoGame;
+  options.game = kNoGame;
   robotlink::Random random(options.world.seed, 0x3A1C);
   auto made = SimulatedRun::create(std::move(options), listeners);
   if (!made) return tl::unexpected(made.error());

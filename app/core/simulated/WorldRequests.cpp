@@ -97,7 +97,8 @@ Result<void> setSensorErrors(SimulatedWorld& world, const Request& request) {
     if (wanted.has_drift()) noise.driftStddev = wanted.drift();
     if (wanted.has_drift_time()) noise.driftTime = wanted.drift_time();
     if (wanted.has_precision()) noise.precision = wanted.precision();
-    if (ofNumbers && noise.driftStddev > 0 && noise.driftTime == 0)
+    const bool isOfDrift = wanted.has_drift() || wanted.has_drift_time();
+    if (isOfDrift && noise.driftStddev > 0 && noise.driftTime == 0)
       noise.driftTime = simcore::NoiseModel::kForever;
   }
   if (wanted.has_delay()) errors.delay = wanted.delay();

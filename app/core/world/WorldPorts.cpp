@@ -165,6 +165,15 @@ robotlink::Result<void> WorldPorts::read(const robotcontrol::ReadPorts& request)
                                 {}, {port});
     }
   }
+  for (const std::string& port : request.ports()) {
+    if (world_.simulation().portOfTruth(port) == nullptr) continue;
+    const auto reading = readingOf(world_.simulation(), port);
+    if (reading && static_cast<std::size_t>(reading->values_size()) > kMaxNumbers)
+      return robotlink::failure(
+          "simulation.port",
+          port + " has more than " + std::to_string(kMaxNumbers) + " numbers; a controller can read it", {},
+          {port});
+  }
   read_.insert(request.ports().begin(), request.ports().end());
   // What robots send anyway is not sent twice.
   for (const auto& camera : world_.simulation().cameras())

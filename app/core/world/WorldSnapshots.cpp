@@ -89,13 +89,14 @@ robotlink::Result<std::vector<std::string>> SimulatedWorld::restore(const simcor
   if (!restored) return restored;
   if (isFresh) clock_.set(robotlink::Instant(simulation_->time()));
   settleAfterJump();
+  // What was held after the snapshot is not held in it.
+  if (part != snapshot.parts.end()) held_.forget();
   if (!kept) return restored;
   digest_ = kept->digest;
   costs_.images = kept->images;
   options_.lighting = kept->lighting;
   cameraSettings_ = kept->cameras;
   cameraErrorsChosen_ = kept->errorsChosen;
-  held_.forget();
   // What cannot be held any more need not be.
   for (const auto& [port, values] : kept->held) (void)held_.hold(*simulation_, port, values);
   return restored;

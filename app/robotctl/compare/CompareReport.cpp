@@ -253,7 +253,8 @@ std::string changeText(const Comparison& comparison, const Difference& one) {
   const MeanInterval first =
       row == comparison.rows().end() ? MeanInterval() : Comparison::meanOf(*row, one.first);
   // A change from what may be 0 has no share.
-  const double before = first.low > 0 || first.high < 0 ? std::abs(first.mean) : 0;
+  const bool mayBeZero = first.low <= 0 && first.high >= 0;
+  const double before = mayBeZero || !std::isfinite(first.mean) ? 0 : std::abs(first.mean);
   const bool isLess = one.change.mean < 0;
   const std::string amount =
       before > 0 ? fmt::format("{:.3g} % ", 100 * std::abs(one.change.mean) / before) : std::string();

@@ -57,7 +57,8 @@ void readMotion(const sdf::ElementPtr& element, ModelDescription& model, const S
   model.motion = *mode;
   if (*mode != MotionMode::kPhysics && !model.drive && !model.canFollow())
     context.fail(source, "scene.motion", kMotionNeeds);
-  if (model.drive && source->HasAttribute("objects") && source->Get<std::string>("objects") == "push")
+  if (*mode != MotionMode::kPhysics && model.drive && source->HasAttribute("objects") &&
+      source->Get<std::string>("objects") == "push")
     context.fail(source, "scene.motion", kDrivesStop);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/game/GameRules.h"
 #include "app/core/game/Referee.h"
 
 #include <gmock/gmock.h>
@@ -138,7 +139,7 @@ TEST(Referee, saysWhyItRefuses) {
 
 TEST(Referee, rulesOfTheOptionsGoBeforeThoseOfTheScene) {
   RunOptions without = GameOf2002::options();
-  without.game = RunOptions::kNoGame;
+  without.game = kNoGame;
   EXPECT_EQ(GameOf2002(without).run->referee(), nullptr);
   RunOptions with = GameOf2002::options("field2002");
   with.game = "2002";

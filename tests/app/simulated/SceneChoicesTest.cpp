@@ -99,6 +99,17 @@ TEST_F(SceneChoicesTest, solutionsThatWereChosenInTheGameAreKeptWithIt) {
   EXPECT_EQ(third.solutionOf("red1"), "field-monte-carlo");
 }
 
+TEST_F(SceneChoicesTest, whatARobotChoseGoesBeforeWhatAllWereGivenAtTheStart) {
+  OpenedScenes scenes(kept);
+  scenes.open(game, [](RunOptions& options) {
+    EXPECT_TRUE(chooseSolutions({std::string(kPlace) + "=odometry"}, options));
+  });
+  scenes.choose("red1", "kalman");
+  scenes.open(game);
+  EXPECT_EQ(scenes.solutionOf("red1"), "kalman");
+  EXPECT_EQ(scenes.solutionOf("blue1"), "odometry");
+}
+
 TEST_F(SceneChoicesTest, layoutsThatWereChosenInOneSceneAreNotThoseOfAnother) {
   {
     OpenedScenes first(kept);

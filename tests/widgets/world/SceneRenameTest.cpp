@@ -53,6 +53,14 @@ TEST(SceneRename, whatComesAndGoesOrIsAnotherThingWasNot) {
   EXPECT_EQ(renameBetween(withModel("ball"), other), std::nullopt);
 }
 
+TEST(SceneRename, kindsOfDrawingsAreNoObjectsAndComparisonsFollow) {
+  const QJsonObject drawings{{"order", QJsonArray{"field/ball"}}};
+  const QJsonObject state{{"drawings", drawings}, {"comparison", "robot:field"}};
+  const QJsonObject renamed = withRename(QJsonValue(state), SceneRename{"field", "pitch"}).toObject();
+  EXPECT_EQ(renamed["drawings"].toObject(), drawings);
+  EXPECT_EQ(renamed["comparison"].toString(), QStringLiteral("robot:pitch"));
+}
+
 TEST(SceneRename, textsNameTheObjectAndItsPartsAnew) {
   const auto renamed = [](const char* text) {
     return withRename(QString::fromUtf8(text), SceneRename{"red1", "blue12"}).toStdString();
