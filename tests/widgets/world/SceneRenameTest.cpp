@@ -54,14 +54,16 @@ TEST(SceneRename, whatComesAndGoesOrIsAnotherThingWasNot) {
 }
 
 TEST(SceneRename, kindsOfDrawingsAreNoObjectsAndComparisonsFollow) {
-  const QJsonObject drawings{{"order", QJsonArray{"field/ball"}}};
-  const QJsonObject state{{"drawings", drawings}, {"comparison", "robot:field"}};
+  const QString order = QStringLiteral("order"), drawings = QStringLiteral("drawings");
+  const QString comparison = QStringLiteral("comparison");
+  const QJsonObject kinds{{order, QJsonArray{QStringLiteral("field/ball")}}};
+  const QJsonObject state{{drawings, kinds}, {comparison, QStringLiteral("robot:field")}};
   const QJsonObject renamed = withRename(QJsonValue(state), SceneRename{"field", "pitch"}).toObject();
-  EXPECT_EQ(renamed["drawings"].toObject(), drawings);
-  EXPECT_EQ(renamed["comparison"].toString(), QStringLiteral("robot:pitch"));
+  EXPECT_EQ(renamed[drawings].toObject(), kinds);
+  EXPECT_EQ(renamed[comparison].toString(), QStringLiteral("robot:pitch"));
 }
 
-TEST(SceneRename, textsNameTheObjectAndItsPartsAnew) {
+TEST(SceneRename, textsNameTheObjectAndItsParts) {
   const auto renamed = [](const char* text) {
     return withRename(QString::fromUtf8(text), SceneRename{"red1", "blue12"}).toStdString();
   };
