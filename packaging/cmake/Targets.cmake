@@ -42,7 +42,9 @@ endfunction()
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  # What it keeps of sources with precompiled headers it keeps only if it is told that the headers' macros do not matter. It asks
+  # the compiler what a source includes, instead of preprocessing the source before it compiles it.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1 ${CCACHE})
 endif()
 
 option(ROBOTCONTROL_UNITY "Compile the sources of a target several at a time, which takes a third of the time" OFF)
@@ -85,18 +87,63 @@ function(robotcontrol_even_batches target)
     math(EXPR size "(${count} + ${batches} - 1) / ${batches}")
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${size})
+
+  get_target_property(precompiled ${target} ROBOTCONTROL_PRECOMPILED)
+  if(precompiled AND TARGET ${precompiled})
+    set_property(TARGET ${target} PROPERTY PRECOMPILE_HEADERS)  # what it has in other builds
+    target_precompile_headers(${target} REUSE_FROM ${precompiled})
+  endif()
 endfunction()
 
 # robotcontrol_no_loops(TARGET): for what waits for people, files and lines: wiring, dialogs, commands. A little optimization is
 # enough there, and takes two thirds of the time to compile.
 function(robotcontrol_no_loops target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  set_target_properties(${target} PROPERTIES ROBOTCONTROL_PRECOMPILED robotcontrol_precompiled_no_loops)
 endfunction()
 
 # robotcontrol_declarations(TARGET): for what declares options, reads a command line and prints, once in a run: not optimized, it
 # takes half of the time to compile.
 function(robotcontrol_declarations target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
+  robotcontrol_not_precompiled(${target})
+endfunction()
+
+# robotcontrol_not_precompiled(TARGET): for what includes little of the precompiled headers, or has flags that they do not have.
+function(robotcontrol_not_precompiled target)
+  set_target_properties(${target} PROPERTIES ROBOTCONTROL_PRECOMPILED "")
+endfunction()
+
+# What sources include most, compiled once for all libraries: robotcontrol_precompiled, and robotcontrol_precompiled_no_loops for
+# those that are optimized a little, which wire packages of all kinds. A target takes the one that its property
+# ROBOTCONTROL_PRECOMPILED names. Builds that are not unity have none, and so find what a source has not included; g++ 12 has none,
+# since with them it reports false warnings inside of std::string.
+set(ROBOTCONTROL_PRECOMPILES OFF)
+if(ROBOTCONTROL_UNITY AND NOT ROBOTCONTROL_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  set(ROBOTCONTROL_PRECOMPILES ON)
+endif()
+function(robotcontrol_precompile)
+  if(NOT ROBOTCONTROL_PRECOMPILES)
+    return()
+  endif()
+  file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cpp "// Carries the precompiled headers of the libraries.\n")
+  foreach(name robotcontrol_precompiled robotcontrol_precompiled_no_loops)
+    add_library(${name} OBJECT EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/precompiled.cpp)
+    target_link_libraries(${name} PRIVATE robotcontrol_options Eigen3::Eigen protobuf::libprotobuf tl::expected)
+    target_precompile_headers(${name} PRIVATE
+      <Eigen/Geometry> <google/protobuf/descriptor.h> <google/protobuf/map.h> <google/protobuf/message.h> <google/protobuf/repeated_field.h>
+      <tl/expected.hpp>
+      <algorithm> <array> <atomic> <chrono> <cmath> <condition_variable> <deque> <filesystem> <fstream> <functional> <iomanip> <iostream>
+      <map> <memory> <mutex> <numeric> <optional> <set> <span> <sstream> <string> <thread> <unordered_map> <utility> <variant> <vector>)
+  endforeach()
+  robotcontrol_no_loops(robotcontrol_precompiled_no_loops)
+  target_link_libraries(robotcontrol_precompiled_no_loops PRIVATE nlohmann_json::nlohmann_json)
+  # To link them would be to wait for all of them.
+  target_include_directories(robotcontrol_precompiled_no_loops SYSTEM PRIVATE
+    $<TARGET_PROPERTY:robotlink_schemas,INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
+  add_dependencies(robotcontrol_precompiled_no_loops robotlink_schemas_code)
+  target_precompile_headers(robotcontrol_precompiled_no_loops PRIVATE
+    <nlohmann/json.hpp> <robotcontrol/Debugging.pb.h> <robotcontrol/Requests.pb.h>)
 endfunction()
 
 add_library(robotcontrol_options INTERFACE)
@@ -168,6 +215,7 @@ function(robotcontrol_library name)
     return()
   endif()
   add_library(${name} ${kind} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES ROBOTCONTROL_PRECOMPILED robotcontrol_precompiled)
   robotcontrol_unity(${name})
   target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:robotcontrol_options> ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   if(kind STREQUAL SHARED AND NOT ROBOTCONTROL_SANITIZE)
@@ -230,7 +278,7 @@ function(robotcontrol_quick_compilation name)
 endfunction()
 
 # What GoogleTest programs include most, compiled once for all of them: tests_precompiled, and tests_precompiled_loops for those
-# that are optimized.
+# that are optimized. Tests of views share tests_precompiled_views.
 function(robotcontrol_precompile_tests)
   file(WRITE ${CMAKE_BINARY_DIR}/tests_precompiled.cpp "// Carries the precompiled headers of the tests.\nint main() {}\n")
   foreach(kind "" LOOPS)
@@ -243,7 +291,24 @@ function(robotcontrol_precompile_tests)
     robotcontrol_quick_compilation(${name} ${kind})
     target_precompile_headers(${name} PRIVATE
       <gmock/gmock.h> <gtest/gtest.h> <Eigen/Geometry> <google/protobuf/message.h> <functional> <map> <memory> <string> <vector>)
+    if(ROBOTCONTROL_PRECOMPILES)
+      target_precompile_headers(${name} PRIVATE
+        <google/protobuf/descriptor.h> <google/protobuf/map.h> <tl/expected.hpp>
+        <algorithm> <chrono> <condition_variable> <deque> <filesystem> <fstream> <iostream> <mutex> <optional> <set> <span> <sstream>
+        <thread> <unordered_map> <variant>)
+    endif()
   endforeach()
+  if(ROBOTCONTROL_GUI AND ROBOTCONTROL_PRECOMPILES)
+    add_library(tests_precompiled_views OBJECT EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/tests_precompiled.cpp)
+    target_link_libraries(tests_precompiled_views PRIVATE robotcontrol_options Eigen3::Eigen protobuf::libprotobuf Qt5::Widgets Qt5::Test)
+    target_compile_definitions(tests_precompiled_views PRIVATE QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII)
+    robotcontrol_quick_compilation(tests_precompiled_views)
+    target_precompile_headers(tests_precompiled_views PRIVATE
+      <QAction> <QApplication> <QComboBox> <QImage> <QLabel> <QMenu> <QPushButton> <QSignalSpy> <QTest> <QTreeView> <QWidget>
+      <Eigen/Geometry> <google/protobuf/descriptor.h> <google/protobuf/map.h> <google/protobuf/message.h> <tl/expected.hpp>
+      <algorithm> <chrono> <deque> <filesystem> <fstream> <functional> <map> <memory> <mutex> <optional> <set> <span> <sstream> <string>
+      <thread> <variant> <vector>)
+  endif()
 endfunction()
 
 # What a test labeled slow does is bounded by the test itself: by simulated time, inputs or bytes. On a machine that does other
@@ -287,6 +352,7 @@ function(robotcontrol_test_program name)
     ROBOTCONTROL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(ARG_QT)
     robotcontrol_moc(${name})
+    set_target_properties(${name} PROPERTIES ROBOTCONTROL_PRECOMPILED tests_precompiled_views)
     target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} Qt5::Test)
   else()
     target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} GTest::gmock_main)
