@@ -26,7 +26,7 @@ install(FILES ${CMAKE_CURRENT_LIST_DIR}/RobotControlArcosConfig.cmake ${CMAKE_BI
 
 foreach(header
     arcos/ClientSession.h arcos/GripperState.h arcos/MotionGoal.h arcos/PioneerClient.h arcos/PioneerRobot.h arcos/RobotState.h arcos/RobotType.h
-    arcos/StateDecoder.h arcos/WireUnits.h arcos/codec/Command.h arcos/codec/CommandCatalog.h arcos/codec/CommandId.h
+    arcos/StateDecoder.h arcos/WireUnits.h arcos/codec/Command.h arcos/codec/ArcosCommandCatalog.h arcos/codec/CommandId.h
     arcos/codec/Configuration.h arcos/codec/Conversation.h arcos/codec/Identity.h arcos/codec/LaserPacket.h
     arcos/codec/LaserScan.h arcos/codec/Packet.h arcos/codec/PacketDescription.h arcos/codec/PacketParser.h
     arcos/codec/RangeScan.h arcos/codec/SensorPackets.h arcos/codec/ServerPackets.h arcos/codec/SimulatorCommands.h

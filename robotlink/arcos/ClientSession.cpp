@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "robotlink/arcos/codec/CommandCatalog.h"
+#include "robotlink/arcos/codec/ArcosCommandCatalog.h"
 #include "robotlink/arcos/codec/ServerPackets.h"
 
 namespace robotlink::arcos {
@@ -159,7 +159,7 @@ void ClientSession::take(const PacketParser::Found& found, Instant now) {
   std::visit([&](const auto& value) { (void)take(value, now); }, found);
 }
 
-void ClientSession::take(const Damage&, Instant) {
+void ClientSession::take(const DamagedBytes&, Instant) {
   ++damages_;
 }
 

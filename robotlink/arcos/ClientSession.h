@@ -122,7 +122,7 @@ class ClientSession {
   /// Takes only the data of a packet that the robot sent to another client, while this session is closed.
   News overhear(const Packet& packet, Instant now);
   /// Damage is otherwise ignored, but improves error messages (wrong baud rate).
-  void take(const Damage& damage, Instant now);
+  void take(const DamagedBytes& damage, Instant now);
   /// Either of the two, as PacketParser::next() returns it.
   void take(const PacketParser::Found& found, Instant now);
   /// Handles timeouts, and sends what is due.

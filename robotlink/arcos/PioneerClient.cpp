@@ -45,7 +45,7 @@ void PioneerClient::take(std::span<const std::uint8_t> bytes, Instant now) {
       listener_.packetPassed(Direction::kFromRobot, *packet, parser_.frame(), now);
       use(session_.take(*packet, now), now);
     } else {
-      const Damage& damage = std::get<Damage>(*found);
+      const DamagedBytes& damage = std::get<DamagedBytes>(*found);
       listener_.damageCame(damage, now);
       session_.take(damage, now);
     }

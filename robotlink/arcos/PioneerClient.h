@@ -27,7 +27,7 @@ class PioneerClient {
     /// empty if it was handed over as a value.
     virtual void packetPassed(Direction, const Packet&, std::span<const std::uint8_t> /*frame*/, Instant) {}
     /// Bytes have come that are no packet.
-    virtual void damageCame(const Damage&, Instant) {}
+    virtual void damageCame(const DamagedBytes&, Instant) {}
     /// The robot has identified itself: its odometry starts over.
     virtual void robotIdentified() {}
     virtual void configurationCame(const Configuration&) {}

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "robotlink/calibration/CameraModel.h"
+#include "robotlink/calibration/LensModel.h"
 
 // What robotcontrol_calibration.so offers. It is a module of its own, loaded when the first camera is
 // calibrated, because OpenCV's calib3d brings many libraries, which every start would have to load. Pixels

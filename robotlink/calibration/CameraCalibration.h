@@ -7,7 +7,7 @@
 
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
-#include "robotlink/calibration/CameraModel.h"
+#include "robotlink/calibration/LensModel.h"
 
 // Calibrates cameras, with OpenCV's calib3d. All functions may be called from any thread, and take from
 // milliseconds to seconds. Errors have the ids "calibration.module" (OpenCV is not there),

@@ -23,11 +23,11 @@ struct LineGap {
 };
 
 /// What of a stream did not come over the line, as the robot's end of it counts. A plain value.
-struct LeftOut {
+struct MissingMessages {
   /// Messages that were replaced by newer ones before they were sent, because the line was too narrow or a
   /// lower rate was chosen; and messages that were lost.
   std::uint64_t thinned = 0, lost = 0;
-  bool operator==(const LeftOut&) const = default;
+  bool operator==(const MissingMessages&) const = default;
 };
 
 /// How a robot whose program runs elsewhere is connected with a session. A plain value.
@@ -39,8 +39,8 @@ struct RemoteRobot {
   std::string state = {};
   /// In order of time.
   std::vector<LineGap> gaps = {};
-  /// Keyed by the streams' paths in the session; those that came whole are missing.
-  std::map<std::string, LeftOut> leftOut = {};
+  /// Keyed by the streams' paths in the session; those that came whole have no entry.
+  std::map<std::string, MissingMessages> missing = {};
   /// Whether its server is of another program, so that it has no solutions, keys or processes as others have.
   bool isForeign = false;
   bool operator==(const RemoteRobot&) const = default;

@@ -10,7 +10,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/bytes/ByteReader.h"
 #include "robotlink/foxglove/protocol/Base64.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 #include "robotlink/foxglove/security/Digest.h"
 #include "robotlink/foxglove/server/ServedClient.h"
 #include "tests/TestFolder.h"

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "app/core/simulated/WorldRequests.h"
+#include "app/core/simulated/WorldChanges.h"
 #include "app/core/world/SimulatedWorld.h"
 #include "app/core/world/WorldObjects.h"
 #include "foxglove/Image.pb.h"

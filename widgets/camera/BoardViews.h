@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "robotlink/calibration/CameraModel.h"
+#include "robotlink/calibration/LensModel.h"
 
 namespace widgets {
 

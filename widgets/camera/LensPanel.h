@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "robotlink/calibration/CameraModel.h"
+#include "robotlink/calibration/LensModel.h"
 #include "widgets/camera/BoardViews.h"
 
 class QAction;

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "robotlink/calibration/CameraModel.h"
+#include "robotlink/calibration/LensModel.h"
 
 class QAction;
 class QComboBox;

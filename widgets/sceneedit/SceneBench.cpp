@@ -11,7 +11,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/RecoveryFile.h"
-#include "widgets/sceneedit/SceneObjects.h"
+#include "widgets/sceneedit/SceneFileObjects.h"
 
 namespace widgets {
 

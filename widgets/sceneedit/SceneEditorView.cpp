@@ -21,7 +21,7 @@
 #include "widgets/EmptyHint.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneDialogs.h"
-#include "widgets/sceneedit/SceneObjects.h"
+#include "widgets/sceneedit/SceneFileObjects.h"
 #include "widgets/sceneedit/SceneProblemModel.h"
 #include "widgets/sceneedit/SceneTextEdit.h"
 #include "widgets/text/FindBar.h"

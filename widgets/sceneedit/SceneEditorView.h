@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "widgets/View.h"
-#include "widgets/sceneedit/SceneObjects.h"
+#include "widgets/sceneedit/SceneFileObjects.h"
 
 class QLabel;
 class QMenu;

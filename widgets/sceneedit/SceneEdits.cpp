@@ -12,8 +12,8 @@
 #include "widgets/View.h"
 #include "widgets/sceneedit/SceneBench.h"
 #include "widgets/sceneedit/SceneFile.h"
+#include "widgets/sceneedit/SceneFileObjects.h"
 #include "widgets/sceneedit/SceneLanguage.h"
-#include "widgets/sceneedit/SceneObjects.h"
 #include "widgets/world/ObjectPose.h"
 
 namespace widgets {

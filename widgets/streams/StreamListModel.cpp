@@ -61,8 +61,8 @@ std::vector<StreamRow> StreamListModel::rowsOf(robotlink::Session& session,
     row.asked = askers.of(*stream);
     const auto line = remote.find(robot);
     if (line == remote.end()) continue;
-    if (const auto counted = line->second.leftOut.find(stream->path); counted != line->second.leftOut.end())
-      row.leftOut = counted->second;
+    if (const auto counted = line->second.missing.find(stream->path); counted != line->second.missing.end())
+      row.missing = counted->second;
   }
   return rows;
 }
@@ -74,7 +74,7 @@ void StreamListModel::setRows(std::vector<StreamRow> rows, Which which) {
     row.share = all > 0 ? static_cast<double>(row.bytes) / static_cast<double>(all) : 0;
   if (which == Which::kUnread) std::erase_if(rows, [](const StreamRow& row) { return row.asked.isRead(); });
   if (which == Which::kLeftOut)
-    std::erase_if(rows, [](const StreamRow& row) { return row.leftOut == robotlink::LeftOut(); });
+    std::erase_if(rows, [](const StreamRow& row) { return row.missing == robotlink::MissingMessages(); });
   if (rows == rows_) return;
   replaceRows(std::move(rows),
               [](const StreamRow& a, const StreamRow& b) { return a.log == b.log && a.path == b.path; });
@@ -95,7 +95,7 @@ QVariant StreamListModel::sortValue(const StreamRow& row, int column) const {
     case kShare:
       return row.share;
     case kLeftOut:
-      return qulonglong{row.leftOut.thinned + row.leftOut.lost};
+      return qulonglong{row.missing.thinned + row.missing.lost};
     default:
       return shownText(row, column);
   }
@@ -119,10 +119,10 @@ QString StreamListModel::shownText(const StreamRow& row, int column) const {
     case kShare:
       return row.share > 0 ? tr("%1 %").arg(row.share * 100, 0, 'f', 1) : unknown;
     case kLeftOut:
-      return row.leftOut == robotlink::LeftOut() ? QString()
-             : row.leftOut.lost == 0
-                 ? tr("%1 thinned").arg(row.leftOut.thinned)
-                 : tr("%1 thinned, %2 lost").arg(row.leftOut.thinned).arg(row.leftOut.lost);
+      return row.missing == robotlink::MissingMessages() ? QString()
+             : row.missing.lost == 0
+                 ? tr("%1 thinned").arg(row.missing.thinned)
+                 : tr("%1 thinned, %2 lost").arg(row.missing.thinned).arg(row.missing.lost);
     case kAskedBy:
       return row.asked.isRead()        ? (row.asked.views + row.asked.clients).join(QStringLiteral(", "))
              : row.asked.key.isEmpty() ? QString()
@@ -163,7 +163,7 @@ QVariant StreamListModel::data(const QModelIndex& index, int role) const {
     return font;
   }
   if (role == Qt::ForegroundRole) {
-    const bool isLoss = index.column() == kLeftOut && at.leftOut.lost > 0;
+    const bool isLoss = index.column() == kLeftOut && at.missing.lost > 0;
     if (isLoss) return colorOf(Meaning::kBad, QGuiApplication::palette());
     const bool isUnread = index.column() == kAskedBy && !at.asked.isRead();
     return isUnread ? QVariant(colorOf(Meaning::kMuted, QGuiApplication::palette())) : QVariant();

@@ -33,7 +33,7 @@ struct StreamRow {
   /// Its part of the bytes of all streams, 0 to 1.
   double share = 0;
   /// What did not come over the line; only for a remote robot.
-  robotlink::LeftOut leftOut = {};
+  robotlink::MissingMessages missing = {};
   StreamAsked asked = {};
   /// Whether it has a row in the timeline.
   bool shown = true;

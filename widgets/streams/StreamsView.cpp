@@ -156,8 +156,8 @@ void StreamsView::showSummary() {
     messages += of.count;
     bytes += of.bytes;
     byteRate += of.byteRate;
-    thinned += of.leftOut.thinned;
-    lost += of.leftOut.lost;
+    thinned += of.missing.thinned;
+    lost += of.missing.lost;
   }
   QStringList parts{tr("streams: %1, messages: %2").arg(model_.rowCount()).arg(messages)};
   if (bytes > 0) parts << tr("size: %1").arg(bytesText(bytes));

@@ -33,8 +33,9 @@ robotlink::Result<std::vector<arcos::Packet>> packetsOf(const std::string& bytes
     if (auto* packet = std::get_if<arcos::Packet>(&*found)) {
       packets.push_back(std::move(*packet));
     } else {
-      return robotlink::failure("drive.packet", std::string("the bytes to send hold no packet: ") +
-                                                    arcos::describe(std::get<arcos::Damage>(*found).kind));
+      return robotlink::failure("drive.packet",
+                                std::string("the bytes to send hold no packet: ") +
+                                    arcos::describe(std::get<arcos::DamagedBytes>(*found).kind));
     }
   }
   if (parser.isPartial()) return robotlink::failure("drive.packet", "the bytes to send end within a packet");
@@ -136,7 +137,7 @@ void PioneerDriver::packetPassed(arcos::Direction direction, const arcos::Packet
   meter_.packet(direction == arcos::Direction::kFromRobot, packet, frame, now);
 }
 
-void PioneerDriver::damageCame(const arcos::Damage& damage, Instant now) {
+void PioneerDriver::damageCame(const arcos::DamagedBytes& damage, Instant now) {
   meter_.damage(damage.bytes, now);
 }
 

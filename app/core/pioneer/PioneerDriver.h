@@ -109,7 +109,7 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   // What the client reports.
   void packetPassed(robotlink::arcos::Direction direction, const robotlink::arcos::Packet& packet,
                     std::span<const std::uint8_t> frame, robotlink::Instant now) override;
-  void damageCame(const robotlink::arcos::Damage& damage, robotlink::Instant now) override;
+  void damageCame(const robotlink::arcos::DamagedBytes& damage, robotlink::Instant now) override;
   void robotIdentified() override { packages_.restart(); }
   void configurationCame(const robotlink::arcos::Configuration& configuration) override;
   void stateCame(const robotlink::arcos::StandardInformation& information, robotlink::Instant now) override;

@@ -60,16 +60,16 @@ struct RemoteRobots::Line {
   /// The beginning of the last gap that was noted in the robots' texts.
   std::optional<Instant> noted = {};
   /// What was left out of its streams, by their paths.
-  std::map<std::string, robotlink::LeftOut> leftOut = {};
+  std::map<std::string, robotlink::MissingMessages> missing = {};
 
   void countLeftOut();
 };
 
 void RemoteRobots::Line::countLeftOut() {
-  leftOut.clear();
+  missing.clear();
   for (const auto& stream : client->streams()) {
-    const robotlink::LeftOut counted{stream.thinned.value_or(0), stream.dropped.value_or(0)};
-    if (counted != robotlink::LeftOut()) leftOut[stream.path] = counted;
+    const robotlink::MissingMessages counted{stream.thinned.value_or(0), stream.dropped.value_or(0)};
+    if (counted != robotlink::MissingMessages()) missing[stream.path] = counted;
   }
 }
 
@@ -335,7 +335,7 @@ void RemoteRobots::showRobots() {
     for (const auto& gap : line->client->gaps()) gaps.push_back({gap.from, gap.to, gap.reason});
     for (const std::string& robot : line->client->robots())
       shown[robot] = {line->url,     line->client->state().isConnected(), line->client->stateText(), gaps,
-                      line->leftOut, !line->client->hasSession()};
+                      line->missing, !line->client->hasSession()};
   }
   session_.setRemoteRobots(std::move(shown));
 }

@@ -184,7 +184,7 @@ class SimulatedRun {
   /// Puts world and programs back to the start, with another seed. The user's overrides are kept. If the
   /// programs cannot be made again, everything continues as before.
   robotlink::Errors reset(std::uint64_t seed);
-  /// Fulfills a request that changes the world only (WorldRequests.h), and keeps it for runAgain().
+  /// Fulfills a request that changes the world only (WorldChanges.h), and keeps it for runAgain().
   robotlink::Result<void> changeWorld(const robotcontrol::Request& request);
   /// Has the referee, or the radio of the teams, do what is asked, and keeps it for runAgain(). Fails with
   /// the reason, changing nothing.

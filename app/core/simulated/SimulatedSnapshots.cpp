@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/core/simulated/SimulatedRun.h"
-#include "app/core/simulated/WorldRequests.h"
+#include "app/core/simulated/WorldChanges.h"
 #include "simcore/Scene.h"
 #include "simcore/world/StateStream.h"
 

@@ -16,7 +16,7 @@
 #include "app/core/remote/SessionOffer.h"
 #include "app/robotcontrol/remote/DialogParts.h"
 #include "robotlink/commands/CommandTable.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"

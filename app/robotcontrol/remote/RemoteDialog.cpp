@@ -38,7 +38,7 @@ QString joined(const std::vector<std::string>& robots) {
 }
 
 /// Empty: the whole stream is here.
-QString leftOutOf(const robotlink::websocket::RemoteStream& stream) {
+QString missingOf(const robotlink::websocket::RemoteStream& stream) {
   const auto thinned = stream.thinned.value_or(0), dropped = stream.dropped.value_or(0);
   if (!stream.isDecoded)
     return RemoteDialog::tr("not decoded: %1").arg(QString::fromStdString(stream.encoding));
@@ -413,18 +413,18 @@ void RemoteDialog::showConnections() {
     row.setToolTip(1, row.text(1));
     row.setText(2, QString::fromStdString(connection.url));
     row.setData(0, Qt::UserRole, connection.state.connections == 0);
-    showLeftOut(row, connection.url);
+    showMissing(row, connection.url);
     if (connections_->currentItem() == nullptr || row.text(2) == wanted_) connections_->setCurrentItem(&row);
   }
   showSelected();
 }
 
-void RemoteDialog::showLeftOut(QTreeWidgetItem& row, const std::string& url) {
+void RemoteDialog::showMissing(QTreeWidgetItem& row, const std::string& url) {
   row.setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
   if (!row.isExpanded()) return;
   int count = 0;
   for (const auto& stream : robots_.streams(url)) {
-    const QString text = leftOutOf(stream);
+    const QString text = missingOf(stream);
     if (text.isEmpty()) continue;
     QTreeWidgetItem* child = count < row.childCount() ? row.child(count) : new QTreeWidgetItem(&row);
     child->setText(0, text);

@@ -94,7 +94,7 @@ class RemoteDialog final : public QDialog {
   void fail(const QString& reason);
   void showConnections();
   /// Shows what was left out of the streams of a connection, while its row is open.
-  void showLeftOut(QTreeWidgetItem& row, const std::string& url);
+  void showMissing(QTreeWidgetItem& row, const std::string& url);
   /// Shows how the connection that the user asked for is getting on.
   void showProgress();
   void showSelected();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "robotlink/arcos/codec/CommandCatalog.h"
+#include "robotlink/arcos/codec/ArcosCommandCatalog.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "robotlink/arcos/codec/CommandCatalog.h"
+#include "robotlink/arcos/codec/ArcosCommandCatalog.h"
 #include "robotlink/arcos/codec/ConfigurationFields.h"
 #include "robotlink/arcos/codec/ServerPacketFields.h"
 #include "robotlink/arcos/codec/ServerPackets.h"

@@ -10,15 +10,15 @@ constexpr std::size_t kMaxDamage = 256;
 
 }  // namespace
 
-const char* describe(Damage::Kind kind) {
+const char* describe(DamagedBytes::Kind kind) {
   switch (kind) {
-    case Damage::Kind::kCount:
+    case DamagedBytes::Kind::kCount:
       return "impossible length";
-    case Damage::Kind::kChecksum:
+    case DamagedBytes::Kind::kChecksum:
       return "wrong checksum";
-    case Damage::Kind::kPartial:
+    case DamagedBytes::Kind::kPartial:
       return "end of packet missing";
-    case Damage::Kind::kGarbage:
+    case DamagedBytes::Kind::kGarbage:
       break;
   }
   return "no packet";
@@ -49,39 +49,39 @@ std::size_t PacketParser::nextHeader(std::size_t from, std::size_t end) const {
   return end;
 }
 
-Damage PacketParser::takeDamage(Damage::Kind kind, std::size_t end) {
+DamagedBytes PacketParser::takeDamage(DamagedBytes::Kind kind, std::size_t end) {
   end = std::min(end, begin_ + kMaxDamage);
-  Damage damage{kind, Bytes(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
-                            buffer_.begin() + static_cast<std::ptrdiff_t>(end))};
+  DamagedBytes damage{kind, Bytes(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
+                                  buffer_.begin() + static_cast<std::ptrdiff_t>(end))};
   counters_.skippedBytes += damage.bytes.size();
-  if (kind == Damage::Kind::kChecksum) ++counters_.checksumErrors;
+  if (kind == DamagedBytes::Kind::kChecksum) ++counters_.checksumErrors;
   begin_ = end;
   return damage;
 }
 
 std::optional<PacketParser::Found> PacketParser::needMore() {
   if (begin_ >= giveUpBefore_) return std::nullopt;
-  return takeDamage(Damage::Kind::kPartial, nextHeader(begin_ + 1, buffer_.size()));
+  return takeDamage(DamagedBytes::Kind::kPartial, nextHeader(begin_ + 1, buffer_.size()));
 }
 
 std::optional<PacketParser::Found> PacketParser::next() {
   frameSize_ = 0;
   if (begin_ == buffer_.size()) return std::nullopt;
   const std::size_t header = nextHeader(begin_, buffer_.size());
-  if (header != begin_) return takeDamage(Damage::Kind::kGarbage, header);
+  if (header != begin_) return takeDamage(DamagedBytes::Kind::kGarbage, header);
 
   const std::size_t available = buffer_.size() - begin_;
   if (available < 3) return needMore();
   const std::size_t count = buffer_[begin_ + 2];
   if (count < kMinCount || count > kMaxCount) {
-    return takeDamage(Damage::Kind::kCount, nextHeader(begin_ + 2, begin_ + 3));
+    return takeDamage(DamagedBytes::Kind::kCount, nextHeader(begin_ + 2, begin_ + 3));
   }
   if (available < count + 3) return needMore();
 
   const std::span idAndData = std::span(buffer_).subspan(begin_ + 3, count - 2);
   const std::size_t end = begin_ + 3 + count;
   if (checksum(idAndData) != ((buffer_[end - 2] << 8U) | buffer_[end - 1])) {
-    return takeDamage(Damage::Kind::kChecksum, nextHeader(begin_ + 2, end));
+    return takeDamage(DamagedBytes::Kind::kChecksum, nextHeader(begin_ + 2, end));
   }
   begin_ = end;
   frameSize_ = count + 3;

@@ -9,7 +9,7 @@
 namespace robotlink::arcos {
 
 /// Received bytes that are not a packet.
-struct Damage {
+struct DamagedBytes {
   /// What is wrong with them.
   enum class Kind {
     /// Bytes between packets.
@@ -24,11 +24,11 @@ struct Damage {
   Kind kind = Kind::kGarbage;
   /// At most a few hundred; longer garbage is split.
   Bytes bytes;
-  bool operator==(const Damage&) const = default;
+  bool operator==(const DamagedBytes&) const = default;
 };
 
 /// The kind in words: "wrong checksum", "no packet", ...
-const char* describe(Damage::Kind kind);
+const char* describe(DamagedBytes::Kind kind);
 
 /// Finds packets in a stream of bytes, whatever else it contains and however it is split.
 ///
@@ -40,7 +40,7 @@ const char* describe(Damage::Kind kind);
 /// depends only on the calls. Not thread-safe.
 class PacketParser {
  public:
-  using Found = std::variant<Packet, Damage>;
+  using Found = std::variant<Packet, DamagedBytes>;
 
   /// Counts since construction.
   struct Counters {
@@ -76,7 +76,7 @@ class PacketParser {
   /// The position of the next header in [from, end), or `end`.
   std::size_t nextHeader(std::size_t from, std::size_t end) const;
   /// Removes bytes up to `end` as damage.
-  Damage takeDamage(Damage::Kind kind, std::size_t end);
+  DamagedBytes takeDamage(DamagedBytes::Kind kind, std::size_t end);
   /// Decides what to do with an incomplete packet.
   std::optional<Found> needMore();
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "robotlink/foxglove/client/ConnectionState.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket {
 

@@ -6,7 +6,7 @@
 #include <boost/asio/ssl/error.hpp>
 
 #include "robotlink/base/Printable.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket {
 namespace {

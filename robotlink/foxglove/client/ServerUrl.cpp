@@ -5,7 +5,7 @@
 
 #include "robotlink/base/ParsedNumber.h"
 #include "robotlink/base/Utf8.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket {
 namespace {

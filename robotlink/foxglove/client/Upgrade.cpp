@@ -5,7 +5,7 @@
 #include <boost/beast/http/status.hpp>
 
 #include "robotlink/foxglove/client/Refusals.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "robotlink/base/bytes/ByteReader.h"
 #include "robotlink/base/bytes/ByteWriter.h"
-#include "robotlink/foxglove/protocol/Codec.h"
 #include "robotlink/foxglove/protocol/Fields.h"
 #include "robotlink/foxglove/protocol/FrameCodec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "robotlink/base/Utf8.h"
 #include "robotlink/foxglove/protocol/Base64.h"
-#include "robotlink/foxglove/protocol/Codec.h"
 #include "robotlink/foxglove/protocol/Fields.h"
 #include "robotlink/foxglove/protocol/FrameCodec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket {
 namespace {

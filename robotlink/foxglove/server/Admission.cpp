@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "robotlink/base/Printable.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket {
 namespace {

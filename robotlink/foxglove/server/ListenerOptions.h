@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "robotlink/base/Clock.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 #include "robotlink/foxglove/security/Certificate.h"
 #include "robotlink/foxglove/server/Admission.h"
 #include "robotlink/foxglove/server/ListenAddress.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 #include "robotlink/foxglove/server/Allowance.h"
 
 namespace robotlink::websocket {

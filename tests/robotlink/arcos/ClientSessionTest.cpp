@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "robotlink/arcos/codec/CommandCatalog.h"
+#include "robotlink/arcos/codec/ArcosCommandCatalog.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -374,7 +374,7 @@ TEST_F(ClientSessionTest, theLongestGapIsOfTheLastSeconds) {
 TEST_F(ClientSessionTest, bytesWithoutPacketsPointToTheLinesRate) {
   openLine();
   for (int i = 0; i < 80; ++i) {
-    session.take(Damage{Damage::Kind::kGarbage, {1, 2, 3}}, now);
+    session.take(DamagedBytes{DamagedBytes::Kind::kGarbage, {1, 2, 3}}, now);
     pass(100ms);
   }
   EXPECT_EQ(problem(), "arcos.only-damage");

@@ -18,7 +18,7 @@ struct Witness : PioneerClient::Listener {
     passed.push_back((direction == Direction::kFromRobot ? "robot " : "client ") + std::to_string(packet.id) +
                      (frame.empty() ? "" : " " + toHex(frame)));
   }
-  void damageCame(const Damage& damage, Instant) override { damages.push_back(toHex(damage.bytes)); }
+  void damageCame(const DamagedBytes& damage, Instant) override { damages.push_back(toHex(damage.bytes)); }
   void robotIdentified() override { events += "identified "; }
   void configurationCame(const Configuration&) override { events += "configuration "; }
   void stateCame(const StandardInformation& information, Instant) override {

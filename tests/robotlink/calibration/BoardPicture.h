@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robotlink/base/Image.h"
-#include "robotlink/calibration/CameraModel.h"
+#include "robotlink/calibration/LensModel.h"
 
 namespace robotlink::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "robotlink/base/bytes/ByteReader.h"
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 #include "tests/robotlink/foxglove/Demand.h"
 
 // The inputs of the fuzz targets of this protocol: conversations, in which each message has a byte for its

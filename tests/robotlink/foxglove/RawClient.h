@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 namespace robotlink::websocket::test {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "widgets/sceneedit/SceneObjects.h"
+#include "widgets/sceneedit/SceneFileObjects.h"
 #include "widgets/sceneedit/XmlPlace.h"
 
 namespace widgets {

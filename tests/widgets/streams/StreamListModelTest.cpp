@@ -73,8 +73,8 @@ TEST_F(StreamListModelTest, sharesAreOfAllStreamsAlsoOfThoseThatAreNotListed) {
 
 TEST_F(StreamListModelTest, lossesAreTheOnesThatAreRed) {
   StreamRow thinned = streamRow("red1/thinned"), lost = streamRow("red1/lost");
-  thinned.leftOut = {12, 0};
-  lost.leftOut = {12, 3};
+  thinned.missing = {12, 0};
+  lost.missing = {12, 3};
   model.setRows({streamRow("red1/whole"), thinned, lost}, StreamListModel::Which::kLeftOut);
   ASSERT_EQ(model.rowCount(), 2);
   EXPECT_EQ(cell(0, StreamListModel::kLeftOut), "12 thinned");
@@ -164,7 +164,7 @@ TEST(StreamRows, liveStreamsAreThoseOfTheChosenRobots) {
   for (const char* path : {"red1/plots/a", "blue1/plots/a", "simulation"})
     session.push({path, atSeconds(1), std::make_shared<const robotcontrol::PlotValue>(value)});
   session.tick();
-  session.setRemoteRobots({{"red1", {.url = "ws://hall", .leftOut = {{"red1/plots/a", {4, 5}}}}}});
+  session.setRemoteRobots({{"red1", {.url = "ws://hall", .missing = {{"red1/plots/a", {4, 5}}}}}});
   EXPECT_EQ(StreamListModel::rowsOf(session).size(), 3U);
   const std::set<std::string> robots{"red1"};
   const auto rows = StreamListModel::rowsOf(session, &robots);
@@ -172,7 +172,7 @@ TEST(StreamRows, liveStreamsAreThoseOfTheChosenRobots) {
   EXPECT_EQ(rows[0].path, "red1/plots/a");
   EXPECT_EQ(rows[0].type, "robotcontrol.PlotValue");
   EXPECT_EQ(rows[0].count, 1U);
-  EXPECT_EQ(rows[0].leftOut, (robotlink::LeftOut{4, 5}));
+  EXPECT_EQ(rows[0].missing, (robotlink::MissingMessages{4, 5}));
   EXPECT_EQ(rows[0].log, "");
 }
 

@@ -38,7 +38,7 @@ struct Published : Bench {
                               {.url = "ws://hall:8765",
                                .isConnected = true,
                                .state = "connected",
-                               .leftOut = {{"blue1/models/pose", {12, 3}}}}}});
+                               .missing = {{"blue1/models/pose", {12, 3}}}}}});
     view = open<StreamsView>({1100, 300});
     table = &child<QTableView>(*view, "streamsTable");
   }

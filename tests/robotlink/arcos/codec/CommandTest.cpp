@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "robotlink/arcos/codec/CommandCatalog.h"
+#include "robotlink/arcos/codec/ArcosCommandCatalog.h"
 #include "tests/robotlink/arcos/HexBytes.h"
 
 namespace robotlink::arcos {

@@ -24,7 +24,7 @@ std::string findAll(PacketParser& parser) {
     if (const auto* packet = std::get_if<Packet>(&*found)) {
       text += std::to_string(packet->id);
     } else {
-      const auto& damage = std::get<Damage>(*found);
+      const auto& damage = std::get<DamagedBytes>(*found);
       text += std::string("[") + describe(damage.kind) + ": " + toHex(damage.bytes) + "]";
     }
   }
@@ -117,7 +117,7 @@ TEST(PacketParserTest, everyByteIsInOnePacketOrDamage) {
   const auto drain = [&] {
     while (const auto found = parser.next()) {
       const auto* packet = std::get_if<Packet>(&*found);
-      back = back + (packet ? encode(*packet) : std::get<Damage>(*found).bytes);
+      back = back + (packet ? encode(*packet) : std::get<DamagedBytes>(*found).bytes);
       packets += packet ? 1U : 0U;
     }
   };
@@ -139,7 +139,7 @@ TEST(PacketParserTest, aFloodThatNobodyReadsIsBounded) {
   EXPECT_EQ(parser.counters().skippedBytes, 200000 - PacketParser::kMaxBuffered);
   parser.push(encode(kPulse));
   while (const auto found = parser.next()) {
-    const auto* damage = std::get_if<Damage>(&*found);
+    const auto* damage = std::get_if<DamagedBytes>(&*found);
     EXPECT_TRUE(!damage || damage->bytes.size() <= 256U);
   }
   EXPECT_EQ(parser.counters(), (PacketParser::Counters{1, 0, 200000}));

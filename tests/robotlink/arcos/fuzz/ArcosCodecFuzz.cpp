@@ -53,7 +53,7 @@ void checkStream(const std::uint8_t* data, std::size_t size) {
         append(*packet, back);
         checkPacket(*packet);
       } else {
-        const Bytes& bytes = std::get<Damage>(*found).bytes;
+        const Bytes& bytes = std::get<DamagedBytes>(*found).bytes;
         require(!bytes.empty() && bytes.size() <= 256, "damage has a few bytes");
         back.insert(back.end(), bytes.begin(), bytes.end());
       }

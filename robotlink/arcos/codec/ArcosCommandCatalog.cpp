@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/arcos/codec/CommandCatalog.h"
+#include "robotlink/arcos/codec/ArcosCommandCatalog.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How objects are added to a scene file, renamed and removed; XmlTextTest has how they are found.
-#include "widgets/sceneedit/SceneObjects.h"
+#include "widgets/sceneedit/SceneFileObjects.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/sceneedit/SceneObjects.h"
+#include "widgets/sceneedit/SceneFileObjects.h"
 
 #include <QRegularExpression>
 #include <QStringList>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/calibration/CameraModel.h"
+#include "robotlink/calibration/LensModel.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/protocol/MessageCodec.h"
 
 #include "robotlink/foxglove/protocol/Fields.h"
 #include "robotlink/foxglove/protocol/FrameCodec.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotctl/run/CameraOptions.h"
+#include "app/robotctl/run/SimulatedCameraOptions.h"
 
 #include <gmock/gmock.h>
 

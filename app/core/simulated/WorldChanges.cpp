@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/WorldRequests.h"
+#include "app/core/simulated/WorldChanges.h"
 
 #include <algorithm>
 #include <optional>
