@@ -59,6 +59,16 @@ struct Pose2 {
   bool operator==(const Pose2&) const = default;
 };
 
+/// The shortest rotation that turns the z axis to a direction, which has any length but 0; about the x axis
+/// if they are opposite.
+inline Eigen::Matrix3d rotationFromZAxis(const Vector3& direction) {
+  const Vector3 unit = direction.normalized();
+  constexpr double kOpposite = -1 + 1e-12;
+  if (unit.z() < kOpposite) return Vector3(1, -1, -1).asDiagonal();
+  const double scale = std::sqrt(2 * (1 + unit.z()));
+  return Eigen::Quaterniond(scale / 2, -unit.y() / scale, unit.x() / scale, 0).toRotationMatrix();
+}
+
 /// The pose of a body projected onto the ground; its heading is the direction of the body's x-axis.
 /// Meaningless if that axis is vertical.
 inline Pose2 groundPose(const Pose3& pose) {

@@ -43,8 +43,7 @@ PlacedShape planeOf(const sdf::Plane& plane, const sdf::ElementPtr& element, con
                        checkedLength(plane.Size().Y(), "a plane's size", element, context), 0};
   const Vector3 normal = toEigen(plane.Normal());
   if (normal != Vector3::UnitZ())
-    result.poseInGeometry.linear() =
-        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), normal).toRotationMatrix();
+    result.poseInGeometry.linear() = robotlink::rotationFromZAxis(normal);
   return result;
 }
 

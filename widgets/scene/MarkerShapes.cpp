@@ -19,8 +19,7 @@ Pose3 poseAlong(const Vector3& at, const Vector3& direction) {
   Pose3 pose = Pose3::Identity();
   pose.translation() = at;
   if (direction.allFinite() && direction.norm() > 1e-9)
-    pose.linear() =
-        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), direction.normalized()).toRotationMatrix();
+    pose.linear() = robotlink::rotationFromZAxis(direction);
   return pose;
 }
 

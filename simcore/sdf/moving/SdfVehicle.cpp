@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // readVehicle() of SdfDevices.h: wheels that roll by forces, and joints that steer them.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -186,19 +187,19 @@ class VehicleReader {
   }
 
   bool measureOmni() const {
-    Eigen::MatrixX3d motions(vehicle_.wheels.size(), 3);
-    for (std::size_t i = 0; i < vehicle_.wheels.size(); ++i) {
-      const VehicleWheel& wheel = vehicle_.wheels[i];
+    // The Gram matrix of the wheels' motions: its eigenvalues are the squares of their singular values.
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    for (const VehicleWheel& wheel : vehicle_.wheels) {
+      if (!wheel.driven) continue;
       const robotlink::Vector2 push = pushOf(wheel);
-      const double scale = wheel.driven ? 1 : 0;
-      motions.row(static_cast<Eigen::Index>(i)) =
-          scale *
-          Eigen::RowVector3d(push.x(), push.y(), wheel.center.x() * push.y() - wheel.center.y() * push.x());
+      const Vector3 motion(push.x(), push.y(), wheel.center.x() * push.y() - wheel.center.y() * push.x());
+      squares += motion * motion.transpose();
     }
-    const auto values = motions.jacobiSvd().singularValues();
+    const double least =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(squares, Eigen::EigenvaluesOnly).eigenvalues()[0];
     const bool hasRollers = std::ranges::all_of(
         vehicle_.wheels, [](const VehicleWheel& wheel) { return !wheel.driven || wheel.rollers; });
-    if (hasRollers && values.size() >= 3 && values[2] > kSmallestMotion) return true;
+    if (hasRollers && least > kSmallestMotion * kSmallestMotion) return true;
     fail(
         "an omni vehicle needs at least three driven wheels with rollers, which together can push it in all "
         "directions and turn it");
