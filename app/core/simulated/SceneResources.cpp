@@ -64,8 +64,9 @@ Errors missingGame(const simcore::Scene& scene) {
   const std::string& name = scene.world().game;
   if (name.empty() || name == kNoGame || isFile(gameRulesNamed(name))) return {};
   return {{"scene.game",
-           scene.world().name + ": the <robotcontrol:game> is '" + name + "', of which there are no rules " +
-               gameRulesNamed(name).string() + "; correct it, or choose others with --game",
+           scene.world().name + ": the <robotcontrol:game> is '" + name +
+               "', but there are no rules of that name (" + gameRulesNamed(name).string() +
+               "); correct it, or choose others with --game",
            {name},
            scene.world().gameWhere}};
 }

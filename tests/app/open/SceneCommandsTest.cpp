@@ -93,7 +93,8 @@ TEST_F(SceneCommandsTest, whatCannotBePlacedIsRefusedWithWhatCan) {
   EXPECT_EQ(run("scene.place goal 0 0"),
             "scene.model: there is no model goal that can be placed; there are ball, red1");
   publishObjects();
-  EXPECT_EQ(run("scene.place crane 0 0"), "scene.model: 'crane' is fixed to the world");
+  EXPECT_EQ(run("scene.place crane 0 0"),
+            "scene.model: 'crane' is fixed to the world; change its <pose> in the scene's file instead");
   EXPECT_THAT(offered("scene.place"), ElementsAre("ball", "red1"));
   EXPECT_THAT(offered("scene.place", {"ball"}), IsEmpty()) << "numbers are not offered";
 }

@@ -107,9 +107,10 @@ TEST(SceneNames, aLayoutThatIsMissingIsSaidWithTheLineOfTheRobot) {
 }
 
 TEST(SceneNames, aGameWithoutRulesIsSaidWithTheScene) {
-  EXPECT_THAT(whyNotWith("<robotcontrol:game>2002x</robotcontrol:game>", "", test::simulationOptions()),
-              testing::StartsWith(
-                  "/world.sdf:1: w: the <robotcontrol:game> is '2002x', of which there are no rules: "));
+  EXPECT_THAT(
+      whyNotWith("<robotcontrol:game>2002x</robotcontrol:game>", "", test::simulationOptions()),
+      testing::StartsWith(
+          "/world.sdf:1: w: the <robotcontrol:game> is '2002x', but there are no rules of that name ("));
 }
 
 TEST(SceneNames, aRobotWithoutADescriptionIsSaidWithItsLine) {
