@@ -11,7 +11,7 @@
 
 namespace simcore {
 
-/// What is seen of a robot, and its joints, as its model file describes them: for viewers that know the
+/// The visible parts and joints of a robot from its model file: for viewers that know the
 /// angles of its joints but have no simulation. A plain value; meters and radians in the model's frame, with
 /// all joints at 0.
 struct ModelParts {
@@ -27,7 +27,7 @@ struct ModelParts {
   };
   /// The poses of the links.
   std::vector<Pose3> links;
-  /// Those of parents come first.
+  /// The joints; a parent's joint comes before those of its children.
   std::vector<Joint> joints;
   /// The shapes of the links; link i is body i + 1.
   std::shared_ptr<const RenderScene> shapes;

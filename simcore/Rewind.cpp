@@ -23,7 +23,7 @@ Rewind::Command readCommand(robotlink::ByteReader& reader) {
 }  // namespace
 
 void Rewind::add(std::uint64_t step, std::vector<std::uint8_t> state) {
-  // Nothing is added to these any more: their memory is what they count as.
+  // The last segment is complete: release the memory that bytes() does not count.
   if (!segments_.empty()) segments_.back().commands.shrink_to_fit();
   state.shrink_to_fit();
   segments_.push_back({step, std::move(state), {}});

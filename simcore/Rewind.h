@@ -11,7 +11,8 @@
 
 namespace simcore {
 
-/// What changes a simulation from outside: one for each such function of Simulation.
+/// The kinds of external commands to a simulation: one for each function of Simulation that changes its
+/// state.
 enum class CommandKind : std::uint8_t {
   kAngle,
   kTorqueLimit,

@@ -61,8 +61,9 @@ class Scene {
 
   ~Scene();
 
-  // The same scene with other models, for a simulation that goes on (Simulation::continueIn()). Types, meshes
-  // and the map are shared; the file stays as it is. Each costs about as much as drawing the scene once.
+  // The same scene with other models, for a simulation that continues (Simulation::continueIn()). Types,
+  // meshes and the map are shared; the file stays as it is. Each costs about as much as drawing the scene
+  // once.
   /// With one more model, the last one; its file is read now. Fails with all errors if it cannot be read, the
   /// name is taken, or the palette lacks the team's color.
   tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> with(const ModelToAdd& model) const;

@@ -18,9 +18,9 @@ namespace simcore {
 /// The contents of a Scene, for the sources and tests of this folder only.
 struct SceneContents {
   std::filesystem::path file;
-  /// Those that load() got.
+  /// The model folders that were passed to load().
   std::vector<std::filesystem::path> modelFolders;
-  /// Those of the scene and all its models.
+  /// The colors of the scene and of all its models.
   Palette palette;
   std::vector<SceneRobot> robots;
   std::vector<std::string> balls;

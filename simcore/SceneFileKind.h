@@ -5,7 +5,7 @@
 
 namespace simcore {
 
-// What a file is by its name, in small letters or capitals. The file need not exist.
+// Determines the kind of a file by its name, ignoring case. The file need not exist.
 
 /// Whether a scene is the map of a building's floor: *.map.
 inline bool isMapFile(const std::filesystem::path& file) {

@@ -200,7 +200,7 @@ robotlink::Result<void> SimulationState::tryMove(int index, const Pose3& transfo
   const auto before = physics->motionOf(index);
   physics->moveModel(index, transform);
   const int other = physics->overlappedModel(index, kMaxOverlap);
-  // A model that stays goes on as it moved.
+  // A model that stays continues as it moved.
   if (other >= 0) physics->setMotion(index, before);
   if (other < 0) sensing->forgetVelocitiesOf(index);
   invalidate();

@@ -102,7 +102,7 @@ class Simulation {
   /// otherwise it does nothing.
   void goBack();
   /// Goes on where another simulation is, in the same way, whatever ports that has. Returns
-  /// SceneChange::putBack. To be called before the first step.
+  /// SceneChange::putBack. Call this before the first step.
   std::vector<std::string> continueFrom(const Simulation& before);
 
   const Scene& scene() const;

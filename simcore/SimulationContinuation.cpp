@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a simulation starts, and goes on in another scene: checkPlaces() and takeOver() of SimulationState.h,
+// How a simulation starts, and continues in another scene: checkPlaces() and takeOver() of SimulationState.h,
 // continueIn() and continueFrom() of Simulation.h.
 #include <algorithm>
 #include <utility>
@@ -27,7 +27,7 @@ bool hasSameParts(const ModelDescription& a, const ModelDescription& b) {
          std::ranges::equal(a.links, b.links, sameLink) && std::ranges::equal(a.joints, b.joints, sameJoint);
 }
 
-/// Whether a model of a scene goes on as the one of the same name in another scene: what was changed in it
+/// Whether a model of a scene continues as the one of the same name in another scene: what was changed in it
 /// has to do neither with its parts nor with its place.
 bool goesOnAs(const ModelInstance& before, const ModelInstance& now) {
   return hasSameParts(*before.type, *now.type) &&
@@ -133,7 +133,7 @@ robotlink::Result<void> SimulationState::checkFits(const SimulationState& before
   for (std::size_t i = 0; i < world.models.size(); ++i) {
     const int model = static_cast<int>(i), other = physics->overlappedModel(model, kMaxOverlap);
     if (other < 0 || !wasFree(model, before)) continue;
-    // What goes on as it was is not what does not fit.
+    // What continues as it was is not what does not fit.
     const bool isOther = goesOn(model) && !goesOn(other);
     const std::string& added = world.models[static_cast<std::size_t>(isOther ? other : model)].name;
     const std::string& standing = world.models[static_cast<std::size_t>(isOther ? model : other)].name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a Simulation consists of; only for its sources.
+// The private state of a Simulation; only for its sources.
 #pragma once
 
 #include <algorithm>
@@ -331,7 +331,7 @@ struct SimulationState {
   /// The past is that of another world.
   void beginRewindAnew();
 
-  /// Fails if a robot or a ball is inside another model at its start or, if it goes on from `before`, where
+  /// Fails if a robot or a ball is inside another model at its start or, if it continues from `before`, where
   /// it is now; notes other overlaps. What was inside before may go on so.
   robotlink::Result<void> checkPlaces(const SimulationState* before = nullptr);
   /// Fails if a model is inside another one and was not before.

@@ -15,7 +15,7 @@ class QTreeView;
 
 namespace widgets {
 
-/// What a column contains, which determines how much room it gets.
+/// The kind of a column's contents, which determines its width.
 enum class ColumnKind : std::uint8_t {
   /// Identifies a row: shown whole before anything else.
   kName,

@@ -29,7 +29,7 @@ class QWidget;
 
 // Factory functions for the controls that all views have in common: actions, buttons, tool rows, footers,
 // search fields. They give every control an object name (for tests and scripts), an accessible name, and a
-// tool tip that names its shortcut. All controls are children of the parent that is passed in. GUI thread.
+// tooltip that names its shortcut. All controls are children of the parent that is passed in. GUI thread.
 namespace widgets {
 
 /// The texts that identify a control.
@@ -44,7 +44,7 @@ struct ControlText {
   QKeySequence shortcut = {};
 };
 
-/// Sets the widget's object name, accessible name and tool tip.
+/// Sets the widget's object name, accessible name and tooltip.
 void describe(QWidget& widget, const ControlText& text);
 /// Creates an action of `owner`, named as describe() names a widget. `icon` is a name for widgets::icon().
 /// The shortcut works while the focus is anywhere within `owner`.
@@ -98,10 +98,10 @@ int textWidth(const QWidget& widget, const QString& text);
 /// Applies the look that all trees share: alternating rows of equal height, no focus frame, no editing on a
 /// single click.
 void styleTree(QTreeView& tree);
-/// Creates a tree with that look. `text` has no tool tip: items have theirs.
+/// Creates a tree with that look. `text` has no tooltip: items have theirs.
 QTreeView* makeTree(QWidget* parent, const ControlText& text, QAbstractItemModel* model);
 /// Creates a table with the look that all tables share: alternating rows as high as a line, which are
-/// selected as a whole; no grid, no row numbers, nothing in bold. `text` has no tool tip: cells have theirs.
+/// selected as a whole; no grid, no row numbers, nothing in bold. `text` has no tooltip: cells have theirs.
 QTableView* makeTable(QWidget* parent, const ControlText& text, QAbstractItemModel* model);
 /// Creates a table of what happens one after the other, with rows as low as possible. Tab leaves it.
 QTableView* makeEventTable(QWidget* parent, const ControlText& text, QAbstractItemModel* model);

@@ -19,12 +19,12 @@ class EmptyHint final : public QLabel {
   explicit EmptyHint(QAbstractItemView* over);
   /// Shows the text; an empty text hides the label.
   void setHint(const QString& text);
-  /// What there is room for: the text, or, in a low view, its beginning with an ellipsis; a tool tip has all
+  /// What there is room for: the text, or, in a low view, its beginning with an ellipsis; a tooltip has all
   /// of it then.
   QString shownText() const;
 
  protected:
-  /// Follows resize events of the covered widget, and shows its tool tip.
+  /// Follows resize events of the covered widget, and shows its tooltip.
   bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 

@@ -28,7 +28,7 @@ bool isGlance(const robotcontrol::KeyMode& mode);
 
 /// Switches on the debug keys of the packages that a view shows (package/drive/state), so that the robot
 /// publishes them. A key is requested once, as soon as the robot's key table contains it and says that it is
-/// off, or on only at a glance. If the user switches it off afterwards it stays off until another platform is
+/// off, or on only at a glance. If the user switches it off afterward it stays off until another platform is
 /// opened. Packages that a robot does not have are never requested. What is refused, such as by a program
 /// that does not return at the moment, is requested again after a while. GUI thread.
 class PackageSubscription {

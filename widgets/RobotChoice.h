@@ -12,7 +12,7 @@ class Session;
 namespace widgets {
 
 /// Shows in a combo box how robots elsewhere are connected: behind the names of those that are not, and in
-/// the tool tips of all. The data of entries are names of robots; other entries stay as they are.
+/// the tooltips of all. The data of entries are names of robots; other entries stay as they are.
 void showConnections(QComboBox& robots, const robotlink::Session& session);
 
 /// A combo box that selects the robot whose data a view shows: the session's selected robot, all robots, or a

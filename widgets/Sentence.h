@@ -12,7 +12,7 @@ namespace widgets {
 /// Whether the sentence lies at the widget's upper edge or in its middle.
 enum class SentencePlace : std::uint8_t { kTop, kMiddle };
 
-/// Paints the text on a rounded rectangle in the palette's tool tip colors, wrapped to the widget's width.
+/// Paints the text on a rounded rectangle in the palette's tooltip colors, wrapped to the widget's width.
 /// Does not change the painter's state.
 void paintSentence(QPainter& painter, const QWidget& widget, const QString& text, SentencePlace place);
 

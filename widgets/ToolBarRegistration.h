@@ -22,7 +22,7 @@ struct ToolBarType {
   std::function<QToolBar*(ViewContext&, QWidget* parent)> create;
 };
 
-/// Those that were registered, in the order of registration.
+/// All registered toolbars, in the order of registration.
 const std::vector<ToolBarType>& registeredToolBars();
 
 /// Registers a toolbar when it is constructed, while a plug-in is loaded.

@@ -50,7 +50,7 @@ class StreamCursor {
     std::vector<const robotlink::StreamMessage*> messages;
     /// The clock went back: messages that were returned before are no longer valid.
     bool restarted = false;
-    /// There were others since the last call, before these, which the history has dropped meanwhile.
+    /// Whether earlier new messages were dropped from the history before this call.
     bool missed = false;
   };
   /// Returns the new messages of `stream`, which must be the same one in each call.

@@ -170,7 +170,7 @@ struct ViewType {
   const char* id;
   /// "Image"; translated when it is shown.
   const char* title;
-  /// One sentence for menus and tool tips.
+  /// One sentence for menus and tooltips.
   const char* help;
   /// Name of an icon in resources/icons.
   const char* icon;
@@ -180,7 +180,7 @@ struct ViewType {
   std::function<View*(ViewContext&, QWidget*)> create;
 };
 
-/// All kinds of views. The registry is filled before main() starts and read-only afterwards. A view registers
+/// All kinds of views. The registry is filled before main() starts and read-only afterward. A view registers
 /// itself with one line in its .cpp:
 ///
 ///     const ViewRegistration kRegistration{{"image", QT_TR_NOOP("Image"), QT_TR_NOOP("..."), "image", true,

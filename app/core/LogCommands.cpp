@@ -66,7 +66,7 @@ Result<std::int32_t> wholeCount(double value) {
   return static_cast<std::int32_t>(value);
 }
 
-/// Converts seconds since the beginning to a time of the time line, in ns. Fails if that is outside.
+/// Converts seconds since the beginning to a time of the timeline, in ns. Fails if that is outside.
 Result<std::int64_t> timeAt(const ReplayStatus& status, double seconds) {
   const double length = 1e-9 * static_cast<double>(status.end() - status.begin());
   if (!(seconds >= 0 && seconds <= length)) {
@@ -239,7 +239,7 @@ void addProgram(CommandTable& commands, const Logs& logs) {
   });
 }
 
-/// A range of the time line; unset where it is open.
+/// A range of the timeline; unset where it is open.
 struct TimeRange {
   std::optional<robotlink::Instant> from, to;
 };

@@ -14,7 +14,7 @@ class OpenPlatform;
 /// Attaches the commands that add logs and control their replay: log.add, log.play, log.step and so on. What
 /// is open must outlive the command table.
 ///
-/// Times are in seconds since the beginning of the time line that the open logs share. What only the replay
+/// Times are in seconds since the beginning of the timeline that the open logs share. What only the replay
 /// can find wrong (a stream that is not in the log) is passed to the handler of errors later.
 void addLogCommands(robotlink::CommandTable& commands, OpenPlatform& open);
 /// Attaches log.search, which searches the open logs by `job`.

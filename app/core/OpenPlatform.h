@@ -27,9 +27,9 @@
 
 namespace app {
 
-/// What is open in the workbench: the platform that runs (a simulation, a real robot, or logs), the robots
-/// elsewhere that are connected beside it, the session that they feed, its offer to others, and the
-/// recording. Only in one thread, that of the GUI, which calls tick() at 30 Hz.
+/// Owns everything that is open in the workbench: the running platform (a simulation, a real robot, or logs),
+/// the robots elsewhere that are connected beside it, the session that they feed, its offer to others, and
+/// the recording. Only in one thread, that of the GUI, which calls tick() at 30 Hz.
 class OpenPlatform {
  public:
   /// The settings of the recording, the debug keys that were on for each robot, where programs run, and what
@@ -50,13 +50,13 @@ class OpenPlatform {
   /// something or change the layout. For a real robot it says only whether its program can be run; the
   /// progress of the connection is published on its stream link/status.
   void open(PlatformOpening opening);
-  /// Adds a log to those that are open, on the same time line; `offset` is added to its times.
+  /// Adds a log to those that are open, on the same timeline; `offset` is added to its times.
   void addLog(const std::filesystem::path& file, robotlink::Duration offset);
   /// Retries the connection to a real robot at once if it was lost. Fails if no such robot is open.
   robotlink::Result<void> connectNow();
   /// Ends what runs.
   void close();
-  /// Reads the scene of the simulation again, which was edited, and goes on in it; if its robots are others
+  /// Reads the scene of the simulation again, which was edited, and continues in it; if its robots are others
   /// now, it is opened from the start. `texts` count instead of files until it is loaded again.
   void reloadScene(const FileTexts& texts = {});
   /// reloadScene() with the files as they are saved, whoever edits them.
@@ -90,7 +90,8 @@ class OpenPlatform {
   /// See RemoteRobots::recordings().
   RecordingJobs* recordingsAt(const std::string& url) { return remote_.recordings(url); }
   DeployJobs* deploymentAt(const std::string& url) { return remote_.deployment(url); }
-  /// Steers a robot from now on, whoever did before; or gives it up. Fails if nobody else can steer it.
+  /// Takes control of a robot, even if another client has it, or gives control up. Fails if no other client
+  /// can have it.
   robotlink::Result<void> steer(const std::string& robot, bool giveUp);
   /// Offers the session to others, see SessionOffer::begin().
   robotlink::Result<void> offerSession(const std::string& address);
@@ -193,7 +194,7 @@ class OpenPlatform {
   RemoteRobots remote_;
   /// RemoteRobots::version() when the session was informed.
   std::uint64_t remoteVersion_ = 0;
-  /// Those whose debug keys were switched on as they were when they were connected last.
+  /// The remote robots whose debug keys were restored as they were at the previous connection.
   std::set<std::string> remoteSwitchedOn_;
   SessionOffer offer_;
   bool keepsChoices_ = true;

@@ -51,7 +51,7 @@ CommandTable::Offer offerOf(const PlatformAdapter& adapter) {
   };
 }
 
-/// Those of the shipped layouts in which at least one of the robots can run.
+/// Returns the shipped layouts that at least one of the open robots can run.
 std::vector<std::string> layoutNames(OpenPlatform& open) {
   std::set<std::string> names;
   if (const LoadedPlatform* loaded = open.loaded()) {

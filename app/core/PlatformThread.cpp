@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-/// As many as a session waits for at most.
+/// The maximum number of open requests; a session does not wait for more.
 constexpr std::size_t kMaxForwarded = 10'000;
 
 }  // namespace
@@ -193,7 +193,7 @@ void PlatformThread::stop(const robotcontrol::Request& request) {
     const std::lock_guard lock(mutex_);
     stopSwitch = stopSwitch_;
   }
-  // It is not only enqueued: the platform's thread may be blocked by a program that hangs.
+  // STOP does not wait in the queue, since a program that hangs may block the platform's thread.
   if (stopSwitch) stopSwitch->engage(request.robot(), robotlink::engagesStop(request));
   thread_.postUrgent([this, request] {
     // A scene with this robot may be about to be opened.
@@ -218,7 +218,7 @@ void PlatformThread::request(const robotcontrol::Request& request) {
   thread_.post([this, asked] {
     {
       const std::lock_guard lock(mutex_);
-      // It is about to be done, so no request can be joined with it any more.
+      // This request is about to be fulfilled, so no later one may be merged with it.
       if (newest_ == asked) newest_.reset();
     }
     fulfil(asked->request, asked->ids);

@@ -57,7 +57,7 @@ class PlatformThread {
               LoadHandler handler);
   /// Restarts the programs of the platform in another layout; with a name only those of that robot or team.
   void setLayout(std::filesystem::path file, LoadHandler handler, std::string name = {});
-  /// Reads the file of what runs again and goes on in it, see PlatformFeed::reload(); where that is
+  /// Reads the file of what runs again and continues in it, see PlatformFeed::reload(); where that is
   /// impossible what `again` returns is opened instead, as open() does. One of the handlers is called.
   void reload(FileTexts texts, bool mustFit, std::function<PlatformOpening(const LoadedPlatform&)> again,
               LoadHandler inPlace, LoadHandler opened);
@@ -68,7 +68,7 @@ class PlatformThread {
   /// steps add up. STOP goes before all that waits, unless the platform that runs has no such robot; that of
   /// a real robot also acts at once.
   void request(const robotcontrol::Request& request);
-  /// What is read of what goes to the session, also of platforms that are opened later.
+  /// Sets which data of the session is read, also for platforms that are opened later.
   void setDemand(const PlatformFeed::Demand& demand);
 
  private:
@@ -127,7 +127,7 @@ class PlatformThread {
 
   /// Protects newest_ and stopSwitch_.
   std::mutex mutex_;
-  /// That of the platform that runs; null if it has none.
+  /// The STOP switch of the running platform; null if it has none.
   std::shared_ptr<StopSwitch> stopSwitch_;
   /// The last request in the queue, if it only moves a log and so may be joined with the next one; otherwise
   /// null.

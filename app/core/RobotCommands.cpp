@@ -285,7 +285,7 @@ void addForCamera(CommandTable& commands, OpenPlatform& open) {
       });
 }
 
-/// Writes what the selected robot has mapped, as of the instant that the time line shows; the home of the map
+/// Writes what the selected robot has mapped, as of the instant that the timeline shows; the home of the map
 /// is where the robot was then. A map that the robot does not publish yet is asked for.
 Result<void> saveMap(OpenPlatform& open, const std::string& file) {
   const std::string& robot = open.session().selectedRobot();

@@ -48,7 +48,7 @@ constexpr std::chrono::milliseconds kTick{8};
 constexpr std::chrono::milliseconds kIdleTick{50};
 /// Different refusals that are printed, once each.
 constexpr std::size_t kMaxRefusals = 1000;
-/// Nobody scrolls back here; what clients get late is kept for each of them.
+/// A server has no views that look back. Delayed messages are buffered per client.
 constexpr robotlink::StreamStore::Limits kHistory{std::chrono::seconds(2), 64U << 20U};
 
 Request startOf(const LoadedPlatform& platform, double speed, bool isPaused) {
@@ -181,7 +181,7 @@ class Service {
  private:
   /// Prints a sentence, a part of which is what clients, robots and files say.
   void report(const std::string& sentence) { out_ << robotlink::printable(sentence) + "\n" << std::flush; }
-  /// What clients subscribe to is asked for again and again.
+  /// What clients subscribe to is asked for repeatedly.
   void reportOnce(const std::string& refusal) {
     if (refusals_.size() < kMaxRefusals && refusals_.insert(refusal).second) report(refusal);
   }
@@ -200,7 +200,7 @@ class Service {
 
   const ServeOptions& options_;
   std::ostream& out_;
-  /// Those that were printed.
+  /// The refusals that have been printed.
   std::set<std::string> refusals_;
   /// From the platform's thread. Unbounded: each belongs to a request, of which there are not more.
   robotlink::BoundedQueue<LoadedPlatform> changes_{std::numeric_limits<std::size_t>::max()};

@@ -37,7 +37,7 @@ class ServedRestarts {
   /// Starts the program of a robot again; with the file of a layout in that one, which concerns all robots of
   /// the platform. Any thread.
   void ask(const std::string& robot, const std::filesystem::path& layout, Done done);
-  /// What runs now.
+  /// The programs that run now.
   void setLoaded(const LoadedPlatform& loaded);
   /// Does what was asked.
   void tick();

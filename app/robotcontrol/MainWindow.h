@@ -75,8 +75,9 @@ inline constexpr int kWindowTickMs = 33, kExportingTickMs = 2;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  /// Whose window it is. A script's keeps nothing for the next start but perspectives that are saved by name:
-  /// neither how it is arranged nor what is unsaved; and what others left unsaved is not restored in it.
+  /// The owner of the window. A script's window keeps nothing for the next start but perspectives that are
+  /// saved by name: neither how it is arranged nor what is unsaved; and what others left unsaved is not
+  /// restored in it.
   enum class Owner : std::uint8_t { kUser, kScript };
   /// `userFolder`: the folder of the file and of recovered color samples, motions and scenes.
   MainWindow(Workbench& workbench, const std::filesystem::path& userFolder, Owner owner = Owner::kUser);
@@ -84,8 +85,8 @@ class MainWindow : public QMainWindow {
 
   /// Shows a perspective as soon as no dock is being dragged; the current one is saved first.
   void showPerspective(const QString& name);
-  /// Does that for a user, who sees it again whenever what is open now is opened; before anything is open, it
-  /// stays when something is.
+  /// Shows a perspective that the user has chosen. It is shown again whenever the present scene or log is
+  /// opened; before anything is open, it stays when something is.
   void choosePerspective(const QString& name);
   /// What all views share.
   const widgets::ViewContext& context() const { return context_; }
@@ -133,7 +134,7 @@ class MainWindow : public QMainWindow {
  private:
   /// Docks and perspectives (MainWindowDocks.cpp).
   void createDocks();
-  /// Updates the visible views, and now and then the history of the layout.
+  /// Updates the visible views, and from time to time the history of the layout.
   void tickDocks();
   /// Calls a function now, or as soon as no dock is being dragged or dropped and no menu or dialog is open.
   void whenDocksRest(std::function<void()> change);

@@ -164,7 +164,7 @@ void MainWindow::createHelpMenu() {
   menu->setObjectName(QStringLiteral("helpMenu"));
   QAction* manual = menu->addAction(tr("&Manual"), this, &MainWindow::showManual, QKeySequence::HelpContents);
   manual->setObjectName(QStringLiteral("help.manual"));
-  manual->setToolTip(tr("The manual, at the page of the view that has the focus"));
+  manual->setToolTip(tr("Opens the manual at the page of the focused view"));
   manual->setShortcutContext(Qt::ApplicationShortcut);  // also in floating views
   menu->addAction(tr("&Tour"), this, &MainWindow::showTour)->setObjectName(QStringLiteral("help.tour"));
   menu->addAction(tr("&Keyboard shortcuts…"), this, &MainWindow::showShortcuts,

@@ -27,7 +27,7 @@ class QuitSignals : public QObject {
   void timerEvent(QTimerEvent* event) override;
 
  private:
-  /// What was there before, by signal.
+  /// The previous handlers, by signal.
   std::map<int, struct sigaction> before_;
 };
 

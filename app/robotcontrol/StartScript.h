@@ -13,7 +13,7 @@ namespace app {
 class OpenPlatform;
 class Workbench;
 
-/// What scripts act on in a workbench, which must outlive them.
+/// Returns the interface by which scripts act on a workbench, which must outlive them.
 robotlink::ScriptRun::Workbench scriptsOf(Workbench& workbench);
 
 /// What the program does by itself at its start, once the robots elsewhere that the command line names are

@@ -43,7 +43,7 @@ struct Arguments {
   std::string token;
   /// Where the programs of robots elsewhere run: "there", or "here" if only their bodies are there.
   std::string program = "there";
-  /// Those of the platforms' forms.
+  /// The options that follow from the platforms' forms.
   app::FieldOptions platform;
   bool paused = false;
   std::string perspective;
@@ -223,7 +223,8 @@ void useFontOfDesktops() {
   QApplication::setFont(font);
 }
 
-/// It begins with the default scene; and it would cover what scripts and pictures show.
+/// Whether the tour starts by itself: only with the default scene, and never for scripts and pictures, which
+/// it would cover.
 bool wantsTour(const app::MainWindow& window, const Arguments& arguments) {
   return window.isFirstStart() && arguments.sources.empty() && arguments.script.empty() &&
          arguments.screenshot.empty() && QGuiApplication::platformName() != QLatin1String("offscreen");

@@ -64,7 +64,8 @@ void addLayoutCommand(CLI::App& app, int& status) {
         ->capture_default_str();
     command->callback([arguments, run, &status] { status = withResources([&] { return run(*arguments); }); });
   };
-  add("check", "Checks whether a layout can run, or why not, with file, line and column", check);
+  add("check", "Checks whether a layout can run; if not, prints the reason with file, line and column",
+      check);
   add("graph", "Prints the graph of processes and packages as Graphviz text", graph);
 }
 

@@ -84,7 +84,7 @@ int finish(int status) {
               << "; what was printed is not complete\n";
     if (status == kDone) status = kFailed;
   }
-  // What goes on until a signal comes is done then.
+  // What continues until a signal comes is done then.
   const bool isDone = status == kDone || status == kDoneWithLosses;
   return signal != 0 && signal != SIGPIPE && !isDone ? Interrupt::exitStatus(signal) : status;
 }

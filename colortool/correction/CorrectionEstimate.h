@@ -23,7 +23,7 @@ struct CorrectionEstimate {
 /// exclude a class are ignored, since they can have any color.
 ///
 /// Vignetting is found, per channel, if strokes of the same class lie both near the center of the images and
-/// towards their corners, and the difference is significant. A channel gets a gain relative to the reference
+/// toward their corners, and the difference is significant. A channel gets a gain relative to the reference
 /// camera if three classes of different values are available, otherwise an offset only. The result includes
 /// corrections that the samples' settings switch off. Takes some milliseconds; any thread.
 CorrectionEstimate estimateCorrections(const Samples& samples);

@@ -284,7 +284,7 @@ Stroke readStroke(const Json& line, const Samples& samples) {
     throw Wrong("its weight is not between 0.1 and 10");
   optional(line, "tool", stroke.tool);
   stroke.area = readArea(line, *image);
-  for (const auto& [y, cb, cr] : triplesOf(member<std::string>(line, "colors"), "colours"))
+  for (const auto& [y, cb, cr] : triplesOf(member<std::string>(line, "colors"), "colors"))
     stroke.colors.push_back({y, cb, cr});
   if (stroke.colors.size() != pixelCount(stroke.area))
     throw Wrong("it has " + std::to_string(stroke.colors.size()) + " colors for " +
@@ -298,7 +298,7 @@ NamedColor readClass(const Json& line) {
   const auto color = member<std::string>(line, "color");
   if (named.name.empty() || color.empty() || color.front() != '#')
     throw Wrong("a class has a name and a color like \"#ff6900\"");
-  const auto triples = triplesOf(color.substr(1), "colours");
+  const auto triples = triplesOf(color.substr(1), "colors");
   if (triples.size() != 1) throw Wrong("a class has a name and a color like \"#ff6900\"");
   named.rgb = {triples[0][0], triples[0][1], triples[0][2]};
   return named;

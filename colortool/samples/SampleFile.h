@@ -13,7 +13,7 @@ namespace colortool {
 /// The readable contents of a file of samples. A damaged line loses only what it contains.
 struct ReadSamples {
   Samples samples;
-  /// What is wrong and what was therefore left out, with file and line.
+  /// The problems of the file and what was skipped because of them, with file and line.
   robotlink::Errors problems;
 };
 

@@ -9,9 +9,10 @@
 
 namespace colortool {
 
-/// What a table takes, in images without labels, of the colors that strokes say are background. Strokes judge
-/// each other only by their own pixels: two large strokes of one class over a wall vouch for each other,
-/// however few say that the wall is background. In other images the wall counts by its pixels.
+/// Measures, in images without labels, how much of the background colors of strokes a table classifies as
+/// objects. Strokes judge each other only by their own pixels: two large strokes of one class over a wall
+/// vouch for each other, however few say that the wall is background. In other images the wall counts by its
+/// pixels.
 ///
 /// Reuses its memory from image to image; one thread at a time.
 class BackgroundColors {

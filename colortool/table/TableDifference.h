@@ -11,7 +11,7 @@
 namespace colortool {
 
 /// The cells in which two tables differ. Classes are equal if their names are, whatever their numbers. The
-/// constructor takes about half a millisecond; immutable afterwards. Half a megabyte.
+/// constructor takes about half a millisecond; immutable afterward. Half a megabyte.
 class TableDifference {
  public:
   TableDifference(const ColorTable& before, const ColorClasses& classesBefore, const ColorTable& after,

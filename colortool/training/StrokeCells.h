@@ -10,7 +10,7 @@
 
 namespace colortool {
 
-/// What a stroke says about one cell of the color table.
+/// The evidence of a stroke for one cell of the color table.
 struct StrokeCell {
   /// As ColorTable::cellOf() numbers them.
   std::size_t cell = 0;

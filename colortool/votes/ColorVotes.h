@@ -125,7 +125,7 @@ class ColorVotes {
   GrayGuard guard_;
   /// The blocks where a class may have votes, by class.
   std::vector<CellBlocks> touched_;
-  /// Those that may have changed since the last update().
+  /// The blocks that may have changed since the last update().
   CellBlocks changed_;
   ColorTable table_;
 };

@@ -11,7 +11,7 @@ namespace colortool {
 
 /// The kernels of the votes around samples. Light, distance and blur change the saturation of a color far
 /// more than its hue, and the more so the more saturated it is: so the votes of saturated colors reach
-/// farther along their saturation (towards gray and away from it), and less far across it, where other hues
+/// farther along their saturation (toward gray and away from it), and less far across it, where other hues
 /// are: orange does not get lost to red. Colors near gray have no hue; their votes reach equally far. One
 /// thread.
 class NearKernels {

@@ -29,7 +29,7 @@ class VoteKernel {
     /// Factors of `chroma` in a direction of the plane of Cb and Cr, and across it; their product is at
     /// most 1.
     double along = 1, across = 1;
-    /// That direction, in radians from Cb towards Cr.
+    /// The direction of `along`, in radians from Cb toward Cr.
     double direction = 0;
   };
   VoteKernel() = default;

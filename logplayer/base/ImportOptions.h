@@ -11,7 +11,7 @@ class ColorTable;
 
 namespace logplayer {
 
-/// What the imported file does not say.
+/// The options of an import: information that the file itself lacks.
 struct ImportOptions {
   /// Name of the robot, see isRobotName() of LogImport.h; empty: the default of the format, "nao" or
   /// "camera".

@@ -17,7 +17,7 @@ struct ImportReport {
   std::map<std::string, std::uint64_t> imported;
   /// Number of messages that were left out, by kind ("id 123" if it has no name).
   std::map<std::string, std::uint64_t> notUnderstood;
-  /// What is wrong with the file, with the offset; empty if it is intact.
+  /// The damage of the file, with its offset; empty if the file is intact.
   std::string damage;
 };
 

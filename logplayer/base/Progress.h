@@ -5,7 +5,8 @@
 
 namespace logplayer {
 
-/// Called now and then while something long is done, with the share done in [0, 1]. Returns false to give up.
+/// Called from time to time while something long is done, with the share done in [0, 1]. Returns false to
+/// give up.
 using Progress = std::function<bool(double)>;
 
 }  // namespace logplayer

@@ -176,7 +176,7 @@ Result<void> FrameConverter::convert(const Contents& contents, std::optional<Ins
   lastTime_ = time;
   timeOfProcess_[contents.process] = time;
   Frame frame = messagesOf(contents, time);
-  // A frame may be empty, for example if it contains opening angles only.
+  // A frame may be empty, for example if it contains fields of view only.
   return frame.empty() ? Result<void>() : sink_(std::move(frame));
 }
 

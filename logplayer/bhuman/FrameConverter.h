@@ -34,7 +34,7 @@ class FrameConverter {
 
   /// Processes the next message; fails if the sink fails.
   robotlink::Result<void> add(const QueueMessage& message);
-  /// To be called after the last message: delivers the frames that are still held back. Fails if the sink
+  /// Call this after the last message: delivers the frames that are still held back. Fails if the sink
   /// fails.
   robotlink::Result<void> finish();
 

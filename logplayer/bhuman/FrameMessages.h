@@ -18,7 +18,7 @@ enum class Level : std::uint8_t { kInfo, kWarning };
 /// `frame`: the frame of reference of the camera.
 robotlink::StreamMessage cameraImage(const robotlink::Image& image, const std::string& frame,
                                      robotlink::Instant time);
-/// The pose of the camera in the robot, with opening angles and image size.
+/// The pose of the camera in the robot, with fields of view and image size.
 robotlink::StreamMessage cameraPose(const CameraPlace& place, const CameraOptics& optics,
                                     robotlink::Instant time);
 robotlink::StreamMessage jointStates(const JointAngles& joints, robotlink::Instant time);

@@ -48,7 +48,7 @@ struct JointAngles {
 };
 std::optional<JointAngles> readJointData(std::span<const std::uint8_t> payload);
 
-/// The value of a sensor; sensors that are missing or off have none.
+/// A sensor's value; sensors that are missing or off have no entry.
 struct Reading {
   /// Such as "gyroX", "temperature/headPan".
   std::string name;
@@ -78,11 +78,11 @@ struct CameraPlace {
 /// Also empty if the rotation matrix is invalid.
 std::optional<CameraPlace> readCameraMatrix(std::span<const std::uint8_t> payload);
 
-/// Image size and opening angles. The defaults are those of the NAO in logs of 2009.
+/// Image size and fields of view. The defaults are those of the NAO in logs of 2009.
 struct CameraOptics {
   int width = 320;  ///< pixels
   int height = 240;
-  /// Full opening angles, in rad.
+  /// Full fields of view, in rad.
   double horizontalAngle = 0.78674;
   double verticalAngle = 0.60349;
 };

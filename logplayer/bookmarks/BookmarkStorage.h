@@ -36,7 +36,7 @@ struct StoredBookmarks {
   BookmarkChanges beside;
   /// Whether bookmarks can be appended to the log.
   bool canAppend = false;
-  /// What is wrong with the file beside the log, if anything.
+  /// The problem with the file beside the log, if there is one.
   std::optional<robotlink::Error> problem;
 
   /// Sorted by time.

@@ -51,7 +51,7 @@ class Bookmarks {
   robotlink::Result<void> save();
   /// The file to which save() writes, or wrote last: the log, or the file beside it.
   const std::filesystem::path& savedIn() const { return savedIn_; }
-  /// What is wrong with the file beside the log; the bookmarks in the log are available nevertheless.
+  /// The problem with the file beside the log; the bookmarks in the log are available nevertheless.
   const std::optional<robotlink::Error>& problem() const { return problem_; }
 
  private:

@@ -28,7 +28,7 @@ std::string whyNotJoined(const LogPart& earlier, const LogPart& later);
 
 /// Finds messages that two parts of one log both contain: those at the instant of the cut, and latched
 /// messages that a cut repeats at the start of the later part. The constructor reads the end and the latched
-/// messages of the earlier log, which is not used afterwards. One thread.
+/// messages of the earlier log, which is not used afterward. One thread.
 class LogSeam {
  public:
   LogSeam(const LogPart& earlier, const LogPart& later);

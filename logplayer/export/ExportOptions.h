@@ -20,7 +20,7 @@ struct ExportOptions {
   Progress progress = {};
 };
 
-/// What was exported.
+/// The result of an export.
 struct ExportReport {
   /// Number of images, rows or texts.
   std::uint64_t written = 0;

@@ -15,7 +15,7 @@
 
 namespace logplayer {
 
-// What all exports of a log have in common.
+// The common part of all exports of a log.
 
 /// The part of the whole progress of an export, in [0, 1], that one pass over the log accounts for.
 struct PassShare {

@@ -303,7 +303,7 @@ LogFile::Cursor::Cursor(std::shared_ptr<LogFile> file, const std::vector<std::st
     : implementation_(std::make_unique<Implementation>(std::move(file), streams)) {}
 
 LogFile::Cursor::~Cursor() {
-  // It lets go of chunks that the file's cache holds, too, and knows who else does.
+  // A cursor shares chunks with the file's cache, so it is destroyed under the file's mutex.
   if (!implementation_) return;
   const std::shared_ptr<LogFile> file = implementation_->file;
   const std::lock_guard lock(file->implementation_->mutex);

@@ -87,7 +87,7 @@ class LogFile {
   bool complete() const;
   /// What could not be read so far.
   std::vector<mcap::Damage> damage() const;
-  /// A description of everything that is wrong, for the user; empty if nothing is.
+  /// Describes all damage, for the user; empty if the file is intact.
   std::string damageText() const;
 
   /// The newest message of a stream not later than `time`; empty if there is none. Unreadable messages are

@@ -39,7 +39,7 @@ struct LogFormat {
                                             const ImportOptions& options) = nullptr;
 };
 
-/// Those of plug-ins, in the order of registration. LogImport.cpp has those that are built in.
+/// The log formats of plug-ins, in the order of registration. LogImport.cpp has the built-in ones.
 const std::vector<LogFormat>& registeredLogFormats();
 
 /// Registers a format when it is constructed: before main(), or while a plug-in is loaded.

@@ -155,7 +155,7 @@ Result<ImportReport> importPictures(const std::filesystem::path& from, const Imp
   return importFrom(*pictures, sink, options);
 }
 
-/// Those that are built in, then those of plug-ins.
+/// Returns the built-in formats, followed by those of plug-ins.
 std::vector<LogFormat> logFormats() {
   std::vector<LogFormat> formats{{"B-Human message queue", naoOf2009, isQueue, importQueueFile},
                                  {"video", camera, isVideo, importVideo},
@@ -165,7 +165,7 @@ std::vector<LogFormat> logFormats() {
   return formats;
 }
 
-/// Nothing if there is none.
+/// Returns the format of a file; nothing if no format reads it.
 std::optional<LogFormat> formatOf(const std::filesystem::path& file) {
   const auto formats = logFormats();
   const auto found =

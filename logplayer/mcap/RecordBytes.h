@@ -7,7 +7,7 @@
 #include "robotlink/base/bytes/ByteReader.h"
 #include "robotlink/base/bytes/ByteWriter.h"
 
-// What the records of this folder are read and written with.
+// Types and functions for reading and writing the bytes of MCAP records.
 namespace logplayer::mcap {
 
 using robotlink::ByteReader;

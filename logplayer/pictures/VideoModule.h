@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-// What robotcontrol_video.so offers. It is a module of its own, loaded when the first video is opened or
+// The interface of robotcontrol_video.so, a separate module that is loaded when the first video is opened or
 // written, because OpenCV's videoio brings more than 200 shared libraries, which every start would have to
 // load.
 

@@ -32,7 +32,8 @@ fs::path folderOf(const fs::path& file) {
 std::uintmax_t freeSpaceOf(const fs::path& folder) {
   std::error_code error;
   const auto space = fs::space(folder, error);
-  return error ? ~std::uintmax_t{0} : space.available;  // who does not say it is not taken for full
+  // A file system that does not report its free space is assumed to have enough.
+  return error ? ~std::uintmax_t{0} : space.available;
 }
 
 Result<void> checkOptions(const fs::path& file, const VideoOutput::Options& options) {

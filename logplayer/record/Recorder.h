@@ -46,9 +46,9 @@ class Recorder {
 
   /// Records a complete frame of one process, its FrameInfo last, or a message outside of frames.
   void add(std::vector<robotlink::StreamMessage> frame);
-  /// To be called when another platform is loaded or the platform is reset: discards all latched messages.
+  /// Call this when another platform is loaded or the platform is reset: discards all latched messages.
   void restart();
-  /// To be called when a robot's program is restarted: discards its latched messages.
+  /// Call this when a robot's program is restarted: discards its latched messages.
   void forget(const std::string& robot);
 
   /// Whether what comes is new, as it is from robots and simulations; it is at first. What comes from a log

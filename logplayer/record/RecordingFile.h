@@ -37,7 +37,7 @@ class RecordingFile {
   void beginWith(std::vector<robotlink::StreamMessage> held) { held_ = std::move(held); }
   /// Fails with the first I/O error; what was written before remains readable.
   robotlink::Result<void> write(const RecordedFrame& frame);
-  /// Writes chunks that are old enough; to be called several times a second.
+  /// Writes chunks that are old enough; call this several times a second.
   robotlink::Result<void> tick() { return writer_->container().tick(); }
   /// Writes the report and the summary. `dropped`: the messages that were dropped during this recording.
   robotlink::Result<void> close(const DroppedMessages& dropped);

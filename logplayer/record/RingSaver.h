@@ -16,7 +16,7 @@ namespace logplayer {
 /// recording is not delayed. All functions may be called from any thread.
 class RingSaver {
  public:
-  /// What is saved, and where.
+  /// The contents to save, and the file.
   struct Job {
     /// Null: a new file in `folder`, named after the time.
     std::shared_ptr<RecordingFile> file;

@@ -21,7 +21,7 @@ class ScratchSegment {
 
   explicit ScratchSegment(std::vector<robotlink::StreamMessage> messages);
 
-  /// Those that it was made of; null after they were written.
+  /// The messages of the segment; null after they were written to disk.
   const std::shared_ptr<const std::vector<robotlink::StreamMessage>>& messages() const { return messages_; }
   /// Keyed by the paths of the streams.
   const std::map<std::string, Times>& times() const { return times_; }

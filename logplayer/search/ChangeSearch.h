@@ -10,7 +10,7 @@
 
 namespace logplayer {
 
-/// What change of a value is looked for in a log.
+/// A query for the next or previous change of a value in a log.
 struct ChangeQuery {
   /// The value (robotlink/expressions/EXPRESSIONS.md); streams as in the log.
   std::string expression;

@@ -18,7 +18,7 @@
 
 namespace logplayer {
 
-/// What a search found.
+/// The result of a search.
 struct SearchReport {
   std::uint64_t hits = 0;
   /// The streams that the log lacks, and that its robots' programs have computed for the search.

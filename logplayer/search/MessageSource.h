@@ -13,7 +13,7 @@
 
 namespace logplayer {
 
-/// Where the messages are that are read in order of time: a log file, or what the history of live robots has
+/// A source of messages in order of time: a log file, or what the history of live robots has
 /// on disk. One thread at a time.
 class MessageSource {
  public:

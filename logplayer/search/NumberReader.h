@@ -73,7 +73,7 @@ class NumberReader {
 
  private:
   struct Reading {
-    /// Tells it from an earlier one of the same number.
+    /// Distinguishes this reading from an earlier one with the same index.
     std::uint64_t id = 0;
     /// Empty if the field is no path.
     std::optional<robotlink::FieldPath> path = {};
@@ -81,7 +81,7 @@ class NumberReader {
     robotlink::Instant reached = robotlink::Instant::min();
     bool isComplete = false;
     Points waiting = {};
-    /// Those that are new.
+    /// The texts that are new since the last report.
     Texts texts = {};
     std::optional<robotlink::Error> problem = {};
   };
@@ -92,7 +92,7 @@ class NumberReader {
     Texts texts = {};
   };
   class PassRun;
-  /// The readings that go on together, up to where another one is.
+  /// The readings that continue together, up to where another one is.
   struct Pass {
     std::map<LogNumber, Reading> readings = {};
     robotlink::Instant from, until = robotlink::Instant::max();

@@ -16,7 +16,7 @@ double bearing(const Vector2& place) {
   return std::atan2(place.y(), place.x());
 }
 
-/// The rotation towards an angle; slow near it, so that the gait does not oscillate.
+/// The rotation toward an angle; slow near it, so that the gait does not oscillate.
 double turnTo(double angle, double limit) {
   return std::clamp(1.6 * angle, -limit, limit);
 }

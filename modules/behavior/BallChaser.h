@@ -9,7 +9,7 @@
 
 namespace modules {
 
-/// What a behavior knows about its robot and the world at one instant, in the robot's frame unless noted
+/// The inputs of a behavior at one instant: its robot and the world, in the robot's frame unless noted
 /// otherwise.
 struct Situation {
   /// The present time by any clock, s.

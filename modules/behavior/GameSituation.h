@@ -9,7 +9,7 @@
 
 namespace modules {
 
-/// What a player of a team does.
+/// The role of a player in its team.
 enum class Role { kNone, kGoalie, kDefender, kSupporter, kStriker };
 
 /// The role in words, as team messages have it: "striker"; empty for kNone.
@@ -65,7 +65,7 @@ struct GameSituation {
 
   /// Whether the robot knows where the ball is from what it saw itself, or from its team.
   bool knowsBall = false;
-  /// It is the team that says where the ball is.
+  /// The ball's position comes from teammates, not from the robot's own percepts.
   bool ballFromTeam = false;
   /// In the robot's frame; the velocity is over ground.
   robotlink::Vector2 ball = robotlink::Vector2::Zero();

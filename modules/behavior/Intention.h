@@ -5,7 +5,7 @@
 
 namespace modules {
 
-/// What a behavior requests from motion and head.
+/// A behavior's requests to the motion and head-control tasks.
 struct Intention {
   // Motion of the body.
   enum class Motion { kStand, kWalk, kKick, kGetUp };
@@ -13,7 +13,7 @@ struct Intention {
   enum class Head { kAhead, kSearch, kTrack, kLookAround };
   Motion motion = Motion::kStand;
   double forward = 0, left = 0;  ///< m/s; only for kWalk
-  double turn = 0;               ///< rad/s, counter-clockwise
+  double turn = 0;               ///< rad/s, counterclockwise
   Head head = Head::kAhead;
   /// Name of the key-frame motion, only for kKick; empty: the behavior's usual one.
   std::string kick = {};

@@ -101,7 +101,7 @@ class OptionMachine {
     std::uint64_t ranIn_ = 0, enteredIn_ = 0;
   };
 
-  /// What a person demands of a machine, to debug it.
+  /// The user's control of a machine for debugging: forced states, hold and step.
   struct Control {
     /// States in which options stay while they are active, by the option's name. Unknown names are ignored.
     std::map<std::string, std::string> forced = {};
@@ -114,7 +114,8 @@ class OptionMachine {
   /// Reads the states of Control::forced from a text: "playing=goalie, strike=kick"; what is none of these
   /// pairs is skipped.
   static std::map<std::string, std::string> forcedStates(const std::string& text);
-  /// What is wrong with such a text for this machine, as a sentence that names what there is; empty: nothing.
+  /// Returns the problem with such a text for this machine, as a sentence that lists valid names; empty if it
+  /// is valid.
   std::string wrongWith(const std::string& text) const;
 
   /// An option that is active, with its state.
@@ -145,7 +146,7 @@ class OptionMachine {
 
   /// The options that were active in the last frame, the root first.
   const std::vector<Active>& active() const { return active_; }
-  /// Those of them whose states were entered in the last frame.
+  /// The active options whose states were entered in the last frame.
   std::vector<Active> changes() const;
   const std::deque<Option>& options() const { return options_; }
 

@@ -135,7 +135,7 @@ void SoccerMind::lookUp() {
 }
 
 bool SoccerMind::coversBall() const {
-  // It does not see a ball either while it looks for beacons.
+  // While the robot looks up for beacons, it cannot see the ball.
   if (now_.time - lookedUpAt_ < options_.lookUpTime + options_.coveredAfter) return false;
   if (now_.time - uncoveringSince_ < options_.stepBackTime + kUncoverAgain) return false;
   const double unseen = now_.time - ballSeenAt_;
@@ -229,7 +229,7 @@ void SoccerMind::walkToPlace(const Pose2& placeInTeam) {
     if (leavesBall) obstacles.push_back(now_.ball);
     intention_ = skills_.walkTo(rest.translation(), rest.heading, obstacles);
   }
-  // On the way it looks at the ball, and now and then for beacons and goals.
+  // On the way it looks at the ball, and from time to time for beacons and goals.
   if (mustGlance()) glancedAt_ = now_.time;
   const bool glances = now_.time - glancedAt_ < options_.glanceTime || !now_.knowsBall;
   intention_.head = glances ? Intention::Head::kLookAround : Intention::Head::kTrack;

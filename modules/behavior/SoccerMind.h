@@ -15,7 +15,7 @@
 
 namespace modules {
 
-/// What a soccer player knows, and what it can do: the conditions and actions of its options, on plain
+/// The knowledge and skills of a soccer player: the conditions and actions of its options, on plain
 /// values. SoccerOptions builds the options, SoccerPlayer runs them. Not thread-safe; it must not be moved,
 /// because the options refer to it.
 class SoccerMind {
@@ -51,8 +51,8 @@ class SoccerMind {
     double alignTolerance = 0.3, alignLost = 0.9;
     /// Distance of the ball up to which it pushes it, and from which on it approaches it again, m.
     double dribbleDistance = 0.36, dribbleLost = 0.55;
-    /// It kicks instead of pushing when the goal is no farther than this, or an opponent this near, m. Always
-    /// by default: the ERS-210 steps over a ball that it pushes.
+    /// The robot kicks instead of pushing when the goal is no farther than this, or an opponent this near, m.
+    /// Always by default: the ERS-210 steps over a ball that it pushes.
     double kickRange = 9, kickPressure = 0.45;
     /// How exactly the ball must be before the chest for a kick is tried at all for, s.
     double positionTime = 4, kickTimeout = 5;
@@ -68,9 +68,9 @@ class SoccerMind {
     double kickOffWait = 6;
     /// The key-frame motion of a kick straight ahead.
     std::string kick = "kick-forward";
-    /// That of the far one, for which `kicks` has a clearance.
+    /// The key-frame motion of the far kick straight ahead, for which `kicks` has a clearance.
     std::string farKick;
-    /// Those to the sides.
+    /// The key-frame motions of kicks to the left and to the right.
     std::string kickLeft = "kick-to-left", kickRight = "kick-to-right";
   };
 
@@ -120,11 +120,11 @@ class SoccerMind {
   bool mustGlance() const;
   /// Turns the head to beacons and goals if none was seen for long; call it beside the ball.
   void lookUp();
-  /// The ball was at its paws and is not seen any more: it may lie under the body.
+  /// Whether the ball, last seen at the paws, may now lie hidden under the robot's body.
   bool coversBall() const;
-  /// It steps back from a ball under the body, which has not come out yet.
+  /// Whether the robot is stepping back from a ball under its body that has not become visible yet.
   bool uncoversBall() const;
-  /// It stands, and the ball was beside it and is not seen any more.
+  /// Whether the robot stands still and has lost sight of a ball that was beside it.
   bool hidesBall() const;
 
   // Actions.

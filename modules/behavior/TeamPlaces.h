@@ -12,7 +12,7 @@ struct FieldDescription;
 
 namespace modules {
 
-/// Where players of a team stand and what they play to, in the team's frame (the own goal at -x, see
+/// Computes the positions and targets of a team's players, in the team's frame (the own goal at -x, see
 /// GameSituation), computed from the field's measures. Meters. Immutable.
 class TeamPlaces {
  public:

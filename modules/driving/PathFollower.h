@@ -63,7 +63,7 @@ class PathFollower {
   robotlink::Vector2 target_ = robotlink::Vector2::Zero();
   /// The goal was reached and the robot has not left it since.
   bool arrived_ = false;
-  /// It is turning on the spot towards the path.
+  /// The robot is turning in place toward the path.
   bool spinning_ = false;
 };
 

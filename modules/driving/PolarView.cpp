@@ -19,7 +19,7 @@ PolarView::PolarView(std::span<const Vector2> points, double halfWidth, double r
     if (distance > reach + halfWidth) continue;
     const double bearing = std::atan2(point.y(), point.x());
     // A point blocks all directions in which the robot would pass it by less than half its width; if it is
-    // nearer than that already, only the directions towards it.
+    // nearer than that already, only the directions toward it.
     const double room = std::min(halfWidth, kNearest * distance);
     const double half = distance > 0 ? std::asin(room / distance) : 0;
     const int first = static_cast<int>(std::ceil((bearing - half) / kSector));

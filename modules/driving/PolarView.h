@@ -9,7 +9,7 @@
 namespace modules {
 
 /// A polar histogram of the obstacles around a robot: how far a robot of some width could drive straight in
-/// each direction. Sector i is centered at the angle angleOf(i), counter-clockwise from the front. A plain
+/// each direction. Sector i is centered at the angle angleOf(i), counterclockwise from the front. A plain
 /// value.
 class PolarView {
  public:

@@ -70,7 +70,7 @@ class RangeMemory {
   struct FreeCone {
     /// In the odometry frame.
     robotlink::Pose2 sensor;
-    /// Half the opening angle, rad, and the free distance, m.
+    /// Half the field of view, rad, and the free distance, m.
     double half = 0, range = 0;
     robotlink::Instant time;
     bool contains(const robotlink::Vector2& place) const;

@@ -6,7 +6,7 @@ namespace modules {
 namespace {
 
 double towards(double last, double wanted, double step) {
-  // Braking means towards 0.
+  // Braking means toward 0.
   const bool braking = last * wanted < 0 || std::abs(wanted) < std::abs(last);
   const double most = braking ? 2 * step : step;
   return last + std::clamp(wanted - last, -most, most);

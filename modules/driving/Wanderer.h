@@ -47,7 +47,7 @@ class Wanderer {
  private:
   /// Counts the time spent in the square of a place.
   void visit(const robotlink::Vector2& place, double time);
-  /// How well a place is known: 0 for never visited, towards 1 for often.
+  /// How well a place is known: 0 for never visited, toward 1 for often.
   double visited(const robotlink::Vector2& place) const;
   /// The value of a direction as a free distance, m, including that of new places.
   double valueOf(double angle, const PolarView& view, const robotlink::Pose2& robotInOdometry) const;

@@ -177,7 +177,7 @@ class Mapper : public SelfLocalization {
     const bool continued = odometry_.add(robotlink::instant(drive_->timestamp()), odometry);
     if (!last) return;
     const Pose2 step = last->inverse() * odometry;
-    // After a reset of the odometry the motion in between is unknown, but small: it goes on from the last
+    // After a reset of the odometry the motion in between is unknown, but small: it continues from the last
     // pose.
     if (!continued) {
       if (scanned_) robotInMap_ = robotInMap_ * scanned_->inverse() * *last;
@@ -334,7 +334,7 @@ class ScanMatchingMapping final : public Mapper {
 
   void added() override { matcher_.follow(map(), kScanMatchingTable.read(parameters_).matcher); }
 
-  /// That of a match, plus that of dead reckoning since the last one.
+  /// The standard deviation of a match plus that of dead reckoning since the last match.
   double headingDeviation() const override { return 0.01 + kDriftPerRadian * (turned() - matchedTurn_); }
   double positionDeviation() const override { return 0.05 + kDriftPerMeter * (way() - matchedWay_); }
 

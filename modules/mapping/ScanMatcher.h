@@ -38,7 +38,7 @@ class ScanMatcher {
   /// Matches with the map as of the last follow(). Rays that hit nothing are not used; without at least ten
   /// others nothing is accepted.
   Match match(const robotlink::Pose2& predicted, std::span<const RangeBeam> beams, const Options& options);
-  /// Takes over what the map's last insert() has changed; to be called after each one.
+  /// Takes over what the map's last insert() has changed; call this after each one.
   void follow(const OccupancyMap& map, const Options& options);
 
  private:

@@ -5,7 +5,7 @@
 
 namespace modules {
 
-/// A velocity of the robot over ground: m/s to the front and to the left, rad/s counter-clockwise.
+/// A velocity of the robot over ground: m/s to the front and to the left, rad/s counterclockwise.
 struct WalkSpeed {
   double x = 0, y = 0, rotation = 0;
   bool operator==(const WalkSpeed&) const = default;

@@ -164,8 +164,8 @@ void MotionSolution::create() {
                                            gaitParameters(parameters_, mode_), motionOptions(parameters_));
 }
 
-/// Those of the files, and those that a user has sent. Null, after the errors were logged: they do not
-/// compile.
+/// Returns the motions of the files with those that a user has sent. Null, after the errors were logged, if
+/// they do not compile.
 std::shared_ptr<const robotlink::MotionNet> MotionSolution::motions(const std::vector<std::string>& joints) {
   auto library = robotlink::MotionLibrary::load(robotlink::resource("motions"));
   if (library && texts_) {

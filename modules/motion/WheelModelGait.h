@@ -37,7 +37,7 @@ class WheelModelGait {
   /// The present speed of the robot according to the model.
   const WalkSpeed& speed() const { return speed_; }
   bool standing() const { return standing_; }
-  /// It stands, or a step of a trot has ended in this frame, and all paws are down.
+  /// Whether all paws are on the ground: the robot stands, or a step of the trot has just ended.
   bool betweenSteps() const { return standing_ || betweenSteps_; }
   /// The phase of the cycle, in [0, 1).
   double phase() const { return phase_; }

@@ -57,7 +57,7 @@ class DistanceMap {
   }
   double at(int column, int row) const { return distances_[frame_.index(column, row)]; }
   /// The reading of a sensor at a pose: the distance along its heading to the nearest wall in its cone, m;
-  /// `maximum` if there is none. An opening angle of 0 is a ray.
+  /// `maximum` if there is none. A field of view of 0 is a ray.
   double range(const robotlink::Pose2& sensor, double openingAngle, double maximum) const;
 
   /// Larger than any distance in a map, m.

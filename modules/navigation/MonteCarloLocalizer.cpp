@@ -171,7 +171,7 @@ void MonteCarloLocalizer::drawAnew() {
   }
   std::ranges::nth_element(drawn_, drawn_.begin() + static_cast<std::ptrdiff_t>(count),
                            std::ranges::greater{}, &Particle::logWeight);
-  // They replace others evenly, so that no cluster loses more than its share.
+  // The new particles replace evenly spaced ones, so that no cluster loses more than its share.
   const std::size_t stride = particles_.size() / count;
   for (std::size_t i = 0; i < count; ++i) {
     particles_[i * stride] = drawn_[i];

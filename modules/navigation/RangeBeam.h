@@ -8,7 +8,7 @@ namespace modules {
 
 /// A single measured distance: the ray of a laser or the cone of a sonar.
 struct RangeBeam {
-  /// It measures along its x-axis.
+  /// The pose of the sensor, which measures along its x-axis.
   robotlink::Pose2 sensorInRobot;
   double range = 0;  ///< m; `maximum` if nothing was hit
   /// Meters.

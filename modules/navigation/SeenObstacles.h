@@ -17,7 +17,7 @@ namespace modules {
 class SeenObstacles {
  public:
   struct Options {
-    /// What is nearer to a wall of the map than this is that wall, m.
+    /// Readings nearer to a wall of the map than this belong to that wall, m.
     double wallDistance = 0.2;
     /// Only rays shorter than this count, m: farther away an error of the heading moves walls.
     double range = 3;

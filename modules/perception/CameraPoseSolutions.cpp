@@ -184,7 +184,7 @@ const robotlink::SolutionRegistration kKinematic =
         .parameters<robotcontrol::KinematicCameraPoseParameters>();
 
 struct AccelerometerOptions : BodyPosture::Options, BodyTiltFilter::Options {
-  /// Opening angles of the ERS-210's camera, rad.
+  /// Fields of view of the ERS-210's camera, rad.
   double horizontalAngle = 1.00531, verticalAngle = 0.834267;
 };
 

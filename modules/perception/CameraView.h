@@ -22,7 +22,7 @@ struct CameraView {
   double focalX = 160.07;
   double focalY = 162.48;
 
-  /// Computes the focal lengths from full opening angles, rad.
+  /// Computes the focal lengths from full fields of view, rad.
   static CameraView fromAngles(const robotlink::Pose3& cameraInRobot, double horizontalAngle,
                                double verticalAngle, int width, int height);
 
@@ -40,7 +40,7 @@ struct CameraView {
   std::optional<robotlink::Vector2> pixelOf(const robotlink::Vector3& point) const;
   /// The angle of a pixel's ray above the horizontal plane, rad.
   double elevation(const robotlink::Vector2& pixel) const;
-  /// The angle of a pixel's ray about the robot's z-axis, counter-clockwise from its x-axis, rad.
+  /// The angle of a pixel's ray about the robot's z-axis, counterclockwise from its x-axis, rad.
   double bearing(const robotlink::Vector2& pixel) const;
   /// The row of the horizon in a column; height / 2 for a level camera. Empty if the camera looks straight up
   /// or down.

@@ -20,7 +20,7 @@ struct ImageBox {
 struct LandmarkObservation {
   /// Index into the finder's landmarks.
   std::size_t landmark = 0;
-  /// From the robot's x-axis, counter-clockwise, rad.
+  /// From the robot's x-axis, counterclockwise, rad.
   double bearing = 0;
   /// On the ground, from the robot's origin, m.
   double distance = 0;

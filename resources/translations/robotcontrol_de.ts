@@ -186,15 +186,15 @@
         <translation>Verwirft nicht gespeicherte Änderungen der Proben</translation>
     </message>
     <message>
-        <source>Draws units as long on both axes of curves over other ones</source>
+        <source>Uses the same scale on both axes of plots of one value over another</source>
         <translation>Zeichnet Einheiten auf beiden Achsen von Kurven über anderen gleich lang</translation>
     </message>
     <message>
-        <source>Ends the connection to robots elsewhere, which leave the window</source>
+        <source>Disconnects remote robots, which disappear from the window</source>
         <translation>Beendet die Verbindung zu entfernten Robotern, die das Fenster verlassen</translation>
     </message>
     <message>
-        <source>Ends the connections of all who watch and steer what is open here</source>
+        <source>Disconnects all clients and stops offering the session</source>
         <translation>Beendet die Verbindungen aller, die beobachten und steuern, was hier offen ist</translation>
     </message>
     <message>
@@ -344,10 +344,6 @@
     <message>
         <source>Pauses the simulation</source>
         <translation>Hält die Simulation an</translation>
-    </message>
-    <message>
-        <source>Pauses what all views show, while the robots continue</source>
-        <translation>Hält an, was alle Ansichten zeigen, während die Roboter weiterlaufen</translation>
     </message>
     <message>
         <source>Plays a key-frame motion of the robot that was taken over</source>
@@ -530,11 +526,11 @@
         <translation>Setzt, wie lange der ausgewählte Keyframe dauert</translation>
     </message>
     <message>
-        <source>Sets how many times real time the log is played</source>
+        <source>Sets the playback speed relative to real time</source>
         <translation>Setzt, mit welchem Vielfachen der Echtzeit das Log abgespielt wird</translation>
     </message>
     <message>
-        <source>Sets how many times real time the simulation runs; 0 is as fast as possible</source>
+        <source>Sets the speed of the simulation relative to real time; 0 is as fast as possible</source>
         <translation>Setzt, mit welchem Vielfachen der Echtzeit die Simulation läuft; 0 ist so schnell wie möglich</translation>
     </message>
     <message>
@@ -574,7 +570,7 @@
         <translation>Zeigt eine Kurve als Streifen von Zuständen oder als Kurve</translation>
     </message>
     <message>
-        <source>Shows a perspective that was exported, and adds it to one&apos;s own</source>
+        <source>Imports an exported perspective and shows it</source>
         <translation>Zeigt eine exportierte Perspektive und fügt sie den eigenen hinzu</translation>
     </message>
     <message>
@@ -582,7 +578,7 @@
         <translation>Zeigt eine Perspektive</translation>
     </message>
     <message>
-        <source>Shows a token to a robot elsewhere that asks for one</source>
+        <source>Sends a token to a remote robot that asks for one</source>
         <translation>Zeigt einem entfernten Roboter, der danach fragt, ein Token</translation>
     </message>
     <message>
@@ -598,7 +594,7 @@
         <translation>Zeigt Spektren der Kurven, der gezeigten Zeiten oder zwischen den Cursorn</translation>
     </message>
     <message>
-        <source>Shows the current perspective as it is shipped</source>
+        <source>Resets the current perspective to its shipped layout</source>
         <translation>Zeigt die jetzige Perspektive, wie sie mitgeliefert ist</translation>
     </message>
     <message>
@@ -810,7 +806,7 @@
         <translation>Speichert, was jetzt gewählt ist, als Voreinstellung: Debug-Schlüssel, Lösungen, Parameter, Ansichten und Einstellungen der Kamera</translation>
     </message>
     <message>
-        <source>Moves the gripper of the selected Pioneer, if it has one</source>
+        <source>Moves the gripper of the selected robot, if it has one</source>
         <translation>Bewegt den Greifer des gewählten Pioneers, wenn er einen hat</translation>
     </message>
     <message>
@@ -818,7 +814,7 @@
         <translation>Speichert, was der gewählte Roboter kartiert hat, als Karte für Lokalisierung und Planung; ihr Startplatz ist, wo der Roboter ist</translation>
     </message>
     <message>
-        <source>Switches a digital output of the selected Pioneer&apos;s user port</source>
+        <source>Switches a digital output of the selected robot, if it has some</source>
         <translation>Schaltet einen digitalen Ausgang des Benutzeranschlusses des gewählten Pioneers</translation>
     </message>
     <message>
@@ -854,7 +850,7 @@
         <translation>Fügt dem Text der simulierten Szene eine Kopie eines Objekts hinzu, einen halben Meter daneben</translation>
     </message>
     <message>
-        <source>Adds a model to the scene that runs; the program of a robot starts with it</source>
+        <source>Adds a model to the running scene; the program of an added robot starts</source>
         <translation>Fügt der laufenden Szene ein Modell hinzu; das Programm eines Roboters startet mit ihm</translation>
     </message>
     <message>
@@ -966,7 +962,7 @@
         <translation>Zeigt etwas in Ansichten der Szene oder lässt es weg</translation>
     </message>
     <message>
-        <source>Takes a model out of the scene that runs; the program of a robot ends</source>
+        <source>Removes a model from the running scene; the program of a removed robot ends</source>
         <translation>Nimmt ein Modell aus der laufenden Szene; das Programm eines Roboters endet</translation>
     </message>
     <message>
@@ -1002,7 +998,7 @@
         <translation>Gibt einem Team den Anstoß</translation>
     </message>
     <message>
-        <source>Has the robots go to their places for a kick-off; a new half begins where one was over</source>
+        <source>Sends the robots to their kick-off positions; starts a new half if one is over</source>
         <translation>Lässt die Roboter für einen Anstoß auf ihre Plätze gehen; nach dem Ende einer Halbzeit beginnt die nächste</translation>
     </message>
     <message>
@@ -1018,7 +1014,7 @@
         <translation>Setzt die Roboter auf ihre Plätze und den Ball in die Mitte; sie warten</translation>
     </message>
     <message>
-        <source>Sets how messages get from robot to robot of a team</source>
+        <source>Sets range, delay and losses of the radio between robots of a team</source>
         <translation>Stellt ein, wie Nachrichten in einem Team von Roboter zu Roboter kommen</translation>
     </message>
     <message>
@@ -1040,6 +1036,10 @@
     <message>
         <source>Changes errors of a sensor of the simulation from now on; what is left out stays. With the sensor alone, it measures what is true. Numbers are in the unit of its readings; of a camera only noise, delay, rate and dropout count</source>
         <translation>Ändert von jetzt an Fehler eines Sensors der Simulation; was wegbleibt, bleibt, wie es ist. Mit dem Sensor allein misst er, was wahr ist. Zahlen sind in der Einheit seiner Messwerte; bei einer Kamera zählen nur noise, delay, rate und dropout</translation>
+    </message>
+    <message>
+        <source>Pauses all views, while the robots continue</source>
+        <translation>Hält alle Ansichten an, während die Roboter weiterlaufen</translation>
     </message>
 </context>
 <context>
@@ -1180,7 +1180,7 @@
 <context>
     <name>ImageHint</name>
     <message>
-        <source>Up to here there are no images in this log. What it has is shown in the views Data, Plots, Field and Scene.</source>
+        <source>The log has no images up to this time. Its contents are shown in the views Data, Plots, Field and Scene.</source>
         <translation>Bis hierher gibt es in diesem Log keine Bilder. Was es hat, zeigen die Ansichten Daten, Kurven, Feld und Szene.</translation>
     </message>
     <message>
@@ -1960,7 +1960,7 @@
         <translation>%1 hat %2 Zahlen, durch Leerzeichen getrennt; eingegeben wurden %3</translation>
     </message>
     <message>
-        <source>%1 is no number; the decimal point is a point</source>
+        <source>%1 is not a number; use a point as the decimal separator</source>
         <translation>%1 ist keine Zahl; das Dezimaltrennzeichen ist ein Punkt</translation>
     </message>
     <message>
@@ -2171,7 +2171,7 @@
         <translation>%1 wird von hier gesteuert.</translation>
     </message>
     <message>
-        <source>%1 steered %2, and is not heard any more.</source>
+        <source>%1 was steering %2, and has stopped responding.</source>
         <translation>%1 hat %2 gesteuert und meldet sich nicht mehr.</translation>
     </message>
     <message>
@@ -2179,7 +2179,7 @@
         <translation>%1 steuert %2.</translation>
     </message>
     <message>
-        <source>Somebody at the robot&apos;s own computer</source>
+        <source>A user at the robot&apos;s own computer</source>
         <translation>Jemand am Rechner des Roboters</translation>
     </message>
 </context>
@@ -2378,7 +2378,7 @@
         <translation>Konsole</translation>
     </message>
     <message>
-        <source>Runs commands that are typed, and shows what came of them.</source>
+        <source>Runs typed commands and shows their results.</source>
         <translation>Führt eingegebene Befehle aus und zeigt ihr Ergebnis.</translation>
     </message>
     <message>
@@ -2707,7 +2707,7 @@
         <translation>schon verwendet</translation>
     </message>
     <message>
-        <source>Nothing is called so. Shorter words find more.</source>
+        <source>No match. Try fewer or shorter words.</source>
         <translation>Nichts heißt so. Kürzere Wörter finden mehr.</translation>
     </message>
     <message>
@@ -2723,7 +2723,7 @@
     <name>app::FailedView</name>
     <message>
         <source>This view has failed: %1.
-Close it and open it again to try once more; if it belongs to a plug-in, report this to its author.</source>
+Close and reopen it to try again; if it belongs to a plug-in, report this to its author.</source>
         <translation>Diese Ansicht ist ausgefallen: %1.
 Schließen und wieder öffnen, um es noch einmal zu versuchen; gehört sie zu einem Plug-in, dies dessen Autor melden.</translation>
     </message>
@@ -2742,7 +2742,7 @@ Schließen und wieder öffnen, um es noch einmal zu versuchen; gehört sie zu ei
 <context>
     <name>app::FoundRobots</name>
     <message>
-        <source>only the body: its program can run here</source>
+        <source>body only: its program can run on this computer</source>
         <translation>nur der Körper: sein Programm kann hier laufen</translation>
     </message>
     <message>
@@ -2786,7 +2786,7 @@ Schließen und wieder öffnen, um es noch einmal zu versuchen; gehört sie zu ei
         <translation>Gehört seit</translation>
     </message>
     <message>
-        <source>Encrypted. It says that its fingerprint is %1; who connects is shown the real one</source>
+        <source>Encrypted. The announced fingerprint is %1; the real one is shown when you connect</source>
         <translation>Verschlüsselt. Der Fingerabdruck soll %1 sein; beim Verbinden wird der wirkliche gezeigt</translation>
     </message>
     <message>
@@ -2794,7 +2794,7 @@ Schließen und wieder öffnen, um es noch einmal zu versuchen; gehört sie zu ei
         <translation>Nicht verschlüsselt</translation>
     </message>
     <message>
-        <source>Since it was first heard here</source>
+        <source>Time since the robot was first found</source>
         <translation>Seit es hier zum ersten Mal gehört wurde</translation>
     </message>
     <message>
@@ -2861,7 +2861,7 @@ Schließen und wieder öffnen, um es noch einmal zu versuchen; gehört sie zu ei
         <translation>Was gezeigt wird: %1</translation>
     </message>
     <message>
-        <source>Pauses what all views show, while the robots continue (Ctrl+Space)</source>
+        <source>Pauses all views, while the robots continue (Ctrl+Space)</source>
         <translation>Hält an, was alle Ansichten zeigen, während die Roboter weiterlaufen (Strg+Leertaste)</translation>
     </message>
     <message>
@@ -2886,7 +2886,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Die Sprache des Fensters ab dem nächsten Start; Befehle und Skripte bleiben, wie sie sind</translation>
     </message>
     <message>
-        <source>The window is in the chosen language from the next start of RobotControl on.</source>
+        <source>Restart RobotControl to see the window in the chosen language.</source>
         <translation>Das Fenster ist ab dem nächsten Start von RobotControl in der gewählten Sprache.</translation>
     </message>
 </context>
@@ -3031,7 +3031,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>%1 enthält keine Nachrichten.</translation>
     </message>
     <message>
-        <source>%1 has no robot known here, so no program runs on it.</source>
+        <source>%1 contains no known robot, so no program runs on it.</source>
         <translation>%1 enthält keinen hier bekannten Roboter, daher läuft kein Programm darauf.</translation>
     </message>
     <message>
@@ -3277,7 +3277,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>How many times real time the log is played</source>
+        <source>Playback speed, relative to real time</source>
         <translation>Mit welchem Vielfachen der Echtzeit das Log abgespielt wird</translation>
     </message>
     <message>
@@ -3580,7 +3580,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>&amp;Handbuch</translation>
     </message>
     <message>
-        <source>The manual, at the page of the view that has the focus</source>
+        <source>Opens the manual at the page of the focused view</source>
         <translation>Das Handbuch, auf der Seite der Ansicht mit dem Fokus</translation>
     </message>
     <message>
@@ -3691,7 +3691,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Lists only pages that have these words</source>
+        <source>Lists only pages that contain these words</source>
         <translation>Listet nur Seiten auf, die diese Wörter enthalten</translation>
     </message>
     <message>
@@ -3794,7 +3794,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Zum &amp;Steuern</translation>
     </message>
     <message>
-        <source>Copies the token of those who may do everything to the clipboard</source>
+        <source>Copies the token for full control to the clipboard</source>
         <translation>Kopiert das Token derer, die alles dürfen, in die Zwischenablage</translation>
     </message>
     <message>
@@ -3802,7 +3802,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Zum Be&amp;obachten</translation>
     </message>
     <message>
-        <source>Copies the token of those who may only watch, and engage STOP, to the clipboard</source>
+        <source>Copies the token for watching and STOP only to the clipboard</source>
         <translation>Kopiert das Token derer, die nur beobachten und STOP auslösen dürfen, in die Zwischenablage</translation>
     </message>
     <message>
@@ -3869,7 +3869,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Cancels opening it; what was open before continues</source>
+        <source>Cancels opening; what was open before stays open</source>
         <translation>Bricht das Öffnen ab; was vorher offen war, läuft weiter</translation>
     </message>
     <message>
@@ -3934,7 +3934,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Es gibt keine Plug-ins. </translation>
     </message>
     <message>
-        <source>Those in the folder %1 are loaded at the next start; others by --plugin FILE.</source>
+        <source>Plug-ins in the folder %1 are loaded at the next start; load others with --plugin FILE.</source>
         <translation>Die im Ordner %1 werden beim nächsten Start geladen; andere durch --plugin FILE.</translation>
     </message>
     <message>
@@ -3968,7 +3968,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Voreinstellungen</translation>
     </message>
     <message>
-        <source>What differs from what is chosen now</source>
+        <source>Differences from the current settings</source>
         <translation>Was von der jetzigen Wahl abweicht</translation>
     </message>
     <message>
@@ -4063,7 +4063,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Was geschehen ist</translation>
     </message>
     <message>
-        <source>The report also has what follows. It is saved or copied, and sent nowhere; it has names of files and robots, so read it before you pass it on.</source>
+        <source>The report also contains the following. It is only saved or copied, never sent; it has names of files and robots, so read it before you pass it on.</source>
         <translation>Der Bericht enthält auch, was folgt. Er wird gespeichert oder kopiert und nirgendwohin gesendet; er enthält Namen von Dateien und Robotern, daher vor dem Weitergeben lesen.</translation>
     </message>
     <message>
@@ -4142,7 +4142,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>%1, in %2</translation>
     </message>
     <message>
-        <source>No program on this computer shows folders. The recording is %1</source>
+        <source>No file manager was found on this computer. The recording is %1</source>
         <translation>Kein Programm auf diesem Rechner zeigt Ordner. Die Aufzeichnung ist %1</translation>
     </message>
 </context>
@@ -4376,7 +4376,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Aufzeichnung &amp;starten</translation>
     </message>
     <message>
-        <source>The robot records into its own storage, whatever becomes of the connection</source>
+        <source>The robot records into its own storage, even if the connection is lost</source>
         <translation>Der Roboter zeichnet in seinen eigenen Speicher auf, was auch immer aus der Verbindung wird</translation>
     </message>
     <message>
@@ -4428,7 +4428,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Ordner</translation>
     </message>
     <message>
-        <source>Where recordings are fetched to</source>
+        <source>Folder for downloaded recordings</source>
         <translation>Wohin Aufzeichnungen geholt werden</translation>
     </message>
     <message>
@@ -4772,12 +4772,6 @@ Neuer Versuch…</translation>
 <context>
     <name>app::RemoteLine</name>
     <message>
-        <source>%1: %2
-A click shows all connections, and limits what they carry</source>
-        <translation>%1: %2
-Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation>
-    </message>
-    <message>
         <source>Connection to %1</source>
         <translation>Verbindung mit %1</translation>
     </message>
@@ -4818,11 +4812,11 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>%1 steuert %2. Selbst steuern</translation>
     </message>
     <message>
-        <source>%1 A click, and you steer it instead; STOP is anyone&apos;s.</source>
+        <source>%1 Click to take control; anyone can press STOP.</source>
         <translation>%1 Ein Klick, und von hier wird gesteuert; STOP darf jeder auslösen.</translation>
     </message>
     <message>
-        <source>%1 A click lets others steer it.</source>
+        <source>%1 Click to release control to others.</source>
         <translation>%1 Ein Klick lässt andere steuern.</translation>
     </message>
     <message>
@@ -4833,6 +4827,12 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <source>The milliseconds include the wait behind data on its way: on a narrow line most of them are that.</source>
         <translation>In den Millisekunden steckt das Warten hinter Daten, die unterwegs sind: Auf einer schmalen Leitung ist es der größte Teil.</translation>
     </message>
+    <message>
+        <source>%1: %2
+Click to see all connections and limit their data rates</source>
+        <translation>%1: %2
+Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
+    </message>
 </context>
 <context>
     <name>app::RemoteMenus</name>
@@ -4841,7 +4841,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>&amp;Verbinden…</translation>
     </message>
     <message>
-        <source>Watches and steers robots whose programs run elsewhere, beside those that are open here</source>
+        <source>Watches and controls remote robots, in addition to those that are open here</source>
         <translation>Beobachtet und steuert Roboter, deren Programme anderswo laufen, neben denen, die hier offen sind</translation>
     </message>
     <message>
@@ -5289,16 +5289,12 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Roboter</translation>
     </message>
     <message>
-        <source>The robot that views and toolbars show</source>
+        <source>The robot shown in views and toolbars</source>
         <translation>Der Roboter, den Ansichten und Werkzeugleisten zeigen</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>How many times real time the simulation runs</source>
-        <translation>Mit welchem Vielfachen der Echtzeit die Simulation läuft</translation>
     </message>
     <message>
         <source>none</source>
@@ -5332,6 +5328,10 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <source>Which process of the selected robot&apos;s program does which tasks; another one is for all robots, whose programs start again</source>
         <translation>Welcher Prozess des Programms des gewählten Roboters welche Aufgaben erledigt; ein anderes gilt für alle Roboter, deren Programme neu starten</translation>
     </message>
+    <message>
+        <source>Speed of the simulation, relative to real time</source>
+        <translation>Geschwindigkeit der Simulation, relativ zur Echtzeit</translation>
+    </message>
 </context>
 <context>
     <name>app::SnapshotMenu</name>
@@ -5364,7 +5364,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>&amp;Zurück zu einer Datei…</translation>
     </message>
     <message>
-        <source>Puts the world to the state in a file; the robots&apos; programs run on</source>
+        <source>Restores the state of the world from a file; the robots&apos; programs keep running</source>
         <translation>Versetzt die Welt in den Zustand in einer Datei; die Programme der Roboter laufen weiter</translation>
     </message>
     <message>
@@ -5376,7 +5376,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Wiederholen der Programme &amp;abbrechen (%1 %)</translation>
     </message>
     <message>
-        <source>Leaves world and programs where they have come to, and pauses</source>
+        <source>Leaves world and programs in their current state, and pauses</source>
         <translation>Lässt Welt und Programme, wo sie angekommen sind, und hält an</translation>
     </message>
     <message>
@@ -5384,7 +5384,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>&amp;Zurück</translation>
     </message>
     <message>
-        <source>Puts the world to this state; the robots&apos; programs run on</source>
+        <source>Restores this state of the world; the robots&apos; programs keep running</source>
         <translation>Versetzt die Welt in diesen Zustand; die Programme der Roboter laufen weiter</translation>
     </message>
     <message>
@@ -5408,7 +5408,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Um %1 s zurückspulen</translation>
     </message>
     <message>
-        <source>Goes back in the world; the robots&apos; programs run on. The last %1 s are kept</source>
+        <source>Rewinds the world; the robots&apos; programs keep running. The last %1 s are kept</source>
         <translation>Geht in der Welt zurück; die Programme der Roboter laufen weiter. Die letzten %1 s sind aufbewahrt</translation>
     </message>
     <message>
@@ -5431,7 +5431,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
 <context>
     <name>app::StallWatch</name>
     <message>
-        <source>How long the window did not answer: how often for more than %1 ms, and the longest time</source>
+        <source>Stalls of the window: how many took more than %1 ms, and the longest one</source>
         <translation>Wie lange das Fenster nicht geantwortet hat: wie oft länger als %1 ms, und die längste Zeit</translation>
     </message>
     <message>
@@ -5454,7 +5454,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Simulierte Zeit; in einem Log die gezeigte Zeit und der gezeigte Frame</translation>
     </message>
     <message>
-        <source>How many times real time the simulation runs or the log is played</source>
+        <source>Speed of the simulation or the log, relative to real time</source>
         <translation>Mit welchem Vielfachen der Echtzeit die Simulation läuft oder das Log abgespielt wird</translation>
     </message>
     <message>
@@ -5623,7 +5623,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Sekunden</translation>
     </message>
     <message>
-        <source>For how long it is measured at each value</source>
+        <source>Duration of the measurement at each value</source>
         <translation>Wie lange bei jedem Wert gemessen wird</translation>
     </message>
     <message>
@@ -5707,14 +5707,14 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>%1 von %2 wird gemessen…</translation>
     </message>
     <message>
-        <source>Done; the parameter has its former value.</source>
+        <source>Done; the parameter was set back to its previous value.</source>
         <translation>Fertig; der Parameter hat wieder seinen früheren Wert.</translation>
     </message>
 </context>
 <context>
     <name>app::TokenDialog</name>
     <message>
-        <source>The robot at %1 lets in only who shows its token. It printed two when they were made: one to control, and one to watch.</source>
+        <source>The robot at %1 only accepts clients with its token. It printed two when they were made: one to control, and one to watch.</source>
         <translation>Der Roboter unter %1 lässt nur ein, wer sein Token zeigt. Er hat zwei ausgegeben, als sie erzeugt wurden: eines zum Steuern und eines zum Beobachten.</translation>
     </message>
     <message>
@@ -5758,7 +5758,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Warnung</translation>
     </message>
     <message>
-        <source>This connection is not encrypted: who listens in on the network sees the token.</source>
+        <source>This connection is not encrypted: anyone who monitors the network can read the token.</source>
         <translation>Diese Verbindung ist nicht verschlüsselt: wer im Netzwerk mithört, sieht das Token.</translation>
     </message>
     <message>
@@ -5868,7 +5868,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Ein anderer Roboter als vorher?</translation>
     </message>
     <message>
-        <source>The robot at %1 was never connected from here. It printed a fingerprint at its start: is it this one? If so it is remembered, and known again the next time.</source>
+        <source>This computer has never connected to the robot at %1. It printed a fingerprint at its start: is it this one? If so it is remembered, and known again the next time.</source>
         <translation>Der Roboter unter %1 war von hier noch nie verbunden. Er hat beim Start einen Fingerabdruck ausgegeben: ist es dieser? Dann wird er gemerkt und beim nächsten Mal wiedererkannt.</translation>
     </message>
     <message>
@@ -5908,7 +5908,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>&amp;Trennen</translation>
     </message>
     <message>
-        <source>The robot was set up again, and has &amp;printed the fingerprint that it shows now</source>
+        <source>The robot was set up again, and &amp;printed the fingerprint shown here</source>
         <translation>Der Roboter wurde neu eingerichtet und hat den Fingerabdruck &amp;ausgegeben, den er jetzt zeigt</translation>
     </message>
 </context>
@@ -6076,7 +6076,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Akku</translation>
     </message>
     <message>
-        <source>How full it is; at its lowest voltage the robot switches itself off</source>
+        <source>Charge level; at the lowest voltage the robot switches itself off</source>
         <translation>Wie voll er ist; bei seiner niedrigsten Spannung schaltet sich der Roboter aus</translation>
     </message>
     <message>
@@ -6096,7 +6096,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Blockade</translation>
     </message>
     <message>
-        <source>Wheels that should turn but do not</source>
+        <source>Stalled wheels</source>
         <translation>Räder, die sich drehen sollten, es aber nicht tun</translation>
     </message>
     <message>
@@ -6148,7 +6148,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Angefordert</translation>
     </message>
     <message>
-        <source>What its program requested of the motors (drive/request)</source>
+        <source>Velocity that the program requested (drive/request)</source>
         <translation>Was sein Programm von den Motoren angefordert hat (drive/request)</translation>
     </message>
     <message>
@@ -6232,7 +6232,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Längste Lücke</translation>
     </message>
     <message>
-        <source>Between two information packets, over the last seconds; they come each 100 ms</source>
+        <source>Interval between information packets, over the last seconds; nominally 100 ms</source>
         <translation>Zwischen zwei Informationspaketen, in den letzten Sekunden; sie kommen alle 100 ms</translation>
     </message>
     <message>
@@ -6240,7 +6240,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Neu verbunden</translation>
     </message>
     <message>
-        <source>How often the line was lost and came back</source>
+        <source>Number of times the connection was lost and restored</source>
         <translation>Wie oft die Leitung verloren ging und wiederkam</translation>
     </message>
     <message>
@@ -6430,7 +6430,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>No state changes until it is stepped or held no more</source>
+        <source>Freezes all states until Step or a second click on Hold</source>
         <translation>Kein Zustand wechselt, bis ein Schritt folgt oder nicht mehr angehalten wird</translation>
     </message>
     <message>
@@ -6547,10 +6547,6 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Welche Kamera kalibriert wird</translation>
     </message>
     <message>
-        <source>Shows the whole image, as large as it fits</source>
-        <translation>Zeigt das ganze Bild, so groß es passt</translation>
-    </message>
-    <message>
         <source>Time of the image</source>
         <translation>Zeit des Bildes</translation>
     </message>
@@ -6625,6 +6621,10 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     <message>
         <source>Refused: %1</source>
         <translation>Abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>Fits the whole image into the view</source>
+        <translation>Passt das ganze Bild in die Ansicht ein</translation>
     </message>
 </context>
 <context>
@@ -6979,7 +6979,7 @@ Eine aus einer Datei nehmen, oder die jetzige behalten und weiterzeichnen.</tran
 <context>
     <name>widgets::ColorEffectRow</name>
     <message>
-        <source>What the stroke takes from other classes</source>
+        <source>Pixels that the stroke takes from other classes</source>
         <translation>Was der Strich anderen Klassen nimmt</translation>
     </message>
     <message>
@@ -7382,10 +7382,6 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Der ganze Fleck ist</translation>
     </message>
     <message>
-        <source>Shows the whole image, as large as it fits</source>
-        <translation>Zeigt das ganze Bild, so groß es passt</translation>
-    </message>
-    <message>
         <source>1:1</source>
         <translation>1:1</translation>
     </message>
@@ -7577,6 +7573,10 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <source>cell %1 %2 %3</source>
         <translation>Zelle %1 %2 %3</translation>
     </message>
+    <message>
+        <source>Fits the whole image into the view</source>
+        <translation>Passt das ganze Bild in die Ansicht ein</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ColorQualityView</name>
@@ -7661,11 +7661,11 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>jene ist besser</translation>
     </message>
     <message>
-        <source>yours finds more, but has more false colors</source>
+        <source>your table finds more, but has more false colors</source>
         <translation>die eigene findet mehr, hat aber mehr falsche Farben</translation>
     </message>
     <message>
-        <source>yours finds less, but has fewer false colors</source>
+        <source>your table finds less, but has fewer false colors</source>
         <translation>die eigene findet weniger, hat aber weniger falsche Farben</translation>
     </message>
     <message>
@@ -8364,7 +8364,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Zeitversatz</translation>
     </message>
     <message>
-        <source>Shows the second image of so many seconds before (-) or after the first one</source>
+        <source>Time offset of the second image, s: before (-) or after the first one</source>
         <translation>Zeigt das zweite Bild so viele Sekunden vor (-) oder nach dem ersten</translation>
     </message>
     <message>
@@ -8388,7 +8388,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Verstärkung</translation>
     </message>
     <message>
-        <source>How many times larger differences are shown; black is where both are the same</source>
+        <source>Gain of the difference; black where both images are the same</source>
         <translation>Wie viel größer Unterschiede gezeigt werden; schwarz ist, wo beide gleich sind</translation>
     </message>
 </context>
@@ -8438,7 +8438,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
 <context>
     <name>widgets::ConfusionPanel</name>
     <message>
-        <source>What to know about these figures</source>
+        <source>Notes on these figures</source>
         <translation>Was zu diesen Zahlen zu wissen ist</translation>
     </message>
     <message>
@@ -9100,23 +9100,23 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Der neueste Fehler</translation>
     </message>
     <message>
-        <source>Half of all errors are no larger</source>
+        <source>Median error</source>
         <translation>Die Hälfte aller Fehler ist nicht größer</translation>
     </message>
     <message>
-        <source>95 % of all errors are no larger</source>
+        <source>95th percentile of the errors</source>
         <translation>95 % aller Fehler sind nicht größer</translation>
     </message>
     <message>
-        <source>Of what was there to be seen or known: how much of it was not reported</source>
+        <source>Share of the real objects and events that were not reported</source>
         <translation>Von dem, was zu sehen oder zu wissen war: wie viel davon nicht gemeldet wurde</translation>
     </message>
     <message>
-        <source>Of what was reported: how much of it was not there</source>
+        <source>Share of the reports that did not match a real object or event</source>
         <translation>Von dem, was gemeldet wurde: wie viel davon nicht da war</translation>
     </message>
     <message>
-        <source>Mean time from the reading until what is based on it was published, on the robot&apos;s clock</source>
+        <source>Mean time from a sensor reading until a result based on it was published, on the robot&apos;s clock</source>
         <translation>Mittlere Zeit vom Messwert bis zur Veröffentlichung dessen, was auf ihm beruht, auf der Uhr des Roboters</translation>
     </message>
     <message>
@@ -9183,7 +9183,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Es wurde noch nichts verglichen. Fehler kommen, während das Programm des Roboters läuft.</translation>
     </message>
     <message>
-        <source>Nobody knows the truth about this robot. The simulator does; a log has it if oracle/world was recorded.</source>
+        <source>There is no ground truth for this robot. The simulator does; a log has it if oracle/world was recorded.</source>
         <translation>Niemand kennt die Wahrheit über diesen Roboter. Der Simulator kennt sie; ein Log hat sie, wenn oracle/world aufgezeichnet wurde.</translation>
     </message>
     <message>
@@ -9214,7 +9214,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Im Ordner zeigen</translation>
     </message>
     <message>
-        <source>Opens the folder it was written to</source>
+        <source>Opens the folder with the exported files</source>
         <translation>Öffnet den Ordner, in den geschrieben wurde</translation>
     </message>
     <message>
@@ -9226,7 +9226,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Blendet dies aus</translation>
     </message>
     <message>
-        <source>No program on this computer shows folders. It is %1</source>
+        <source>No file manager was found on this computer. The export is in %1</source>
         <translation>Kein Programm auf diesem Rechner zeigt Ordner. Es ist %1</translation>
     </message>
 </context>
@@ -9241,7 +9241,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Which of the open views is written</source>
+        <source>The view to export</source>
         <translation>Welche der offenen Ansichten geschrieben wird</translation>
     </message>
     <message>
@@ -9415,7 +9415,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Das Ende darf nicht vor dem Anfang liegen.</translation>
     </message>
     <message>
-        <source>Choose where it is written to.</source>
+        <source>Choose the output file or folder.</source>
         <translation>Wählen, wohin geschrieben wird.</translation>
     </message>
     <message>
@@ -9547,7 +9547,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
 <context>
     <name>widgets::FieldView</name>
     <message>
-        <source>Shows all of the field or map, as large as it fits</source>
+        <source>Fits the whole field or map into the view</source>
         <translation>Zeigt das ganze Feld oder die ganze Karte, so groß es passt</translation>
     </message>
     <message>
@@ -9611,7 +9611,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Es kann hier nicht platziert werden: %1</translation>
     </message>
     <message>
-        <source>The robot does not go there: %1</source>
+        <source>The robot cannot go there: %1</source>
         <translation>Der Roboter fährt nicht dorthin: %1</translation>
     </message>
     <message>
@@ -9674,7 +9674,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Enter finds the next place, Shift+Enter the one before</source>
+        <source>Enter finds the next match, Shift+Enter the previous one</source>
         <translation>Enter findet die nächste Stelle, Umschalt+Enter die vorige</translation>
     </message>
     <message>
@@ -9682,16 +9682,12 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Ersetzen durch</translation>
     </message>
     <message>
-        <source>What replaces the text that is found</source>
+        <source>Replacement text</source>
         <translation>Was den gefundenen Text ersetzt</translation>
     </message>
     <message>
         <source>Match case</source>
         <translation>Groß- und Kleinschreibung</translation>
-    </message>
-    <message>
-        <source>Capitals and small letters differ</source>
-        <translation>Große und kleine Buchstaben werden unterschieden</translation>
     </message>
     <message>
         <source>Previous</source>
@@ -9714,7 +9710,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Ersetzen</translation>
     </message>
     <message>
-        <source>Replaces this place and finds the next one</source>
+        <source>Replaces this match and finds the next one</source>
         <translation>Ersetzt diese Stelle und findet die nächste</translation>
     </message>
     <message>
@@ -9722,7 +9718,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Alle ersetzen</translation>
     </message>
     <message>
-        <source>Replaces all places, as one step</source>
+        <source>Replaces all matches, as one undo step</source>
         <translation>Ersetzt alle Stellen in einem Schritt</translation>
     </message>
     <message>
@@ -9796,7 +9792,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Aufstellen</translation>
     </message>
     <message>
-        <source>Robots and ball are put to their places, and wait</source>
+        <source>Places robots and ball for the kick-off; they wait</source>
         <translation>Roboter und Ball werden auf ihre Plätze gesetzt und warten</translation>
     </message>
     <message>
@@ -10207,10 +10203,6 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
 <context>
     <name>widgets::ImageStreamView</name>
     <message>
-        <source>Shows the whole image, as large as it fits</source>
-        <translation>Zeigt das ganze Bild, so groß es passt</translation>
-    </message>
-    <message>
         <source>1:1</source>
         <translation>1:1</translation>
     </message>
@@ -10355,8 +10347,12 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Stereogramm</translation>
     </message>
     <message>
-        <source>Shows distances as random dots: look through the picture to see them in depth</source>
+        <source>Shows distances as a random-dot stereogram: focus behind the picture to see the depth</source>
         <translation>Zeigt Entfernungen als Zufallspunkte: Durch das Bild hindurchsehen, um sie räumlich zu sehen</translation>
+    </message>
+    <message>
+        <source>Fits the whole image into the view</source>
+        <translation>Passt das ganze Bild in die Ansicht ein</translation>
     </message>
 </context>
 <context>
@@ -10537,7 +10533,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Kein Roboter. Eine Simulation starten oder mit einem Roboter verbinden und ihn in der Werkzeugleiste wählen.</translation>
     </message>
     <message>
-        <source>What kind of robot %1 is, is not known yet.</source>
+        <source>The kind of robot %1 is not known yet.</source>
         <translation>Welche Art Roboter %1 ist, ist noch nicht bekannt.</translation>
     </message>
     <message>
@@ -10557,7 +10553,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Welche Gelenke eines anderen Programms gezeigt werden</translation>
     </message>
     <message>
-        <source>Up to here there are no joints in this log. What it has is shown in the views Data, Plots, Field and Scene.</source>
+        <source>The log has no joints up to this time. Its contents are shown in the views Data, Plots, Field and Scene.</source>
         <translation>Bis hierher gibt es in diesem Log keine Gelenke. Was es hat, zeigen die Ansichten Daten, Kurven, Feld und Szene.</translation>
     </message>
 </context>
@@ -10775,7 +10771,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Aufnehmen</translation>
     </message>
     <message>
-        <source>Takes the view of the board that is seen now</source>
+        <source>Captures the current view of the board</source>
         <translation>Nimmt die Ansicht des Brettes auf, die jetzt zu sehen ist</translation>
     </message>
     <message>
@@ -10783,7 +10779,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Von selbst aufnehmen</translation>
     </message>
     <message>
-        <source>Takes every view in which the board is elsewhere</source>
+        <source>Captures a view automatically whenever the board has moved</source>
         <translation>Nimmt jede Ansicht auf, in der das Brett woanders ist</translation>
     </message>
     <message>
@@ -10884,7 +10880,7 @@ Verzeichnung %8</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Cancels it; nothing of it is left</source>
+        <source>Cancels the job and removes its output</source>
         <translation>Bricht es ab; nichts davon bleibt zurück</translation>
     </message>
     <message>
@@ -11703,7 +11699,7 @@ Verzeichnung %8</translation>
         <translation>Kein Roboter. Eine Simulation starten oder mit einem Roboter verbinden.</translation>
     </message>
     <message>
-        <source>The connection to the robot is lost. It stands, and can be steered as soon as it is found again.</source>
+        <source>The connection to the robot is lost. The robot has stopped; you can steer it again when it is reconnected.</source>
         <translation>Die Verbindung zum Roboter ist verloren. Er steht und lässt sich steuern, sobald er wiedergefunden ist.</translation>
     </message>
     <message>
@@ -11742,7 +11738,7 @@ Verzeichnung %8</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Of the world and its file: letters, digits, - and _</source>
+        <source>Name of the world and its file: letters, digits, - and _</source>
         <translation>Der Welt und ihrer Datei: Buchstaben, Ziffern, - und _</translation>
     </message>
     <message>
@@ -12340,7 +12336,7 @@ Verzeichnung %8</translation>
         <translation>Wert des Parameters</translation>
     </message>
     <message>
-        <source>Drags the current parameter; it is set when you let go</source>
+        <source>Drag to change the current parameter; it is set on release</source>
         <translation>Ziehen ändert den jetzigen Parameter; gesetzt wird er beim Loslassen</translation>
     </message>
 </context>
@@ -12464,7 +12460,7 @@ Verzeichnung %8</translation>
         <translation>Berechnet aus</translation>
     </message>
     <message>
-        <source>What the place of the camera is computed from</source>
+        <source>Data from which the camera&apos;s pose is computed</source>
         <translation>Woraus der Ort der Kamera berechnet wird</translation>
     </message>
     <message>
@@ -12757,7 +12753,7 @@ Verzeichnung %8</translation>
         <translation>Nächster Ausschnitt</translation>
     </message>
     <message>
-        <source>Shows what was shown before going back</source>
+        <source>Redoes the zoom</source>
         <translation>Zeigt, was vor dem Zurückgehen gezeigt wurde</translation>
     </message>
     <message>
@@ -12765,7 +12761,7 @@ Verzeichnung %8</translation>
         <translation>Koppeln</translation>
     </message>
     <message>
-        <source>Shows the same times as the other linked plots</source>
+        <source>Keeps the same time range as the other linked plots</source>
         <translation>Zeigt dieselben Zeiten wie die anderen gekoppelten Kurven</translation>
     </message>
     <message>
@@ -12805,7 +12801,7 @@ Verzeichnung %8</translation>
         <translation>Gleiche Achsen</translation>
     </message>
     <message>
-        <source>Draws units as long on both axes of curves over others</source>
+        <source>Uses the same scale on both axes of plots of one value over another</source>
         <translation>Zeichnet Einheiten auf beiden Achsen von Kurven über anderen gleich lang</translation>
     </message>
     <message>
@@ -12821,7 +12817,7 @@ Verzeichnung %8</translation>
         <translation>Texte markieren…</translation>
     </message>
     <message>
-        <source>Marks when messages were written that match</source>
+        <source>Marks the times of matching messages</source>
         <translation>Markiert, wann passende Meldungen geschrieben wurden</translation>
     </message>
     <message>
@@ -12897,7 +12893,7 @@ Verzeichnung %8</translation>
         <translation>Berechnen</translation>
     </message>
     <message>
-        <source>Adds what is computed of the selected curves</source>
+        <source>Adds a curve computed from the selected ones</source>
         <translation>Fügt hinzu, was aus den ausgewählten Kurven berechnet wird</translation>
     </message>
     <message>
@@ -12948,7 +12944,7 @@ Verzeichnung %8</translation>
         <translation>Der Schätzung %1</translation>
     </message>
     <message>
-        <source>Where the robot believes to be</source>
+        <source>The robot&apos;s own estimate of its pose</source>
         <translation>Wo der Roboter zu sein glaubt</translation>
     </message>
 </context>
@@ -13518,7 +13514,7 @@ Verzeichnung %8</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Sends the message again and again, as it is then</source>
+        <source>Sends the message repeatedly, with its current fields</source>
         <translation>Sendet die Nachricht immer wieder, wie sie dann ist</translation>
     </message>
     <message>
@@ -13590,7 +13586,7 @@ Verzeichnung %8</translation>
         <translation>Freigeben</translation>
     </message>
     <message>
-        <source>Lets the program offer the package again that is held</source>
+        <source>Releases the held package, so that the program provides it again</source>
         <translation>Lässt das Programm das gehaltene Paket wieder selbst anbieten</translation>
     </message>
     <message>
@@ -13703,7 +13699,7 @@ Verzeichnung %8</translation>
         <translation>Reichweite</translation>
     </message>
     <message>
-        <source>How far away robots of a team hear each other; 0: however far</source>
+        <source>Range of the radio within a team; 0: unlimited</source>
         <translation>Wie weit entfernt sich Roboter eines Teams hören; 0: beliebig weit</translation>
     </message>
     <message>
@@ -13727,7 +13723,7 @@ Verzeichnung %8</translation>
         <translation>Verlust</translation>
     </message>
     <message>
-        <source>The share of messages that do not arrive</source>
+        <source>Share of lost messages</source>
         <translation>Der Anteil der Nachrichten, die nicht ankommen</translation>
     </message>
     <message>
@@ -13766,7 +13762,7 @@ Verzeichnung %8</translation>
         <translation>das Log enthält es nicht</translation>
     </message>
     <message>
-        <source>no task of the program yields it</source>
+        <source>no task of the program produces it</source>
         <translation>keine Aufgabe des Programms liefert es</translation>
     </message>
     <message>
@@ -13908,7 +13904,7 @@ Start a simulation, connect to a robot, or open a log with File &gt; Open log…
 Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Datei &gt; Log öffnen…</translation>
     </message>
     <message>
-        <source>This log is of no robot of ours. What it has is shown in the views Data, Plots, Field and Scene.</source>
+        <source>This log is of a robot without a description here. Its contents are shown in the views Data, Plots, Field and Scene.</source>
         <translation>Dieses Log ist von keinem unserer Roboter. Was es hat, zeigen die Ansichten Daten, Kurven, Feld und Szene.</translation>
     </message>
 </context>
@@ -14083,7 +14079,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Alles einrücken</translation>
     </message>
     <message>
-        <source>Indents all lines after what they are in</source>
+        <source>Indents all lines by their nesting</source>
         <translation>Rückt alle Zeilen danach ein, worin sie stehen</translation>
     </message>
     <message>
@@ -14135,7 +14131,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Das eingebundene Modell öffnen</translation>
     </message>
     <message>
-        <source>Opens the file of the &lt;include&gt; around the cursor</source>
+        <source>Opens the file of the &lt;include&gt; at the cursor</source>
         <translation>Öffnet die Datei des &lt;include&gt; um die Schreibmarke</translation>
     </message>
     <message>
@@ -14404,7 +14400,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Macht rückgängig: %1</translation>
     </message>
     <message>
-        <source>Nothing was done to the scene that could be undone</source>
+        <source>There is no change of the scene to undo</source>
         <translation>An der Szene wurde nichts getan, das rückgängig gemacht werden könnte</translation>
     </message>
     <message>
@@ -14412,7 +14408,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Wiederholt: %1</translation>
     </message>
     <message>
-        <source>Nothing was undone that could be done again</source>
+        <source>There is no change of the scene to redo</source>
         <translation>Nichts wurde rückgängig gemacht, das wiederholt werden könnte</translation>
     </message>
     <message>
@@ -15203,16 +15199,12 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Searches the whole of the open logs (Enter)</source>
+        <source>Searches all open logs completely (Enter)</source>
         <translation>Durchsucht die offenen Logs vollständig (Eingabetaste)</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Ends the search; what was found stays</source>
-        <translation>Beendet die Suche; Gefundenes bleibt</translation>
     </message>
     <message>
         <source>Previous hit</source>
@@ -15312,6 +15304,10 @@ Open a log with File &gt; Open log…, or drop log files onto the window; or sta
         <translation>Es gibt nichts zu durchsuchen.
 Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster ziehen; oder eine Simulation starten, oder einen Roboter verbinden.</translation>
     </message>
+    <message>
+        <source>Stops the search; its results are kept</source>
+        <translation>Beendet die Suche; ihre Ergebnisse bleiben</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SettingsPanel</name>
@@ -15332,7 +15328,7 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Sets all to what they were when the camera began</source>
+        <source>Resets all settings to their values when the camera was opened</source>
         <translation>Setzt alle auf die Werte, mit denen die Kamera begonnen hat</translation>
     </message>
     <message>
@@ -15348,7 +15344,7 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <translation>Was daraus wurde</translation>
     </message>
     <message>
-        <source>%1 to %2; the camera began with %3</source>
+        <source>%1 to %2; initially %3</source>
         <translation>%1 bis %2; die Kamera hat mit %3 begonnen</translation>
     </message>
 </context>
@@ -15486,7 +15482,7 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <translation>Schaltet die Aufgabe bei allen Robotern auf diese Lösung</translation>
     </message>
     <message>
-        <source>%1 has no solutions: its server is none of RobotControl.</source>
+        <source>%1 has no solutions: its server is not a RobotControl program.</source>
         <translation>%1 hat keine Lösungen: Sein Server ist keiner von RobotControl.</translation>
     </message>
     <message>
@@ -15649,7 +15645,7 @@ rad/s</translation>
         <translation>Selbst steuern</translation>
     </message>
     <message>
-        <source>%1 What you command is not sent.</source>
+        <source>%1 Your commands are not sent.</source>
         <translation>%1 Was hier befohlen wird, wird nicht gesendet.</translation>
     </message>
     <message>
@@ -15744,15 +15740,15 @@ rad/s</translation>
         <translation>Debug-Schlüssel %1</translation>
     </message>
     <message>
-        <source>Memory that its messages of a second take</source>
+        <source>Memory taken by its messages per second</source>
         <translation>Speicher, den seine Nachrichten einer Sekunde belegen</translation>
     </message>
     <message>
-        <source>What is kept of it, in memory and on disk; in a log, all of it</source>
+        <source>Size of its history, in memory and on disk; for a log, its size in the file</source>
         <translation>Was davon aufbewahrt wird, im Speicher und auf der Platte; in einem Log alles</translation>
     </message>
     <message>
-        <source>Its part of what is kept of all streams</source>
+        <source>Its share of the memory for the history of all streams</source>
         <translation>Sein Anteil an dem, was von allen Datenströmen aufbewahrt wird</translation>
     </message>
     <message>
@@ -16523,15 +16519,15 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>%1 von %2 Durchläufen, %3 %</translation>
     </message>
     <message>
-        <source>Half of all frames took no longer</source>
+        <source>Median: half of all frames took at most this long</source>
         <translation>Die Hälfte aller Durchläufe dauerte nicht länger</translation>
     </message>
     <message>
-        <source>95 % of all frames took no longer</source>
+        <source>95th percentile</source>
         <translation>95 % aller Durchläufe dauerten nicht länger</translation>
     </message>
     <message>
-        <source>99 % of all frames took no longer</source>
+        <source>99th percentile</source>
         <translation>99 % aller Durchläufe dauerten nicht länger</translation>
     </message>
     <message>
@@ -16708,7 +16704,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>&amp;Robotern</translation>
     </message>
     <message>
-        <source>Where robots were; of real ones, where they believed to be</source>
+        <source>True paths of robots; for real robots, their estimated paths</source>
         <translation>Wo Roboter waren; bei wirklichen, wo sie zu sein glaubten</translation>
     </message>
     <message>
@@ -16716,7 +16712,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>&amp;Geschätzten Posen</translation>
     </message>
     <message>
-        <source>Where the chosen robots believed to be, beside where they were</source>
+        <source>Estimated paths of the chosen robots, next to the true ones</source>
         <translation>Wo die gewählten Roboter zu sein glaubten, neben dem, wo sie waren</translation>
     </message>
     <message>
@@ -16724,7 +16720,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>&amp;Ball</translation>
     </message>
     <message>
-        <source>Where the ball was, or was believed to be</source>
+        <source>True or estimated path of the ball</source>
         <translation>Wo der Ball war, oder vermutet wurde</translation>
     </message>
     <message>
@@ -16795,7 +16791,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Löcher füllen</translation>
     </message>
     <message>
-        <source>Colors of no class that one class encloses get it</source>
+        <source>Unclassified colors that one class encloses are assigned to it</source>
         <translation>Farben ohne Klasse, die eine Klasse umschließt, bekommen sie</translation>
     </message>
     <message>

@@ -13,9 +13,9 @@ enum class MotionEnd {
   kArrived,
   /// Its wheels are blocked: it has hit something.
   kStalled,
-  /// It stands elsewhere: it was stopped, its motors are off, or it missed the command.
+  /// The robot stopped short of the goal: it was stopped, its motors are off, or it missed the command.
   kStopped,
-  /// It was still moving when the time limit expired.
+  /// The robot was still moving when the time limit expired.
   kTimeout,
 };
 

@@ -108,7 +108,7 @@ class PioneerConnection final : private PioneerClient::Listener {
   PioneerClient client_;
   /// Keyed by packet id, at most 256.
   std::map<std::uint8_t, Packet> latest_;
-  /// There is a state that no read() has reported yet.
+  /// Whether a state has arrived that no read() has reported yet.
   bool fresh_ = false;
   /// How long no bytes came while waiting for them.
   Duration silence_{};

@@ -50,7 +50,7 @@ class PioneerRobot {
 
   // --- Connection
 
-  /// Opens the line, performs the handshake, and waits for the first state. The motors are off afterwards.
+  /// Opens the line, performs the handshake, and waits for the first state. The motors are off afterward.
   /// Also reconnects after the line was lost. Blocks for at most `timeLimit` plus the time to open the line.
   Result<void> begin(Duration timeLimit = std::chrono::seconds(8));
   /// Stops the robot and closes the line. A read() in another thread returns with an error.
@@ -88,7 +88,7 @@ class PioneerRobot {
   /// The points that sonars and laser currently see as obstacles, in the robot's frame.
   std::vector<Vector2> echoes() const;
   /// The distance from the robot's center to the nearest echo in directions from `fromAngle`
-  /// counter-clockwise to `toAngle` (rad, 0 is ahead), m; infinite if there is none.
+  /// counterclockwise to `toAngle` (rad, 0 is ahead), m; infinite if there is none.
   double nearestEcho(double fromAngle, double toAngle) const;
 
   /// The robot's name from the handshake.
@@ -117,7 +117,7 @@ class PioneerRobot {
   /// Only simulators have a laser on this line; a real laser has its own. Scans have 181 readings from -90 to
   /// 90 degrees.
   Result<void> setLaser(bool on);
-  /// Sets the forward speed, m/s, or the counter-clockwise rotation, rad/s (in steps of a degree). Setting
+  /// Sets the forward speed, m/s, or the counterclockwise rotation, rad/s (in steps of a degree). Setting
   /// one keeps the other.
   Result<void> setSpeed(double speed);
   Result<void> setRotation(double rotation);

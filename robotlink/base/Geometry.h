@@ -30,7 +30,7 @@ inline double normalizedAngle(double angle) {
 }
 
 /// A pose on the ground, in meters and radians: x points to the front, y to the left, and the heading counts
-/// counter-clockwise. A plain value; it may also be read as the transform from its own frame to the parent
+/// counterclockwise. A plain value; it may also be read as the transform from its own frame to the parent
 /// frame.
 struct Pose2 {
   double x = 0;

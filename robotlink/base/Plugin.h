@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a plug-in has in one of its sources: PLUGINS.md has an example of each kind.
+// The declaration that each plug-in has in one of its sources; PLUGINS.md has an example of each kind.
 //
 //     ROBOTCONTROL_PLUGIN("ball-counter", "1.0", "Counts the images in which a ball was seen.") {
 //       widgets::ViewRegistration({...});
@@ -32,7 +32,7 @@ struct PluginDescription {
 /// The version of the interface that plug-ins are built for: the classes in the installed headers. It grows
 /// whenever a plug-in that was built before would no longer run.
 #define ROBOTCONTROL_PLUGIN_VERSION 2
-/// It stands in the file of a plug-in, and is compared before any of its code runs.
+/// A string in the file of a plug-in that is compared before any of its code runs.
 #define ROBOTCONTROL_PLUGIN_MARK "RobotControl plug-in interface "
 #ifdef __clang__
 #define ROBOTCONTROL_PLUGIN_COMPILER "clang " ROBOTCONTROL_TEXT_OF(__clang_major__)

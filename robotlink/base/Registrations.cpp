@@ -12,7 +12,7 @@ struct State {
   std::atomic<bool> areSealed{false};
   bool isTrial = false;
   std::string problem;
-  /// Those that exist; the order does not matter.
+  /// All registries of the process, in no particular order.
   std::vector<RegistryBase*> registries;
 };
 

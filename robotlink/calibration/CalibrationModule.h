@@ -7,7 +7,7 @@
 
 #include "robotlink/calibration/LensModel.h"
 
-// What robotcontrol_calibration.so offers. It is a module of its own, loaded when the first camera is
+// The interface of robotcontrol_calibration.so, a separate module that is loaded when the first camera is
 // calibrated, because OpenCV's calib3d brings many libraries, which every start would have to load. Pixels
 // are as OpenCV counts them: (0, 0) is the middle of the first one.
 namespace robotlink {

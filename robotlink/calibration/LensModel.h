@@ -7,8 +7,8 @@
 
 #include "robotlink/base/Geometry.h"
 
-// What is known of a camera, and what it is calibrated by. Plain values. Pixels: (0, 0) is the upper left
-// corner of the image, y points down.
+// The intrinsics and the pose of a camera, and the points by which it is calibrated. Plain values. Pixels:
+// (0, 0) is the upper left corner of the image, y points down.
 namespace robotlink {
 
 /// A chessboard, by its inner corners, where four squares meet.
@@ -33,10 +33,10 @@ struct LensModel {
   /// k1, k2, p1, p2, k3 of Brown's model, as OpenCV orders them.
   std::array<double, 5> distortion{};
 
-  /// Makes the lens of a camera that is known by its opening angle only, rad: its pixels are squares, its
+  /// Makes the lens of a camera that is known by its field of view only, rad: its pixels are squares, its
   /// axis is in the middle.
   static LensModel fromAngle(int width, int height, double horizontalAngle);
-  /// Whole opening angles through the middle of the image, without distortion, rad.
+  /// Whole fields of view through the middle of the image, without distortion, rad.
   double horizontalAngle() const;
   double verticalAngle() const;
   bool operator==(const LensModel&) const = default;

@@ -8,7 +8,7 @@
 
 namespace robotlink {
 
-/// What the word at the cursor of a command line can become.
+/// The completions of the word at the cursor of a command line.
 struct Completion {
   /// The part of the line that a candidate replaces: from a byte up to the cursor.
   std::size_t from = 0;

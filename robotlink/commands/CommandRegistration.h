@@ -19,7 +19,7 @@ struct RegisteredCommand {
   std::function<Result<void>(Session& session, const CommandTable::Values& values)> run;
 };
 
-/// Those that were registered, in the order of registration.
+/// All registered commands, in the order of registration.
 const std::vector<RegisteredCommand>& registeredCommands();
 
 /// Registers a command when it is constructed, while a plug-in is loaded. A name that another one has is

@@ -228,7 +228,7 @@ Result<void> CommandConnection::send(const std::string& line) {
     if (count > 0) bytes.erase(0, static_cast<std::size_t>(count));
     if (count < 0 && errno != EINTR) break;
   }
-  // What the workbench has said of a line that is too long can still be read.
+  // The workbench's answer to an overlong line can still be read.
   return {};
 }
 

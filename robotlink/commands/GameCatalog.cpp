@@ -7,8 +7,7 @@ namespace robotlink {
 std::vector<CommandTable::Command> gameCatalog() {
   using Type = CommandTable::Type;
   return {
-      {"game.ready",
-       "Has the robots go to their places for a kick-off; a new half begins where one was over"},
+      {"game.ready", "Sends the robots to their kick-off positions; starts a new half if one is over"},
       {"game.set", "Puts the robots to their places and the ball to the middle; they wait"},
       {"game.play", "Lets the robots play"},
       {"game.finish", "Ends the half"},
@@ -26,7 +25,7 @@ std::vector<CommandTable::Command> gameCatalog() {
        "Chooses whether the referee decides by itself: phases, goals, balls out, penalties",
        {{"on", Type::kBool, "off: only what is commanded happens", true}}},
       {"game.radio",
-       "Sets how messages get from robot to robot of a team",
+       "Sets range, delay and losses of the radio between robots of a team",
        {{"range", Type::kNumber, "m; 0: without limit"},
         {"delay", Type::kNumber, "s, 0 to 10", 0.0},
         {"loss", Type::kNumber, "share of messages that do not arrive, 0 to 1", 0.0}}},

@@ -60,7 +60,7 @@ class ScriptCondition {
   std::optional<Error> missing_;
   /// Why it cannot be understood.
   std::optional<Error> wrong_;
-  // Those of the store when it was bound; unset: never.
+  // The store's versions when the expression was bound; unset: never bound.
   std::optional<std::uint64_t> listVersion_, generation_;
   std::string robot_;
 };

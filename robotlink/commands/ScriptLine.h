@@ -9,7 +9,7 @@
 
 namespace robotlink {
 
-/// What one line of a script asks for; SCRIPTS.md says what can be written. A plain value.
+/// A parsed line of a script; SCRIPTS.md describes the syntax. A plain value.
 struct ScriptLine {
   enum class Kind {
     /// An empty line, or a comment.

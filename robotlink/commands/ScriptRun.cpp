@@ -40,7 +40,7 @@ Error inLine(Error error, const ScriptLine& line) {
   return error;
 }
 
-/// Why the time stands still and how it goes on, for the end of a sentence; empty if nothing is paused.
+/// Why the time stands still and how it continues, for the end of a sentence; empty if nothing is paused.
 std::string whyPaused(Session& session) {
   const StreamStore& store = session.store();
   const auto* replay = store.latestAs<robotcontrol::ReplayStatus>(streams::kReplay, Instant::max());
@@ -74,7 +74,7 @@ ScriptRun::ScriptRun(Workbench workbench) : workbench_(std::move(workbench)) {
                                                   }});
 }
 
-/// What the answer makes the command ask next belongs to the command, too.
+/// Requests that the command sends in response to this answer belong to the command, too.
 void ScriptRun::take(const robotcontrol::RequestResult& result) {
   if (!unanswered_.contains(result.id())) return;
   if (!result.accepted()) refused_ = result.reason();

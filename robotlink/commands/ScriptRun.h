@@ -55,7 +55,7 @@ class ScriptRun {
 
   /// Gets the lines of `print`, in tick(); without this they are lost.
   void setOutput(std::function<void(const std::string&)> output) { output_ = std::move(output); }
-  /// Ends what runs, as if it were done; what it has asked for goes on.
+  /// Ends what runs, as if it were done; what it has asked for continues.
   void cancel();
   /// The line with the values of variables in place of their names, as it would be run.
   Result<std::string> withValuesOfVariables(const std::string& line) const;

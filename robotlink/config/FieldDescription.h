@@ -67,7 +67,7 @@ struct FieldDescription {
   double beaconRadius = 0, beaconBaseHeight = 0, beaconBandHeight = 0;
   std::string beaconBaseColor;
   std::vector<Beacon> beacons;
-  /// Kick-off positions of the team that plays towards +x, all in its own half (x < 0); the other team stands
+  /// Kick-off positions of the team that plays toward +x, all in its own half (x < 0); the other team stands
   /// at the points mirrored through the center.
   std::vector<Pose2> kickOff;
   double ballRadius = 0, ballMass = 0;  ///< m and kg

@@ -130,7 +130,7 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
     robot.camera = readCamera(camera);
   if (const YamlNode battery = root.optionalChild("battery"); !battery.empty())
     robot.battery = readBattery(battery);
-  readRobotUse(root);  // Those keys belong to the file, too.
+  readRobotUse(root);  // The keys of RobotUse belong to the same file.
   if (robot.joints.empty() && !robot.drive && !robot.camera)
     root.fail("robot.moves", "a robot needs joints, a drive or a camera");
   const YamlNode platform = root.child("platform");

@@ -47,14 +47,14 @@ struct RobotDescription {
   };
   /// A single ultrasonic sensor.
   struct Sonar {
-    /// It measures along its x-axis.
+    /// The pose of the sonar, which measures along its x-axis.
     Pose2 inRobot;
   };
   /// The ring of sonars.
   struct Sonars {
     /// Ordered by their numbers in packages.
     std::vector<Sonar> sensors;
-    /// The full opening angle of a sonar's cone, rad.
+    /// The full field of view of a sonar's cone, rad.
     double openingAngle = 0;
     /// The range of the sensors, m.
     double maximum = 0;
@@ -62,7 +62,7 @@ struct RobotDescription {
   /// A laser range finder that scans a plane.
   struct Laser {
     Pose2 inRobot;
-    /// The angles of the first and the last reading, rad, counter-clockwise in its own frame.
+    /// The angles of the first and the last reading, rad, counterclockwise in its own frame.
     double startAngle = 0, endAngle = 0;
     int readings = 0;
     /// The range, m.
@@ -72,7 +72,7 @@ struct RobotDescription {
   struct Camera {
     /// Its frame: x along the optical axis, y to the left, z up. The robot's origin is on the ground.
     Pose3 inRobot = Pose3::Identity();
-    /// The whole opening angle across the image's width, rad. Pixels are square.
+    /// The whole field of view across the image's width, rad. Pixels are square.
     double horizontalAngle = 0;
   };
   /// What the voltages of the battery mean, V.
@@ -94,7 +94,7 @@ struct RobotDescription {
   std::vector<Joint> joints;
   /// Packages that its platforms send, including the simulated platform's oracle.
   std::vector<std::string> offers;
-  /// Those of `offers` that only a simulator has, such as the oracle.
+  /// The packages of `offers` that only a simulated robot publishes, such as the oracle.
   std::vector<std::string> simulatedOnly;
   /// Only of robots on wheels.
   std::optional<Drive> drive;

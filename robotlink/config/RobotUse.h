@@ -9,8 +9,8 @@
 
 namespace robotlink {
 
-/// Where a kind of robot is used, as resources/robots/<name>.yaml says. Code that puts a robot on a platform
-/// takes it from here and passes it to the robot's program. A plain value.
+/// The field and the teams of a kind of robot, from resources/robots/<name>.yaml. Code that puts a robot on a
+/// platform takes it from here and passes it to the robot's program. A plain value.
 struct RobotUse {
   /// The field (resources/fields/<name>.yaml) that its program knows where neither scene nor log name one;
   /// empty: none.

@@ -15,7 +15,7 @@ class Descriptor;
 
 namespace robotlink::dds {
 
-/// What both ends of a link between programs are made of. A plain value.
+/// The configuration that both ends of a link between programs share. A plain value.
 struct EndSetup {
   std::shared_ptr<Node> node;
   /// The name of the package: "models/ball".

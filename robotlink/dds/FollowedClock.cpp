@@ -20,7 +20,7 @@ std::string lifeTopic(const std::string& robot) {
   return "robotcontrol/" + robot + "/alive";
 }
 
-/// Writes the time of a clock again and again.
+/// Writes the time of a clock repeatedly.
 class Announcer {
  public:
   /// Without a clock the time is 0.

@@ -29,7 +29,7 @@ class FollowedClock final : public Clock {
   bool isSet() const { return isSet_.load(); }
 
   /// An announcement of `source`, a number that changes when it is started again, by a local clock that only
-  /// goes on.
+  /// continues.
   void note(std::uint64_t source, Instant announced, Duration local);
 
  private:

@@ -10,7 +10,7 @@
 
 namespace robotlink::dds {
 
-/// Where a program takes part in DDS. A plain value.
+/// The DDS domain and network interface of a program. A plain value.
 struct NodeOptions {
   /// Programs see only those of the same domain, 0 to 230.
   std::uint32_t domain = 0;
@@ -35,7 +35,7 @@ class Node {
 
   /// The handle of the participant, for the other classes of this folder.
   std::int32_t participant() const { return participant_; }
-  /// That of its interface; empty: the loopback interface.
+  /// The address of the node's network interface; empty: the loopback interface.
   const std::string& address() const { return address_; }
 
  private:

@@ -117,7 +117,7 @@ void SendingEnd::close() {
   {
     const std::lock_guard lock(mutex_);
     if (owner_ == nullptr) return;
-    owner_->wake();  // It may have waited for a receiver.
+    owner_->wake();  // The owner may have been waiting for a receiver.
     owner_ = nullptr;
     peers_.clear();
     update();

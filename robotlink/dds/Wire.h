@@ -15,7 +15,7 @@
 
 namespace robotlink::dds {
 
-/// What Cyclone DDS identifies a reader or a writer by, in the whole network.
+/// The network-wide identifier of a DDS reader or writer.
 using Guid = std::array<std::uint8_t, 16>;
 Guid guidOf(dds_entity_t entity);
 

@@ -48,10 +48,10 @@ struct ShadowName {
 };
 /// The debug key by which a solution runs in the shadow of the active one: "shadow/ball-model/kalman".
 std::string shadowKey(const std::string& task, const std::string& solution);
-/// What a key lets run in the shadow; nothing if the key is not for that.
+/// What a key lets run in shadow mode; nothing if the key is not for that.
 std::optional<ShadowName> shadowOfKey(const std::string& key);
-/// The prefix of the paths of what a solution publishes in the shadow, "shadow/kalman/"; the path on which it
-/// would publish it otherwise follows.
+/// The prefix of the paths of what a solution publishes in shadow mode, "shadow/kalman/"; the path on which
+/// it would publish it otherwise follows.
 std::string shadowPrefix(const std::string& solution);
 
 }  // namespace robotlink

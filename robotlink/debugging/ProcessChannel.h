@@ -34,7 +34,7 @@ class ProcessChannel {
   bool connected() const { return queue_.connected() && requests_.connected(); }
   /// Grows when the process was started again in another program.
   std::uint64_t generation() const { return queue_.generation(); }
-  /// To be called then: all that is pending is sent again, and every queue is acknowledged.
+  /// Call this then: all that is pending is sent again, and every queue is acknowledged.
   void restart();
   /// Sends pending requests and acknowledgments, if anything is new.
   void send();

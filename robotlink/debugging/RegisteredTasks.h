@@ -18,7 +18,8 @@ TaskCatalog registeredTasks();
 /// The message types of the packages of all registered solutions, for code that creates packages from other
 /// sources, such as a log.
 std::map<std::string, const google::protobuf::Descriptor*> packageTypes();
-/// Those, and the types of all packages of Packages.h, for code that passes on what it does not use.
+/// The types of the packages of all registered tasks and of all packages of Packages.h, for code that passes
+/// on what it does not use.
 std::map<std::string, const google::protobuf::Descriptor*> allPackageTypes();
 
 }  // namespace robotlink

@@ -58,7 +58,7 @@ struct RequestKind {
   Text file = nullptr;
   /// Whether it removes what was chosen for its subject instead of choosing. Null: it never does.
   bool (*removes)(const robotcontrol::Request& request) = nullptr;
-  /// Whether the program publishes its tables of keys, solutions and processes afterwards.
+  /// Whether the program publishes its tables of keys, solutions and processes afterward.
   bool publishesTables = false;
 
   /// Whether the robot's program fulfills it.
@@ -71,7 +71,7 @@ const RequestKind& kindOf(const robotcontrol::Request& request);
 
 /// "set debug key of red1"; what is asked of no robot has no "of".
 std::string inWords(const robotcontrol::Request& request);
-/// What is wrong with the request itself; empty: nothing.
+/// Returns the problem with the request itself; empty if it is valid.
 std::string wrongWith(const robotcontrol::Request& request);
 /// Why somebody elsewhere may not make the request, who must not reach files of this machine that nobody here
 /// has chosen; empty: it may be made from anywhere.

@@ -27,7 +27,7 @@ struct GroundMap;
 struct PackageSlot {
   /// Null before the first package.
   PackagePtr value;
-  /// It arrived since the task last ran.
+  /// Whether the package arrived since the task last ran.
   bool isNew = false;
 };
 
@@ -120,7 +120,7 @@ struct SolutionDescription {
   std::string name;
   /// A sentence for users: what it does and how.
   std::string help;
-  /// Whose method it is: papers, books or other programs; "The simulator." of an oracle.
+  /// The origin of the method: papers, books or other programs; "The simulator." for an oracle.
   std::string source;
   // Packages without which it cannot run.
   std::vector<std::string> required;
@@ -203,7 +203,7 @@ class SolutionBuilder {
   SolutionDescription description_;
 };
 
-/// All solutions of this program, sorted by task and name. Filled before main() starts, read-only afterwards.
+/// All solutions of this program, sorted by task and name. Filled before main() starts, read-only afterward.
 class SolutionRegistry {
  public:
   static const std::vector<SolutionDescription>& all();
@@ -228,7 +228,7 @@ struct TaskDescription {
   std::string help;
 };
 
-/// The described tasks, sorted by name. Filled before main() starts, read-only afterwards.
+/// The described tasks, sorted by name. Filled before main() starts, read-only afterward.
 const std::vector<TaskDescription>& describedTasks();
 
 /// Registers a description when it is constructed, at namespace scope.

@@ -329,7 +329,7 @@ void TaskProcess::Implementation::takeRequests() {
   queuesTaken = std::max(queuesTaken, std::min(package.queues_taken(), queuesSent));
   for (int i = 0; i < package.requests_size(); ++i) {
     const std::uint64_t number = package.first_number() + static_cast<std::uint64_t>(i);
-    // It was in an earlier package, too.
+    // An earlier package contained this request already.
     if (number <= requestsDone) continue;
     // The debug process passes on no others.
     if (const auto* row = rowOf(kRows, package.requests(i).what_case()))

@@ -110,7 +110,7 @@ class TaskRunner {
   /// Declared before solution_ so that it outlives it.
   std::unique_ptr<Context> context_;
   std::unique_ptr<Solution> solution_;
-  /// Those that are on, keyed by solution.
+  /// The shadows that run, keyed by solution.
   std::map<std::string, std::unique_ptr<Shadow>> shadows_;
   bool shadowEnded_ = false;
 };

@@ -29,7 +29,7 @@ class BoundExpression {
   Result<bool> take(const std::string& stream, const google::protobuf::Message& message);
   /// Forgets the values of a stream, as of an event that is over, or before its first message.
   void forget(const std::string& stream);
-  /// Those of its values that no message had so far, such as an element of a misspelled name.
+  /// The values of the expression that no message has had so far, such as a misspelled field.
   std::vector<std::string> neverFound() const;
   /// Its newest values for people: "models/ball.position.x is 0.31, hosting.state is RUNNING".
   std::string valuesInWords() const;

@@ -42,7 +42,7 @@ double modulo(double value, double divisor) {
 struct Expression::Implementation {
   std::string text;
   ReadExpression read;
-  /// Those of the inputs, then those of the conditions. The parser has their addresses.
+  /// The values of the inputs, then those of the conditions. The parser keeps pointers to them.
   std::vector<double> variables;
   mu::Parser parser;
 

@@ -17,7 +17,7 @@ class Message;
 
 namespace robotlink {
 
-/// What a path leads to: a number (a time is seconds, a list and bytes their length), or a text. Enumerations
+/// The value at a path: a number (a time is seconds, a list and bytes their length), or a text. Enumerations
 /// and bools (0 or 1; "false" or "true") are both.
 struct FieldValue {
   std::optional<double> number;

@@ -16,7 +16,7 @@ struct LegAngles {
 ///
 /// Points are the center of the paw's sphere in meters relative to the shoulder or hip (the intersection of
 /// the axes of J1 and J2), with axes parallel to the body's. The inverse yields the posture with the knee
-/// bent towards the body's center, as in walking, within the software limits of the joints; the limit of J2
+/// bent toward the body's center, as in walking, within the software limits of the joints; the limit of J2
 /// depends on J1 (Sony's Model Information).
 class LegKinematics {
  public:

@@ -114,7 +114,7 @@ class Reader {
     }
   }
 
-  /// Millimeters ahead and to the left, degrees counter-clockwise.
+  /// Millimeters ahead and to the left, degrees counterclockwise.
   void readOdometry(const std::vector<MotionWord>& words) {
     std::array<double, 3> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {

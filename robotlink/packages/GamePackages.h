@@ -15,7 +15,7 @@ class TeamMessages;
 
 namespace robotlink {
 
-/// What the referee says, from the platform; see Game.proto.
+/// The state of the game from the referee, which the platform sends; see Game.proto.
 inline constexpr Package<robotcontrol::GameState> kGameState{"game/state"};
 /// What the robot sends to its team, to the platform.
 inline constexpr Package<robotcontrol::TeamMessage> kTeamMessage{"team/message"};

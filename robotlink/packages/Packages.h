@@ -89,7 +89,7 @@ inline constexpr Package<robotcontrol::MotionTexts> kMotionTexts{"motions/texts"
 inline constexpr Package<robotcontrol::DriveGoal> kDriveGoal{"remote/goal"};
 
 // Packages that tasks of the robot program exchange.
-/// Pose and opening angles of the camera, computed from the joints.
+/// Pose and fields of view of the camera, computed from the joints.
 inline constexpr Package<robotcontrol::CameraPose> kCameraPose{"camera/pose"};
 /// Regions of color classes in an image.
 inline constexpr Package<robotcontrol::ColorRegions> kColorRegions{"percepts/regions"};

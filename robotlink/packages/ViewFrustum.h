@@ -11,7 +11,7 @@ class CameraPose;
 
 namespace robotlink {
 
-/// The space that a camera shows: the points within its opening angles. A plain value.
+/// The space that a camera shows: the points within its fields of view. A plain value.
 class ViewFrustum {
  public:
   /// Shows nothing if the camera's angles are not known.
@@ -22,7 +22,7 @@ class ViewFrustum {
 
  private:
   std::optional<Pose3> cameraInverse_;
-  /// The tangents of half the opening angles, horizontal and vertical.
+  /// The tangents of half the fields of view, horizontal and vertical.
   double across_ = 0, along_ = 0;
 };
 

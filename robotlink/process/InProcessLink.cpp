@@ -39,7 +39,7 @@ void InProcessLink::close() {
   closed_.store(true, std::memory_order_release);
   pending_ = nullptr;
   kept_.store(false, std::memory_order_release);
-  sender_.wake();  // It may have waited for the receiver.
+  sender_.wake();  // The sender may have been waiting for the receiver.
 }
 
 }  // namespace robotlink

@@ -23,7 +23,7 @@ namespace {
 
 /// Structs without bytes of their own that a message may have beside one for each byte.
 constexpr std::uint64_t kSpareStructs = 10'000;
-/// As many as a repeated field holds.
+/// The maximum number of elements of a repeated field.
 constexpr std::uint64_t kMaxValues = std::numeric_limits<int>::max();
 constexpr std::int64_t kNanosPerSecond = 1'000'000'000;
 

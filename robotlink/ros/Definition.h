@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What a ROS message definition says, whichever language it was written in. Plain values.
+// A parsed ROS message definition (.msg or .idl). Plain values.
 namespace robotlink::ros {
 
 /// The type of one value.
@@ -36,7 +36,7 @@ enum class Kind {
 /// How many values a field holds.
 enum class Shape {
   kSingle,
-  /// As many as the definition says; the count is not sent.
+  /// A fixed-length array; its length is in the definition and not on the wire.
   kArray,
   /// A count, then as many values.
   kSequence

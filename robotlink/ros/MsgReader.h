@@ -9,8 +9,8 @@
 
 namespace robotlink::ros {
 
-/// Which version of ROS a definition was written for; they share names of types, but not all of their
-/// meanings.
+/// The version of ROS that a definition was written for; the versions share names of types, but not all of
+/// their meanings.
 enum class Version { kRos1, kRos2 };
 
 /// Reads a message definition (.msg) with those of everything that it contains, as logs and servers have them

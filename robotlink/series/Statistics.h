@@ -5,7 +5,7 @@
 
 namespace robotlink {
 
-/// What some values are like as a whole. NaN does not count; without values all but `count` are NaN.
+/// Descriptive statistics of a set of values. NaN is ignored; without values all but `count` are NaN.
 struct Statistics {
   std::size_t count = 0;
   double min = std::numeric_limits<double>::quiet_NaN();

@@ -214,7 +214,7 @@ void History::take() {
   auto part = archive_ ? archive_->take() : std::nullopt;
   if (!part || !requested_ || part->at != *requested_) return;
   requested_.reset();
-  // It was forgotten meanwhile.
+  // The history has dropped this piece meanwhile.
   if (part->messages.empty()) return goLive();
   store_.lookAt(part->stretch, std::move(part->messages));
   if (!reading_) return;

@@ -43,7 +43,7 @@ class HistoryArchive {
     std::shared_ptr<const std::map<std::string, Stretch>> times;
     /// The log file that has the messages; empty: it was not written yet, and `messages` has them.
     std::filesystem::path file = {};
-    /// Those of one stream are in order of time; null if there is a file.
+    /// The messages, in order of time within each stream; null if they are in a file.
     std::shared_ptr<const std::vector<StreamMessage>> messages = {};
   };
 

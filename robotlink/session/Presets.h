@@ -15,8 +15,8 @@ namespace robotlink {
 
 class Session;
 
-/// What a user chose for a robot and the window, in texts as commands take them. A part that is not in it
-/// stays as it is when the preset is loaded; what is not in a part gets its default. A plain value.
+/// A user's named choices for a robot and the window, in texts as commands take them. A part that is not in
+/// it stays as it is when the preset is loaded; what is not in a part gets its default. A plain value.
 struct Preset {
   enum Part : std::uint8_t {
     /// Debug keys that are on: "image/camera" -> "every 3".

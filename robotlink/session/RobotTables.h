@@ -12,8 +12,8 @@ class KeyTable;
 class SolutionTable;
 }  // namespace robotcontrol
 
-// What the selected robot's program has reported last of itself. Only in the thread that ticks the session,
-// whose next tick may destroy what is returned.
+// Functions that return the tables that the selected robot's program published last. Only in the thread that
+// ticks the session, whose next tick may destroy what is returned.
 namespace robotlink {
 
 /// Null if there is none.

@@ -143,8 +143,8 @@ class Session {
   Timeline timeline_;
   History history_{store_, timeline_};
   StreamReaders readers_{store_};
-  /// What was pushed since the last tick. Shared with producers; its own mutex protects it. Everything else
-  /// belongs to the GUI's thread.
+  /// The messages pushed since the last tick. Shared with producers and protected by its own mutex.
+  /// Everything else belongs to the GUI's thread.
   std::unique_ptr<Inbox> inbox_;
   /// Result handlers of requests that have no result yet.
   std::unique_ptr<Pending> pending_;

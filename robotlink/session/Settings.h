@@ -13,9 +13,9 @@
 
 namespace robotlink {
 
-/// What views and windows remember between runs: values under names such as "views/image-1/zoom". A JSON text
-/// file with a version, written as a whole or not at all. A value of another type than requested counts as
-/// absent.
+/// The settings that views and windows keep between runs: values under names such as "views/image-1/zoom". A
+/// JSON text file with a version, written as a whole or not at all. A value of another type than requested
+/// counts as absent.
 ///
 /// A file that cannot be read is renamed to <file>.broken, so that nothing a user made is lost, and
 /// everything has its default value. One thread.

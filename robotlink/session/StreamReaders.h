@@ -40,8 +40,8 @@ class StreamReaders {
 
   /// The names of those that have read a stream since the period began, sorted.
   std::vector<std::string> of(const StreamStore::Stream& stream) const;
-  /// Forgets who has read what, and readers that have not read at all. To be called by whoever shows them,
-  /// after several updates of all views.
+  /// Starts a new period: forgets which reader has read what, and idle readers. The view that shows them
+  /// calls this after several updates of all views.
   void beginPeriod();
 
  private:

@@ -43,7 +43,7 @@ void updateRates(StreamStore::Stream& stream, Instant now) {
 
 /// The bytes that a message takes in memory. Counting them by reflection takes longer than to serialize it,
 /// so those of a type that are equally long on the wire share what one of them was found to take: streams
-/// have messages of the same shape again and again.
+/// have messages of the same shape repeatedly.
 std::size_t memoryOf(const google::protobuf::Message& message, std::size_t onWire) {
   struct Known {
     const google::protobuf::Descriptor* type = nullptr;

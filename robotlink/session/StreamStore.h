@@ -33,7 +33,7 @@ class StreamStore {
  public:
   /// Longer than any program runs.
   static constexpr Duration kNoLimit = std::chrono::hours(24 * 3650);
-  /// What is older or exceeds these limits is dropped, oldest first.
+  /// Messages that are older or exceed these limits are dropped, oldest first.
   struct Limits {
     // In the platform's time, before the newest message.
     Duration age = kNoLimit;
@@ -75,8 +75,8 @@ class StreamStore {
 
   /// Where dropped messages go; null: nowhere. It must outlive the store's use.
   void setArchive(HistoryArchive* archive) { archive_ = archive; }
-  /// Sets the reader of streams from now on, as one bit; 0: nobody who is counted. find() and latest() note
-  /// it in Stream::readers. StreamReaders has their names.
+  /// Sets the current reader of streams, as one bit; 0: a reader that is not counted. find() and latest()
+  /// note it in Stream::readers. StreamReaders has their names.
   void setReader(std::uint64_t bit) { reader_ = bit; }
   std::uint64_t reader() const { return reader_; }
   /// Notes it for a stream that was found in another way.
@@ -155,7 +155,7 @@ class StreamStore {
   std::uint64_t listVersion_ = 0;
   std::uint64_t generation_ = 0;
   std::uint64_t refused_ = 0;
-  /// The bit of whoever reads now.
+  /// The bit of the current reader.
   std::uint64_t reader_ = 0;
   Instant newest_;
   /// When sweep() last ran, in the platform's time.

@@ -27,7 +27,7 @@ class EventErrors {
  private:
   struct Episode {
     Instant begin, last;
-    /// It counts already.
+    /// Whether the episode has been counted.
     bool isDecided = false;
   };
   void follow(Instant time, bool happens, ErrorQuantity& errors);

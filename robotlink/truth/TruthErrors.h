@@ -19,7 +19,7 @@ namespace robotlink {
 struct FieldDescription;
 struct SharedDebugQueue;
 
-/// Where what is compared comes from.
+/// The source of a compared package: its stream and its solution.
 struct ErrorSource {
   /// The stream's path below the robot: "models/ball", or that of a shadow, "shadow/kalman/models/ball".
   std::string path;

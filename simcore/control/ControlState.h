@@ -15,7 +15,7 @@ namespace simcore {
 struct ControlState {
   /// Null before the first start.
   std::unique_ptr<Controllers> controllers = nullptr;
-  /// Those that enter at the next step, and those that entered at the last one.
+  /// The events that take effect at the next step, and those that took effect at the last one.
   std::vector<ViewEvent> waiting = {}, events = {};
   /// Whether the controllers were called for the step that comes.
   bool isDone = false;

@@ -18,8 +18,9 @@
 
 namespace simcore {
 
-/// What a controller has of the world that it controls: its ports by their paths, its models, and what people
-/// do in views. SI units, the world's frame. Only to be used during Controller::step() and the constructor.
+/// A controller's interface to the world that it controls: its ports by their paths, its models, and what
+/// people do in views. SI units, the world's frame. Only to be used during Controller::step() and the
+/// constructor.
 class ControlledWorld {
  public:
   virtual ~ControlledWorld() = default;
@@ -65,7 +66,7 @@ class ControlledWorld {
 ///
 /// All controllers of a simulation are called in its thread, one after the other, in the order of the scene.
 /// They must be deterministic: the same seed, readings and events give the same commands. An exception
-/// switches a controller off; it is reported, and the simulation goes on. A reset makes a new one.
+/// switches a controller off; it is reported, and the simulation continues. A reset makes a new one.
 class Controller {
  public:
   Controller() = default;
@@ -75,7 +76,7 @@ class Controller {
 
   virtual void step(ControlledWorld& world) = 0;
 
-  /// What it must remember where a simulation goes on in another scene, or in a snapshot: any bytes, which
+  /// What it must remember where a simulation continues in another scene, or in a snapshot: any bytes, which
   /// restore() gets in another object of the same kind and parameters. Those of an older program may come,
   /// too.
   virtual std::string state() const { return {}; }

@@ -50,7 +50,7 @@ struct ControllerKind {
   std::function<std::unique_ptr<Controller>(ControllerSetup& setup)> make = {};
 };
 
-/// Those that are registered, in the order of their names. Null if there is none of a name.
+/// All registered kinds of controllers, sorted by name. Null if no kind has the name.
 const std::vector<ControllerKind>& controllerKinds();
 const ControllerKind* controllerKind(const std::string& name);
 

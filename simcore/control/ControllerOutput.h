@@ -33,13 +33,13 @@ struct ControllerOutput {
 
   PortInfo info;
   Kind kind = Kind::kValues;
-  /// As many as the shape says.
+  /// The values; their number follows from the shape.
   std::vector<double> values = {};
   /// RGB or gray, of the size that the shape says.
   robotlink::Image image = {};
   std::vector<DrawnShape> shapes = {};
 
-  /// What is wrong with the contents; empty if nothing is.
+  /// Returns the problem with the contents; empty if they are valid.
   std::string problem() const;
 };
 

@@ -10,8 +10,8 @@
 
 namespace simcore {
 
-/// What a controller is made from: the parameters that its scene gives it, and the views that it adds. Only
-/// valid while it is made. A parameter that its kind does not declare throws std::logic_error.
+/// The inputs from which a controller is created: the parameters in its scene, and the views that it adds.
+/// Only valid while it is made. A parameter that its kind does not declare throws std::logic_error.
 class ControllerSetup {
  public:
   /// More outputs of one controller, more values in one, or larger images throw std::length_error.

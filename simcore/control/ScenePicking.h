@@ -8,7 +8,7 @@
 
 namespace simcore {
 
-/// What a ray hits first.
+/// The first instance that a ray hits.
 struct PickedInstance {
   /// Index in RenderScene::instances.
   std::size_t instance = 0;

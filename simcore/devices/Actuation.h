@@ -41,7 +41,7 @@ class Actuation {
     bool noise = false;
     std::uint64_t seed = 0;
   };
-  /// To be called before and after each step of the physics.
+  /// Call this before and after each step of the physics.
   void beforeStep(std::uint64_t step, const Randomness& random);
   void afterStep();
 

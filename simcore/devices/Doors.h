@@ -24,12 +24,12 @@ class Doors {
 
   /// The smallest number that the sensor of a door reads now; it is only called for doors that have one.
   using Reading = std::function<double(const Door& door)>;
-  /// To be called after each step of the physics, whose number is `step`.
+  /// Call this after each step of the physics, whose number is `step`.
   void afterStep(std::uint64_t step, const Reading& reading);
 
   /// Opens a door for its time, or closes it at once; if its sensor still sees somebody it opens again.
   void command(std::size_t door, bool open, std::uint64_t step);
-  /// A door goes on as another one that opens and closes in the same simulation; its servo does so, too.
+  /// A door continues as another one that opens and closes in the same simulation; its servo does so, too.
   void takeOver(std::size_t door, const Doors& before, std::size_t other) {
     states_[door] = before.states_[other];
   }

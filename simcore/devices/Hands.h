@@ -30,7 +30,7 @@ class Hands {
   /// Pushes a body with a force in the world at a point in the frame of its link, for some steps.
   void push(std::size_t body, const Vector3& force, const Vector3& point, std::uint64_t steps);
 
-  /// To be called before each step of the physics.
+  /// Call this before each step of the physics.
   void beforeStep();
   /// Writes or reads all forces.
   void transfer(StateStream& stream);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a vehicle's wheels must turn, and be steered, to move it as it is commanded. Pure functions.
+// Inverse kinematics of wheeled vehicles: wheel speeds and steering angles for a commanded motion. Pure
+// functions.
 #pragma once
 
 #include <array>

@@ -38,7 +38,7 @@ class MeshFiles {
   std::map<std::filesystem::path, robotlink::Result<Parts>> files_;
 };
 
-/// A mesh scaled by `scale` along its axes and moved by `offset` (m); triangles stay counter-clockwise if a
+/// A mesh scaled by `scale` along its axes and moved by `offset` (m); triangles stay counterclockwise if a
 /// scale is negative.
 std::shared_ptr<const Mesh> scaledMesh(const Mesh& mesh, const Eigen::Vector3d& scale,
                                        const Eigen::Vector3d& offset = Eigen::Vector3d::Zero());

@@ -14,7 +14,7 @@ using robotlink::Vector2;
 constexpr std::size_t kMaxCorners = 1000;
 constexpr double kSameCorner = 1e-9;  // m
 
-/// Twice the area of a triangle, positive if it is counter-clockwise.
+/// Twice the area of a triangle, positive if it is counterclockwise.
 double turn(const Vector2& a, const Vector2& b, const Vector2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
@@ -58,7 +58,7 @@ bool isEar(const std::vector<Vector2>& corners, const std::vector<std::uint32_t>
   });
 }
 
-/// Empty if the polygon crosses itself. Each search for an ear goes on where the last one ended: from the
+/// Empty if the polygon crosses itself. Each search for an ear continues where the last one ended: from the
 /// beginning, a spiral takes time with the cube of its corners.
 Triangles triangulated(const std::vector<Vector2>& corners) {
   std::vector<std::uint32_t> left(corners.size());

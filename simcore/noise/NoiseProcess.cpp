@@ -45,7 +45,8 @@ void NoiseProcess::change(std::vector<NoiseModel> noise, std::uint64_t seed, std
 }
 
 void NoiseProcess::transfer(StateStream& stream, std::uint64_t seed, std::uint64_t step) {
-  // Nobody may have read the sensor for long; whoever reads the state must not have to make up for that.
+  // If the sensor was not read for long, the drift catches up before it is saved, so that loading need not do
+  // it.
   const bool isOther = driftSeed_ != seed || driftStep_ > step;
   if (!stream.isReading() && (isOther || step > driftStep_ + kMaxSampleAge))
     continueDrift(seed, step > kMaxSampleAge ? step - kMaxSampleAge : 0);

@@ -190,7 +190,7 @@ void addJoints(OdeWorld& ode, const OdePair& pair) {
 }
 
 /// Creates the contact joints of a step in an order that depends on nothing but which geoms touch, so that a
-/// simulation that was put back to an earlier state goes on as it did then.
+/// simulation that was put back to an earlier state continues as it did then.
 void addJointsInOrder(OdeWorld& ode) {
   std::ranges::sort(ode.pairs, {}, &OdePair::key);
   ode.contactRecords.clear();

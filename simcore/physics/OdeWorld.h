@@ -153,7 +153,7 @@ struct OdeModel {
   bool kinematic = false;
   /// Whether one with a drive has come down to what is below it since it was put where it is.
   bool hasGround = false;
-  /// It pushes what it touches: an index of OdeWorld::followers; -1 if it is none.
+  /// The index in OdeWorld::followers of a model that pushes what it touches; -1 for other models.
   int follower = -1;
   /// Whether it touched anything but a floor in the last step.
   bool touchesObstacle = false;

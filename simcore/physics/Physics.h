@@ -172,7 +172,7 @@ class Physics {
     /// Bodies, or unset of static models.
     std::optional<std::size_t> firstBody, secondBody;
     Vector3 point = Vector3::Zero();
-    /// A unit vector towards the first.
+    /// A unit vector toward the first.
     Vector3 normal = Vector3::Zero();
     double depth = 0;
     /// On the first, N.

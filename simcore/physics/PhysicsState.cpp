@@ -97,7 +97,7 @@ void transferForces(StateStream& stream, dJointFeedback& force) {
 void transferFollower(StateStream& stream, OdeFollower& follower, std::size_t joints) {
   for (double* command : {&follower.ahead, &follower.sideways, &follower.turning}) stream.number(*command);
   stream.flag(follower.stopped);
-  // What a file says of how it stands is not needed: it is found out from the bodies.
+  // The resting state in the file is not needed: it follows from the bodies.
   bool known = follower.known;
   stream.flag(known);
   if (!known) {

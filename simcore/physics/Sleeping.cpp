@@ -14,7 +14,7 @@
 namespace simcore {
 namespace {
 
-/// In so many steps something has to stand where it is.
+/// The number of steps for which a body must rest before it falls asleep.
 constexpr int kQuietSteps = 125;
 /// How far something may move and turn in the meantime.
 struct Quiet {

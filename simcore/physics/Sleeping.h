@@ -19,7 +19,7 @@ class StateStream;
 /// Wakes a model, if it sleeps, and all that fell asleep with it.
 void wake(OdeWorld& ode, OdeModel& model);
 
-/// To be called before a motor is set: wakes its model, if that sleeps and the motor is driven otherwise.
+/// Call this before a motor is set: wakes its model, if that sleeps and the motor is driven otherwise.
 void wakeIfDrivenOtherwise(OdeWorld& ode, std::size_t hinge, double speed, double limit);
 
 /// Wakes what is touched by a pair of this step that is awake. Returns whether anything slept; then the

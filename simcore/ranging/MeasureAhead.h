@@ -30,7 +30,7 @@ class MeasureAhead {
   }
 
   std::size_t lanes() const { return pool_ ? static_cast<std::size_t>(pool_->threads()) : 1; }
-  /// To be called when the state of a step has changed: what was measured for it is not used.
+  /// Call this when the state of a step has changed: what was measured for it is not used.
   void forget() {
     for (Sensor& sensor : sensors_) sensor.madeAt = kNever;
   }

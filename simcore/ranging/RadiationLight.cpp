@@ -22,7 +22,7 @@ constexpr DerivedClass kDerived[] = {{"Y", 0.299F, 0.587F, 0.114F, 0},
 
 // A shadow ray ends that much of its length before the surface, as those of CameraRenderer do.
 constexpr float kShadowEnd = 0.9998F;
-// Those of directional lamps are longer.
+// The same for directional lamps, whose shadow rays are longer.
 constexpr float kFarShadowEnd = 0.99999F;
 
 Eigen::Vector3f vectorOf(Rgb color) {

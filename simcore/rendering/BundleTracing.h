@@ -33,7 +33,7 @@ struct BundleTarget {
   BundleTarget(RTCScene of, const Eigen::Vector3d& centerInBundle, double radiusOf,
                const robotlink::Pose3& treeInWorldOf, const robotlink::Pose3& bundleInWorldOf,
                const std::vector<std::int32_t>& instancesOf);
-  /// To be called before rays are traced to it; most targets are never met.
+  /// Call this before rays are traced to it; most targets are never met.
   void prepare();
 };
 

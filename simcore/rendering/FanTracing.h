@@ -78,7 +78,7 @@ class FanView {
  private:
   const RayFan& fan_;
   const Pose3& frame_;
-  /// pastStart_ and beforeEnd_ are the normals of the fan's edges, towards its inside.
+  /// pastStart_ and beforeEnd_ are the normals of the fan's edges, toward its inside.
   Eigen::Vector3d origin_, pastStart_, beforeEnd_;
   /// The fan spans at most half a turn; then its inside is what is inside both edges.
   bool narrow_ = false;

@@ -71,7 +71,7 @@ SIMCORE_INLINE Float8 minimum(Float8 a, Float8 b, Float8 c) {
 SIMCORE_INLINE Float8 maximum(Float8 a, Float8 b, Float8 c) {
   return maximum(maximum(a, b), c);
 }
-/// Conversion to integers, towards zero.
+/// Conversion to integers, toward zero.
 SIMCORE_INLINE Int8 truncated(Float8 v) {
   return __builtin_convertvector(v, Int8);
 }

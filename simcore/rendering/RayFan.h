@@ -10,7 +10,7 @@ namespace simcore {
 /// Rays from one point in a plane, at equal angles. Immutable.
 class RayFan {
  public:
-  /// `count` rays (at least one) from angle `start` to angle `end`, rad, counter-clockwise, over at most a
+  /// `count` rays (at least one) from angle `start` to angle `end`, rad, counterclockwise, over at most a
   /// full turn.
   RayFan(double start, double end, int count);
 

@@ -29,7 +29,7 @@ struct SceneInclude {
   std::filesystem::path file;
   /// Empty: the model's own name.
   std::string name;
-  /// As in SDFormat: x y z roll pitch yaw, m and rad; unset: the model's own.
+  /// The pose as in SDFormat: x y z roll pitch yaw, m and rad; unset: the model's own.
   std::optional<std::array<double, 6>> pose;
   /// Unset: as the model says.
   std::optional<bool> isStatic;

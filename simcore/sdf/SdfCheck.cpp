@@ -26,7 +26,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// As much of a wrong value is shown.
+/// The number of characters of a wrong value that an error shows.
 constexpr std::size_t kMaxShown = 60;
 
 /// Limits may be infinite: in SDFormat this means that there is none.

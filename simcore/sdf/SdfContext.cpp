@@ -9,7 +9,8 @@
 namespace simcore {
 namespace {
 
-/// As many errors of libsdformat are reported: for each the whole tree is searched for its line.
+/// The maximum number of errors of libsdformat that are reported; the line of each takes a search of the
+/// whole tree.
 constexpr std::size_t kMaxReported = 100;
 
 /// The line of an element, or of the nearest enclosing one with a line; 0 if there is none.

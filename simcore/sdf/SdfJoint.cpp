@@ -260,7 +260,7 @@ class JointOrder {
     return ordered;
   }
 
-  /// Those that take() has left, in their order.
+  /// Returns the joints that take() has not removed, in their order.
   std::vector<JointDescription> rest() {
     std::vector<JointDescription> result;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -283,7 +283,7 @@ class JointOrder {
     while (!ready_.empty()) {
       const std::size_t i = ready_.top();
       ready_.pop();
-      // It may have been cut meanwhile.
+      // An earlier cut may have opened this cycle already.
       if (joints_[i].closesCycle) continue;
       isTaken_[i] = true;
       const int child = joints_[i].child;

@@ -24,7 +24,7 @@ void setSourceLine(tinyxml2::XMLElement& element, int line);
 
 /// The text directly in an element, without white space around it; empty for null.
 std::string trimmedText(const tinyxml2::XMLElement* element);
-/// That of a child, empty if there is none.
+/// The text of a child element; empty if there is none.
 std::string childText(const tinyxml2::XMLElement& element, const char* name);
 /// The attribute `name`; empty if there is none.
 std::string nameOf(const tinyxml2::XMLElement& element);

@@ -21,7 +21,7 @@ namespace simcore {
 class SceneFiles;
 class SdfSpec;
 
-/// What the reader needs to know and where it reports. A bundle of references; one thread at a time.
+/// The reader's inputs and its list of problems. A bundle of references; one thread at a time.
 struct SdfSources {
   const SceneFiles& files;
   const SdfSpec& spec;

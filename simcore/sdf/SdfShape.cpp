@@ -42,8 +42,7 @@ PlacedShape planeOf(const sdf::Plane& plane, const sdf::ElementPtr& element, con
   result.shape.size = {checkedLength(plane.Size().X(), "a plane's size", element, context),
                        checkedLength(plane.Size().Y(), "a plane's size", element, context), 0};
   const Vector3 normal = toEigen(plane.Normal());
-  if (normal != Vector3::UnitZ())
-    result.poseInGeometry.linear() = robotlink::rotationFromZAxis(normal);
+  if (normal != Vector3::UnitZ()) result.poseInGeometry.linear() = robotlink::rotationFromZAxis(normal);
   return result;
 }
 

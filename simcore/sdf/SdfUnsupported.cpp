@@ -183,7 +183,7 @@ constexpr ReadRow kRead[] = {
     {"sensor",
      "pose update_rate altimeter camera contact force_torque gps navsat imu lidar ray magnetometer sonar"},
     {"camera", "horizontal_fov image clip depth_camera noise distortion"},
-    // That of a camera, and that of a geometry.
+    // <image> of a camera, and <image> of a geometry (heightmap).
     {"image", "width height uri scale threshold granularity"},
     {"clip", "near far"},
     {"depth_camera", "clip"},
@@ -286,7 +286,7 @@ Unsupported unsupported(const XMLElement& element, bool isUsual) {
       kRows, [&](const Row& row) { return row.name == name && (row.parent.empty() || row.parent == above); });
   if (found == std::end(kRows)) return {};
   const bool harmless = isHarmless(element, found->harmless, isUsual);
-  // It is read of lights that fade.
+  // The element is read for lights with attenuation.
   if (found->harmless == Harmless::kIfDirectional && !harmless) return {};
   return {harmless ? nullptr : found->why, true};
 }

@@ -11,7 +11,7 @@ class XMLElement;
 
 namespace simcore {
 
-/// What becomes of an element that SDFormat defines and the simulator does not have.
+/// The treatment of an element that SDFormat defines and the simulator does not support.
 struct Unsupported {
   /// The consequence, for users; null if the element is supported, or means nothing here.
   const char* why = nullptr;

@@ -14,7 +14,7 @@ class XMLElement;
 
 namespace simcore {
 
-/// What is needed of a URDF after its conversion.
+/// The parts of a URDF that are needed after its conversion.
 struct UrdfParts {
   /// Lines in the URDF.
   int line = 1;

@@ -37,8 +37,8 @@ struct MotorControl {
 struct DoorDescription {
   /// The name of the sensor of the same model that opens it; empty: only commands do.
   std::string sensor;
-  /// It opens if the sensor reads less, m; without meaning for a sensor that feels, which opens it when it is
-  /// touched.
+  /// The distance, m, below which the sensor opens the door; ignored for contact sensors, which open it when
+  /// they are touched.
   double below = 0;
   double open = 0, closed = 0;
   /// How long it stays open after the last reason to open it, s.

@@ -7,7 +7,7 @@
 
 namespace simcore {
 
-/// The darkening of an image towards its corners by the lens, as by the lens of a real Aibo. With r the
+/// The darkening of an image toward its corners by the lens, as by the lens of a real Aibo. With r the
 /// distance from the center (1 in the corners), all light is multiplied by 1 - falloff * r^2, and red and
 /// green also by 1 - tint * r^2, which makes the corners bluish.
 struct LensVignetting {
@@ -46,7 +46,7 @@ struct CameraModel {
   // Pixels.
   int width = 176;
   int height = 144;
-  /// Full opening angles, rad.
+  /// Full fields of view, rad.
   double horizontalAngle = robotlink::radians(57.6);
   double verticalAngle = robotlink::radians(47.8);
   LensVignetting vignetting = {};

@@ -8,8 +8,9 @@
 
 namespace simcore {
 
-/// What an image will show that is asked for later, of a camera whose delay puts it into the past. A copy of
-/// all that has to be known of the simulation, so that it can be rendered while that goes on. A plain value.
+/// The state of the world that a future image of a delayed camera will show. A copy of
+/// all that has to be known of the simulation, so that it can be rendered while that continues. A plain
+/// value.
 struct ComingImage {
   /// The step that the image shows, which Simulation::cameraStep() will yield.
   std::uint64_t step = 0;

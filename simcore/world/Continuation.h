@@ -10,7 +10,7 @@ namespace simcore {
 /// How a model stands and moves, with all its links. Immutable.
 struct ModelMotion;
 
-/// How a simulation goes on in another scene.
+/// How a simulation continues in another scene.
 struct Continuation {
   /// Whether it may have other sensors, cameras, servos and drives than before.
   bool otherPorts = false;

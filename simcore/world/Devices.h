@@ -61,7 +61,7 @@ struct DoorSensor {
   Kind kind = Kind::kNone;
   /// Among the sensors or the range sensors.
   std::size_t index = 0;
-  /// It reads 0 or 1 instead of a distance.
+  /// Whether the sensor reads 0 or 1 instead of a distance.
   bool isContact = false;
 };
 

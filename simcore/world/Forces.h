@@ -13,7 +13,7 @@ namespace simcore {
 struct ContactForce {
   std::string first, second;
   robotlink::Vector3 point = robotlink::Vector3::Zero();
-  /// A unit vector towards the first.
+  /// A unit vector toward the first.
   robotlink::Vector3 normal = robotlink::Vector3::Zero();
   /// How far they overlap, m.
   double depth = 0;

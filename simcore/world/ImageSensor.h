@@ -13,8 +13,8 @@
 
 namespace simcore {
 
-/// What an image sensor measures, and in which directions. All of them look along the x-axis of their frame;
-/// y points to the left, z up.
+/// The quantity that an image sensor measures, and the directions of its pixels. All of them look along the
+/// x-axis of their frame; y points to the left, z up.
 struct ImageGeometry {
   enum class Kind : std::uint8_t {
     /// Depth along the optical axis, m; one channel. Nearer than `nearest`: 0; farther than `farthest`, or

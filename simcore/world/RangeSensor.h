@@ -26,7 +26,7 @@ struct RangeSensor {
   SensorErrors errors;
   /// 1 for a sonar.
   int readings = 1;
-  /// Laser only: angles of the first and the last reading, rad, counter-clockwise from the x-axis.
+  /// Laser only: angles of the first and the last reading, rad, counterclockwise from the x-axis.
   double startAngle = 0, endAngle = 0;
   /// Sonar only: the full cone, rad.
   double openingAngle = 0;

@@ -88,7 +88,7 @@ Mesh boxMesh(const Eigen::Vector3f& size) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const float sign : {-1.0F, 1.0F}) {
       const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-      // The two other axes, in the order that makes the corners counter-clockwise seen from outside.
+      // The two other axes, in the order that makes the corners counterclockwise seen from outside.
       const int u = (axis + (sign > 0 ? 1 : 2)) % 3, v = (axis + (sign > 0 ? 2 : 1)) % 3;
       for (const auto& [a, b] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
         Eigen::Vector3f corner;

@@ -16,7 +16,7 @@ namespace simcore {
 using robotlink::Pose3;
 using robotlink::Rgb;
 
-/// Triangles in a frame of their own, in meters, counter-clockwise seen from outside. One unit normal per
+/// Triangles in a frame of their own, in meters, counterclockwise seen from outside. One unit normal per
 /// vertex.
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;

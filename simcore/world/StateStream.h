@@ -43,7 +43,7 @@ class StateStream {
   void require(bool holds) {
     if (isReading_ && isForeign_ && !holds) good_ = false;
   }
-  /// What was read cannot be used, wherever it is from.
+  /// Marks the state that was read as invalid.
   void fail() { good_ = false; }
 
   /// A number of fixed width, of any value.

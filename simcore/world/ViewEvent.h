@@ -8,7 +8,7 @@
 
 namespace simcore {
 
-/// What a person did with keyboard or mouse in a view of the world. A plain value.
+/// A keyboard or mouse event of a user in a view of the world. A plain value.
 struct ViewEvent {
   enum class Kind : std::uint8_t { kKeyPressed, kKeyReleased, kMousePressed, kMouseMoved, kMouseReleased };
   Kind kind = Kind::kKeyPressed;

@@ -123,7 +123,7 @@ struct JointDescription {
   bool hasPosition() const { return (kind == Kind::kHinge || kind == Kind::kSlider) && !wheel; }
   /// How its motor is controlled, if it has one (`servo`).
   MotorControl control;
-  /// It is a door that its motor opens.
+  /// Set if the joint is that of a door that its motor opens.
   std::optional<DoorDescription> door;
   /// Sensors of its speed (rad/s) and of the torque that turns it (N m).
   std::optional<SensorErrors> speedSensor, loadSensor;
@@ -237,7 +237,7 @@ struct WorldDescription {
   std::vector<Vector3> lampDirections;
   /// What the lamps emit of radiation classes, by lamp.
   std::vector<std::vector<ClassIntensity>> lampRadiation;
-  /// Those that belong to no model.
+  /// The controllers that belong to no model.
   std::vector<ControllerDescription> controllers;
   std::vector<ModelInstance> models;
 };

@@ -74,7 +74,7 @@ class BehaviorModel {
  private:
   int findOption(const QString& name) const;
   static int findState(const Option& option, const QString& name);
-  /// Those that are not known are added.
+  /// Returns the index of an option; an unknown one is added.
   int optionNamed(const QString& name);
   int stateNamed(int option, const QString& name);
   bool search(int option, const Place& place, std::vector<Place>& path) const;

@@ -51,7 +51,7 @@ void BehaviorView::createActions() {
                         {"behaviorRelease", tr("Release"), tr("The behavior decides again"), tr("Ctrl+R")});
   hold_ =
       makeToggle(this, "pause",
-                 {"behaviorHold", tr("Hold"), tr("No state changes until it is stepped or held no more")});
+                 {"behaviorHold", tr("Hold"), tr("Freezes all states until Step or a second click on Hold")});
   step_ = makeAction(this, "step",
                      {"behaviorStep", tr("Step"), tr("Lets the next change of a state happen"), tr("F10")});
 }
@@ -125,7 +125,7 @@ void BehaviorView::forceSelected() {
 }
 
 void BehaviorView::step() {
-  // The count goes on from what the program has, whoever else steps it.
+  // The count continues from what the program has, whoever else steps it.
   const std::string solution = std::string(kBehaviorTask) + '/' + model_.solution().toStdString();
   edits_->requestValue(solution, "control.steps", [this](const robotlink::Result<std::string>& value) {
     const QString text = value ? QString::fromStdString(*value) : QString();

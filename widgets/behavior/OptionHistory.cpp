@@ -49,7 +49,7 @@ void OptionHistory::addState(double time, const QString& option, const QString& 
   if (row == rows_.end()) row = rows_.insert(rows_.end(), {option, {}});
   colors_.try_emplace(state, static_cast<int>(colors_.size()));
   auto& segments = row->segments;
-  // It goes on if the option was active in the message before, too.
+  // The segment continues if the option was active in the previous message, too.
   if (!segments.empty() && segments.back().state == state && segments.back().to >= before_) {
     segments.back().to = time;
     return;

@@ -61,7 +61,7 @@ CalibrationView::CalibrationView(ViewContext& context, QWidget* parent)
   streams_ = new StreamSelector("foxglove.RawImage", QLatin1String(kDefaultStream), row->parentWidget());
   describe(*streams_, {"cameraStream", tr("Image stream"), tr("Which camera is calibrated")});
   row->addWidget(streams_, 1);
-  QAction* fit = makeFit(tr("Shows the whole image, as large as it fits"));
+  QAction* fit = makeFit(tr("Fits the whole image into the view"));
   connect(fit, &QAction::triggered, this, [this] { canvas_->setViewport({}); });
   addButtons(row, {fit, zoomOut(), zoomIn()});
   QHBoxLayout* footer = makeFooter(this);

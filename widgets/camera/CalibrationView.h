@@ -94,7 +94,7 @@ class CalibrationView final : public PictureView {
   void fitLens();
   void placeByBoard();
   void placeByMarks();
-  /// The lens that was computed, or one with the opening angle that the robot states; nothing: neither.
+  /// The lens that was computed, or one with the field of view that the robot states; nothing: neither.
   std::optional<robotlink::LensModel> lens() const;
   void pickAt(const QPointF& canvas);
   /// Sets those of the parameters that the robot's solution of camera-pose has.
@@ -111,7 +111,7 @@ class CalibrationView final : public PictureView {
   SettingsPanel* settingsPanel_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr;
   MarkModel* marks_ = nullptr;
-  /// Whose marks these are.
+  /// The field whose marks are listed.
   std::shared_ptr<const robotlink::FieldDescription> field_;
   ParameterEdits* parameters_ = nullptr;
   PackageSubscription subscription_, settingsSubscription_;

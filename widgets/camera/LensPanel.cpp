@@ -43,12 +43,11 @@ LensPanel::LensPanel(QWidget* parent) : QWidget(parent) {
   square_->setDecimals(1);
   square_->setSuffix(tr(" mm"));
   square_->setValue(usual.square * kMillimeters);
-  take =
-      makeAction(this, "record",
-                 {"lensTake", tr("Take"), tr("Takes the view of the board that is seen now"), Qt::Key_Space});
+  take = makeAction(this, "record",
+                    {"lensTake", tr("Take"), tr("Captures the current view of the board"), Qt::Key_Space});
   automatic = makeToggle(this, "loop",
                          {"lensAutomatic", tr("Take by itself"),
-                          tr("Takes every view in which the board is elsewhere"), Qt::Key_T});
+                          tr("Captures a view automatically whenever the board has moved"), Qt::Key_T});
   remove = makeAction(this, "remove",
                       {"lensRemove", tr("Remove"), tr("Removes the selected view"), QKeySequence::Delete});
   clear = makeAction(this, "clear", {"lensClear", tr("Remove all"), tr("Removes all views")});

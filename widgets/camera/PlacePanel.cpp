@@ -22,7 +22,7 @@ QString inDegrees(double rad) {
 
 PlacePanel::PlacePanel(MarkModel& marks, QWidget* parent) : QWidget(parent) {
   by_ = new QComboBox(this);
-  describe(*by_, {"placeBy", tr("Computed from"), tr("What the place of the camera is computed from")});
+  describe(*by_, {"placeBy", tr("Computed from"), tr("Data from which the camera's pose is computed")});
   by_->addItems({tr("Marks of the field"), tr("Board on the ground")});
   take = makeAction(
       this, "record",

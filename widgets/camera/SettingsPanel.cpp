@@ -48,8 +48,9 @@ bool isSwitch(const Setting& setting) {
 }  // namespace
 
 SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent) {
-  reset = makeAction(this, "reset",
-                     {"cameraReset", tr("Reset"), tr("Sets all to what they were when the camera began")});
+  reset = makeAction(
+      this, "reset",
+      {"cameraReset", tr("Reset"), tr("Resets all settings to their values when the camera was opened")});
   none_ = makeNote(this, "settingsNone", tr("Why there are no settings"));
   none_->setText(tr("This camera has no settings that can be changed while it takes images."));
   outcome_ = makeNote(this, "settingsOutcome", tr("What came of it"));
@@ -113,7 +114,7 @@ void SettingsPanel::addRow(const Setting& setting) {
   const QByteArray name = QByteArray("setting/") + setting.name().c_str();
   const double step = stepOf(setting);
   const int decimals = decimalsOf(step);
-  const QString tip = tr("%1 to %2; the camera began with %3")
+  const QString tip = tr("%1 to %2; initially %3")
                           .arg(setting.minimum(), 0, 'f', decimals)
                           .arg(setting.maximum(), 0, 'f', decimals)
                           .arg(setting.initial(), 0, 'f', decimals);

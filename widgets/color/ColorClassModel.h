@@ -11,7 +11,7 @@
 
 namespace widgets {
 
-/// What is shown of one class.
+/// The displayed properties of one class.
 struct ColorClassRow {
   QString name;
   /// Invalid for the background.

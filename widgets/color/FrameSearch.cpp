@@ -148,7 +148,7 @@ bool FrameSearch::look(const robotlink::StreamMessage& message, robotlink::Durat
     if (found.score > 0) ++progress_.suspicious;
     if (view.empty()) ++progress_.damaged;
     if (frame) found_.push_back(std::move(*frame));
-    // Nobody may take them for a while.
+    // The caller may not fetch results for a while.
     if (found_.size() > 2 * kMaxKept) {
       std::erase_if(found_,
                     [this](const SuspiciousFrame& one) { return one.found.score < eye_->worst.top(); });

@@ -27,7 +27,7 @@ class TrueClassFrames final : public QObject {
   bool on() const { return on_; }
   /// Number of images.
   std::size_t count() const { return frames_.size(); }
-  /// To be called once per tick.
+  /// Call this once per tick.
   void tick();
 
  private:

@@ -8,7 +8,7 @@ namespace robotlink {
 class CommandTable;
 }
 
-// What a person sees while typing a command line. Positions are in characters of the QString.
+// Completion and hints while a command line is typed. Positions are in characters of the QString.
 namespace widgets {
 
 /// What the word at the cursor can become, and what comes next.

@@ -23,7 +23,7 @@ namespace {
 
 const ViewRegistration kConsoleViewRegistration{
     {"console", QT_TRANSLATE_NOOP("View", "Console"),
-     QT_TRANSLATE_NOOP("View", "Runs commands that are typed, and shows what came of them."), "console", true,
+     QT_TRANSLATE_NOOP("View", "Runs typed commands and shows their results."), "console", true,
      create<ConsoleView>}};
 
 }  // namespace

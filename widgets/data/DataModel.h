@@ -15,7 +15,7 @@
 
 namespace widgets {
 
-/// What the shown messages are compared with.
+/// The reference with which the shown messages are compared.
 struct DataComparison {
   enum class With : std::uint8_t {
     kNothing,

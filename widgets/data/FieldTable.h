@@ -64,8 +64,8 @@ struct FieldTableSource {
 FieldTableSource historyOf(const robotlink::StreamStore& store, const robotlink::HistoryArchive* archive,
                            std::vector<FieldColumn> columns);
 
-/// Makes the table. `goesOn` is called now and then with the progress, 0 to 1; if it returns false, making
-/// fails with "log.given-up". Any thread.
+/// Makes the table. `goesOn` is called from time to time with the progress, 0 to 1; if it returns false,
+/// making fails with "log.given-up". Any thread.
 robotlink::Result<FieldTable> makeTable(const FieldTableSource& source,
                                         const std::function<bool(double)>& goesOn);
 

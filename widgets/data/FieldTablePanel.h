@@ -34,7 +34,7 @@ class FieldTablePanel final : public QWidget {
 
   /// Begins a table of these fields, and shows the panel.
   void show(std::vector<FieldColumn> columns);
-  /// Takes the table when it is complete; to be called in each tick.
+  /// Takes the table when it is complete; call this in each tick.
   void tick();
 
  private:

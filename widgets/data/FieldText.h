@@ -50,7 +50,7 @@ QString summaryText(const google::protobuf::Message& message);
 /// Elements of a repeated field, from `first`: their number and, of numbers, minimum, maximum and mean.
 /// Infinite values are not counted in these.
 QString statisticsText(const FieldPlace& list, int first, int count);
-/// "double", "list of foxglove.JointState", for tool tips.
+/// "double", "list of foxglove.JointState", for tooltips.
 QString typeText(const google::protobuf::FieldDescriptor& field);
 
 }  // namespace widgets

@@ -13,7 +13,7 @@ namespace widgets {
 /// another image; remade a few times a second at most. GUI thread.
 class ImageThumbnails {
  public:
-  /// To be called in each tick, 30 times a second.
+  /// Call this in each tick, 30 times a second.
   void tick() { ++ticks_; }
   /// Null if the message is no image, or one that cannot be read. `height` in pixels.
   QImage of(const std::string& stream, const robotlink::PackagePtr& message, int height);

@@ -55,7 +55,8 @@ void PublishPanel::createActions() {
                       QKeySequence(QStringLiteral("Ctrl+Shift+Return"))});
   connect(send_, &QAction::triggered, this, &PublishPanel::send);
   repeat_ = makeToggle(
-      this, "loop", {"publishRepeat", tr("Repeat"), tr("Sends the message again and again, as it is then")});
+      this, "loop",
+      {"publishRepeat", tr("Repeat"), tr("Sends the message repeatedly, with its current fields")});
   connect(repeat_, &QAction::toggled, this, &PublishPanel::setRepeating);
   reset_ =
       makeAction(this, "reset",
@@ -68,9 +69,11 @@ void PublishPanel::createActions() {
                       tr("Puts the package in place of all that the program offers, until it is released"),
                       {}});
   connect(hold_, &QAction::triggered, this, [this] { setHeld(true); });
-  release_ = makeAction(
-      this, "undo",
-      {"publishRelease", tr("Release"), tr("Lets the program offer the package again that is held"), {}});
+  release_ = makeAction(this, "undo",
+                        {"publishRelease",
+                         tr("Release"),
+                         tr("Releases the held package, so that the program provides it again"),
+                         {}});
   connect(release_, &QAction::triggered, this, [this] { setHeld(false); });
 }
 

@@ -38,7 +38,7 @@ class PublishPanel final : public QWidget {
   PublishPanel(ViewContext& context, QWidget* parent);
   ~PublishPanel() override;
 
-  /// Lists the robots and shows what came of what was sent; to be called in each tick.
+  /// Lists the robots and shows what came of what was sent; call this in each tick.
   void tick();
   /// What was typed, and what is chosen.
   QJsonValue state() const;

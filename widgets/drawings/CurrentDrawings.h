@@ -35,7 +35,7 @@ bool isDrawnInShadow(const QString& id);
 
 /// Opacity of an old drawing: enough to find it, too little to be taken for a current one.
 inline constexpr double kOldDrawingOpacity = 0.3;
-/// The same of one that was drawn in the shadow: it must not be taken for that of the solution in use.
+/// The same of one that was drawn in shadow mode: it must not be taken for that of the solution in use.
 inline constexpr double kShadowDrawingOpacity = 0.6;
 /// The opacity with which a drawing is painted.
 double drawingOpacity(const QString& id, bool old);

@@ -12,14 +12,14 @@ class QHelpEvent;
 class QPainter;
 class QWidget;
 
-// What a picture says about the drawings under the cursor. GUI thread.
+// Makes the tooltip for the drawings under the cursor. GUI thread.
 namespace widgets {
 
 /// A drawing under the cursor.
 struct DrawingHit {
   /// As DrawingsModel has it: "image/ball-percept/circle", or "stream/" and a path.
   QString id;
-  /// Whose drawing it is; empty for a stream.
+  /// The robot that made the drawing; empty for a stream.
   std::string robot;
   /// The texts and values of its parts under the cursor.
   QStringList values;

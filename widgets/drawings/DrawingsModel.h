@@ -53,7 +53,7 @@ class DrawingsModel : public QAbstractListModel {
   bool setShown(const QString& name, bool shown);
   /// The names of all rows without their kinds.
   QStringList names() const;
-  /// Requests the drawing's debug key on or off; a refusal is shown in the tool tip.
+  /// Requests the drawing's debug key on or off; a refusal is shown in the tooltip.
   void switchKey(int row, bool on);
   /// Moves a row by so many rows of this model; -1 is up. Ignored at the ends.
   void move(int row, int by);

@@ -90,12 +90,12 @@ void BaseStateView::createRows() {
   base_ = new StateRows(tr("Base"), "baseRows", this);
   base_->addText("baseAge", tr("Age of this state"));
   battery_ = new BatteryGauge(base_);
-  base_->addRow(tr("Battery"), tr("How full it is; at its lowest voltage the robot switches itself off"),
+  base_->addRow(tr("Battery"), tr("Charge level; at the lowest voltage the robot switches itself off"),
                 battery_);
   base_->addText("baseBatteryWarning", tr("What the battery needs"));
   base_->addRow("baseMotorsState", tr("Motors"), tr("Whether the motors hold and turn the wheels"));
   base_->addRow("baseSonarState", tr("Sonars"), tr("Whether the sonars fire"));
-  base_->addRow("baseStall", tr("Stall"), tr("Wheels that should turn but do not"));
+  base_->addRow("baseStall", tr("Stall"), tr("Stalled wheels"));
   base_->addRow("baseBumpers", tr("Bumpers"), tr("Pressed bumpers, from left to right"));
   base_->addRow("baseEmergency", tr("Emergency stop"),
                 tr("The button at the robot, and STOP of this workbench"));
@@ -103,8 +103,7 @@ void BaseStateView::createRows() {
   base_->addRow("baseFaults", tr("Faults"), tr("Flags of its microcontroller"));
   motion_ = new StateRows(tr("Motion"), "motionRows", this);
   motion_->addRow("baseOdometry", tr("Odometry"), tr("Pose by the wheels: x, y, heading"));
-  motion_->addRow("baseAsked", tr("Requested"),
-                  tr("What its program requested of the motors (drive/request)"));
+  motion_->addRow("baseAsked", tr("Requested"), tr("Velocity that the program requested (drive/request)"));
   motion_->addRow("baseReal", tr("Real"), tr("As the wheels turn: forward, and counter-clockwise"));
   motion_->addRow("baseWheels", tr("Wheels"), tr("Speeds of the left and right wheels' rims"));
   link_ = new StateRows(tr("Line"), "linkRows", this);
@@ -118,8 +117,9 @@ void BaseStateView::createRows() {
                 tr("Packets whose checksum was wrong, and bytes that belonged to no packet"));
   link_->addRow("linkRoundTrip", tr("Round trip"), tr("Until the last request was answered"));
   link_->addRow("linkGap", tr("Longest gap"),
-                tr("Between two information packets, over the last seconds; they come each 100 ms"));
-  link_->addRow("linkReconnects", tr("Reconnected"), tr("How often the line was lost and came back"));
+                tr("Interval between information packets, over the last seconds; nominally 100 ms"));
+  link_->addRow("linkReconnects", tr("Reconnected"),
+                tr("Number of times the connection was lost and restored"));
   link_->addText("linkText", tr("Status of the line"));
   connectNow_ = new QPushButton(icon("connect"), tr("Connect now"), link_);
   describe(*connectNow_, {"linkConnectNow", tr("Connect now"),

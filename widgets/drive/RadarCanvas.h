@@ -38,7 +38,7 @@ class RadarCanvas final : public QWidget {
   void cursorMoved(double distance, double angle, bool inside);
 
  protected:
-  /// Shows what is drawn under the cursor as a tool tip.
+  /// Shows what is drawn under the cursor as a tooltip.
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

@@ -248,7 +248,7 @@ void paintRadar(QPainter& painter, const RadarReadings& readings, const RadarLoo
   if (readings.silence) painter.setOpacity(kSilentOpacity);
   paintLaser(painter, readings, toWidget, palette);
   paintSonar(painter, readings, look, toWidget, palette);
-  // It is unknown where a silent robot goes.
+  // The motion of a robot that sends nothing is unknown.
   if (!readings.silence) paintMotion(painter, readings, toWidget, palette);
   paintRobot(painter, readings, look, toWidget, palette);
   painter.setOpacity(1);

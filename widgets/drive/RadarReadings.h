@@ -35,7 +35,7 @@ struct RadarReadings {
   };
   /// Oldest first.
   std::vector<Echo> echoes;
-  /// Opening angle of a sonar; 0: unknown.
+  /// Field of view of a sonar; 0: unknown.
   double openingAngle = 0;
   /// Maximum range of the sonars, m; 0: unknown.
   double sonarMaximum = 0;

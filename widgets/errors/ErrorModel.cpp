@@ -145,15 +145,16 @@ QVariant ErrorModel::headerData(int section, Qt::Orientation orientation, int ro
     case kLast:
       return tr("The newest error");
     case kMedian:
-      return tr("Half of all errors are no larger");
+      return tr("Median error");
     case kNinetyFive:
-      return tr("95 % of all errors are no larger");
+      return tr("95th percentile of the errors");
     case kMissed:
-      return tr("Of what was there to be seen or known: how much of it was not reported");
+      return tr("Share of the real objects and events that were not reported");
     case kFalse:
-      return tr("Of what was reported: how much of it was not there");
+      return tr("Share of the reports that did not match a real object or event");
     case kLatency:
-      return tr("Mean time from the reading until what is based on it was published, on the robot's clock");
+      return tr(
+          "Mean time from a sensor reading until a result based on it was published, on the robot's clock");
     default:
       return {};
   }

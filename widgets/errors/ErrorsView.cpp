@@ -194,7 +194,7 @@ void ErrorsView::showState() {
                  : robot_.empty()
                      ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
                  : knowsTruth() ? tr("Nothing was compared yet. Errors come while the robot's program runs.")
-                                : tr("Nobody knows the truth about this robot. The simulator does; a log has "
+                                : tr("There is no ground truth for this robot. The simulator does; a log has "
                                      "it if oracle/world was "
                                      "recorded."));
   const bool hasFormula = !chosenFormula().empty();

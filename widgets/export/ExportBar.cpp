@@ -37,7 +37,7 @@ ExportBar::ExportBar(ViewExport& exporting, QWidget* parent)
   text_->setAccessibleName(tr("Export of a view"));
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  // The whole path is in the tool tip; a long one must not widen the window.
+  // The whole path is in the tooltip; a long one must not widen the window.
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   progress_->setObjectName(QStringLiteral("exportProgress"));
   progress_->setAccessibleName(tr("Progress of the export"));
@@ -46,7 +46,7 @@ ExportBar::ExportBar(ViewExport& exporting, QWidget* parent)
       this, {"exportCancel", tr("Cancel"), tr("Ends the export; a video is removed, written images stay")},
       "close");
   folder_ = makeTextButton(
-      this, {"exportFolder", tr("Show in folder"), tr("Opens the folder it was written to")}, "open");
+      this, {"exportFolder", tr("Show in folder"), tr("Opens the folder with the exported files")}, "open");
   dismiss_ = makeTextButton(this, {"exportDismiss", tr("Dismiss"), tr("Hides this")}, "close");
   dismiss_->setToolButtonStyle(Qt::ToolButtonIconOnly);
   auto* row = new QHBoxLayout(this);
@@ -86,8 +86,8 @@ void ExportBar::showFolder() {
   const QFileInfo target(target_);
   const QString folder = target.isDir() ? target.absoluteFilePath() : target.absolutePath();
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
-    text_->setText(
-        tr("No program on this computer shows folders. It is %1").arg(QDir::toNativeSeparators(target_)));
+    text_->setText(tr("No file manager was found on this computer. The export is in %1")
+                       .arg(QDir::toNativeSeparators(target_)));
 }
 
 }  // namespace widgets

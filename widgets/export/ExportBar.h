@@ -18,7 +18,7 @@ class ExportBar final : public QWidget {
  public:
   /// The export must outlive the bar's last tick.
   ExportBar(ViewExport& exporting, QWidget* parent);
-  /// Shows the progress or the outcome; to be called once per tick.
+  /// Shows the progress or the outcome; call this once per tick.
   void tick();
 
  private:

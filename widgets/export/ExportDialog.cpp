@@ -93,7 +93,7 @@ ExportDialog::ExportDialog(std::vector<Offer> offers, const QString& chosen, rob
 void ExportDialog::createControls() {
   auto* form = new QFormLayout(this);
   view_ = new QComboBox(this);
-  describe(*view_, {"exportView", tr("View"), tr("Which of the open views is written")});
+  describe(*view_, {"exportView", tr("View"), tr("The view to export")});
   kind_ = new QComboBox(this);
   describe(*kind_, {"exportKind", tr("As"), tr("What is written")});
   kind_->addItems({tr("Video (.mp4)"), tr("Video (.avi, Motion JPEG)"), tr("Images (.png), numbered")});
@@ -262,7 +262,7 @@ void ExportDialog::updateSummary() {
                                : QString();
   summary_->setText(!isSpan ? tr("The end must not be before the beginning.")
                     : !isTarget
-                        ? tr("Choose where it is written to.")
+                        ? tr("Choose the output file or folder.")
                         : counted(plan.frames(), tr("1 picture"), tr("%1 pictures")) +
                               tr(" of %1 s").arg(to_->value() - from_->value(), 0, 'f', 2) + replaced);
   buttons_->button(QDialogButtonBox::Ok)->setEnabled(isSpan && isTarget);

@@ -18,7 +18,7 @@ namespace widgets {
 
 class ReplayControl;
 
-/// What is to be exported of a view: its picture at instants of equal distance, from the first to the last,
+/// The plan of an export of a view: its picture at equidistant instants, from the first to the last,
 /// as a video or as numbered PNG files. A plain value.
 struct ExportPlan {
   enum class Kind : std::uint8_t { kVideo, kImages };

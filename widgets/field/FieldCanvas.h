@@ -92,7 +92,7 @@ class FieldCanvas final : public QWidget {
   void aimEnded();
 
  protected:
-  /// Shows what is drawn under the cursor as a tool tip.
+  /// Shows what is drawn under the cursor as a tooltip.
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;

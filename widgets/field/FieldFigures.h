@@ -18,7 +18,7 @@ class QPalette;
 
 namespace widgets {
 
-/// What is appended to a robot's name for trails of its estimates.
+/// The suffix of a robot's name for trails of its estimates.
 inline constexpr char kEstimateTrail[] = "/estimate", kBallTrail[] = "/ball";
 
 /// What moves on a field: robots and ball at their true poses (filled) and at the robots' estimates (dashed

@@ -64,7 +64,7 @@ FieldView::FieldView(ViewContext& context, QWidget* parent)
 FieldView::~FieldView() = default;
 
 void FieldView::createActions() {
-  fit_ = makeFit(tr("Shows all of the field or map, as large as it fits"));
+  fit_ = makeFit(tr("Fits the whole field or map into the view"));
   turn_ =
       makeAction(this, "rotate", {"fieldTurn", tr("Turn"), tr("Turns the field by 90 degrees"), Qt::Key_R});
   move_ = makeToggle(this, "grab",
@@ -360,7 +360,7 @@ void FieldView::updateWanted() {
   const QString refusal = drag_.refusal();
   const QString notGoing = goals_->refusal();
   canvas_->setNotice(!refusal.isEmpty()    ? tr("It cannot be placed here: %1").arg(refusal)
-                     : !notGoing.isEmpty() ? tr("The robot does not go there: %1").arg(notGoing)
+                     : !notGoing.isEmpty() ? tr("The robot cannot go there: %1").arg(notGoing)
                                            : placeNotice_);
   if (!drag_.active()) return canvas_->setWanted({});
   canvas_->setWanted(

@@ -13,7 +13,7 @@ class QPalette;
 
 namespace widgets {
 
-/// What is painted of the paths and goals of robots on wheels, and of a goal that is being chosen or was just
+/// The figures for the paths and goals of robots on wheels, and for a goal that is being chosen or was just
 /// sent. A plain value; meters in the field's frame.
 struct GoalFigures {
   /// A figure for each robot that has a goal.

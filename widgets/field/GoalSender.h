@@ -14,7 +14,7 @@ class Session;
 
 namespace widgets {
 
-/// Sends a robot on wheels to a place chosen with the mouse: press at the goal, drag towards the direction in
+/// Sends a robot on wheels to a place chosen with the mouse: press at the goal, drag toward the direction in
 /// which the robot shall look on arrival, release. The class keeps the state of this gesture and sends the
 /// request; it paints nothing. Poses are in the field's frame, meters and radians. GUI thread. Replies that
 /// arrive after its destruction are ignored.
@@ -33,7 +33,7 @@ class GoalSender {
 
   /// The button was pressed.
   void begin(Aim at);
-  /// The mouse was dragged. A cursor farther than `turnRadius` (m) from the goal chooses the heading towards
+  /// The mouse was dragged. A cursor farther than `turnRadius` (m) from the goal chooses the heading toward
   /// the cursor; a nearer one resets it.
   void moveTo(const robotlink::Vector2& cursor, double turnRadius);
   /// The button was released: requests the goal.

@@ -11,7 +11,7 @@ namespace widgets {
 
 struct RobotBelief;
 
-/// What the user should do so that a robot on wheels finds its pose on the map; empty once it knows it.
+/// Returns advice for the user on how a robot on wheels can localize itself on the map; empty once it has.
 /// `base`: the robot's DriveState, null: none was received. `onMap`: a map is shown.
 QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* base, bool onMap);
 

@@ -18,10 +18,10 @@ TrailMenu::TrailMenu(QWidget* parent) : QMenu(parent) {
   setToolTipsVisible(true);
   addSection(tr("Trails of"));
   robots_ = addChoice("trailRobots", tr("&Robots"),
-                      tr("Where robots were; of real ones, where they believed to be"), true);
+                      tr("True paths of robots; for real robots, their estimated paths"), true);
   estimates_ = addChoice("trailEstimates", tr("&Estimated poses"),
-                         tr("Where the chosen robots believed to be, beside where they were"), false);
-  ball_ = addChoice("trailBall", tr("&Ball"), tr("Where the ball was, or was believed to be"), true);
+                         tr("Estimated paths of the chosen robots, next to the true ones"), false);
+  ball_ = addChoice("trailBall", tr("&Ball"), tr("True or estimated path of the ball"), true);
   addSection(tr("Length"));
   addLengths();
 }

@@ -11,8 +11,9 @@ class QActionGroup;
 
 namespace widgets {
 
-/// What the trails on a field show: how long they are, and whose. Object name "fieldTrailMenu"; the entries
-/// for lengths are "trailSeconds0" (as long as it fits the ground) to "trailSeconds60". GUI thread.
+/// The menu that chooses the length of trails on the field, and the robots and the ball that have them.
+/// Object name "fieldTrailMenu"; the entries for lengths are "trailSeconds0" (as long as it fits the ground)
+/// to "trailSeconds60". GUI thread.
 class TrailMenu final : public QMenu {
   Q_OBJECT
  public:

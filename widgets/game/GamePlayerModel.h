@@ -13,7 +13,7 @@ class GameStatus;
 
 namespace widgets {
 
-/// What a robot last told its team that it plays ("striker"; empty: nothing yet), and how long ago, s.
+/// The role that a robot last reported to its team ("striker"; empty: none yet), and its age, s.
 struct PlayedRole {
   std::string role = {};
   double seconds = 0;

@@ -81,7 +81,7 @@ GameView::GameView(ViewContext& context, QWidget* parent) : View(context, parent
 void GameView::createActions() {
   phases_ = {makeAction(this, "follow", {"gameReady", tr("Ready"), tr("The robots go to their places")}),
              makeAction(this, "grab",
-                        {"gameSet", tr("Set"), tr("Robots and ball are put to their places, and wait")}),
+                        {"gameSet", tr("Set"), tr("Places robots and ball for the kick-off; they wait")}),
              makeAction(this, "play", {"gamePlay", tr("Play"), tr("The robots play")}),
              makeAction(this, "stop", {"gameFinish", tr("Finish"), tr("The half ends")})};
   for (QAction* phase : phases_) phase->setCheckable(true);

@@ -21,7 +21,7 @@ RadioPanel::RadioPanel(QWidget* parent) : QWidget(parent) {
     void (*set)(TeamRadioSettings& settings, double value);
   };
   const std::array<Number, 3> numbers{{
-      {{"gameRadioRange", tr("Range"), tr("How far away robots of a team hear each other; 0: however far")},
+      {{"gameRadioRange", tr("Range"), tr("Range of the radio within a team; 0: unlimited")},
        tr(" m"),
        1000,
        0.5,
@@ -33,7 +33,7 @@ RadioPanel::RadioPanel(QWidget* parent) : QWidget(parent) {
        10,
        0,
        [](TeamRadioSettings& settings, double value) { settings.set_delay(value / 1000); }},
-      {{"gameRadioLoss", tr("Loss"), tr("The share of messages that do not arrive")},
+      {{"gameRadioLoss", tr("Loss"), tr("Share of lost messages")},
        tr(" %"),
        100,
        1,

@@ -60,7 +60,7 @@ void CompareRow::createControls() {
   row->addWidget(stream_, 1);
   shift_ = new QDoubleSpinBox(this);
   describe(*shift_, {"imageCompareShift", tr("Time shift"),
-                     tr("Shows the second image of so many seconds before (-) or after the first one")});
+                     tr("Time offset of the second image, s: before (-) or after the first one")});
   shift_->setRange(-kMaxShift, kMaxShift);
   shift_->setDecimals(2);
   shift_->setSingleStep(0.1);
@@ -74,7 +74,7 @@ void CompareRow::createControls() {
       this, {"imageCompareBlend", tr("Blend"), tr("Left: the first image; right: the second")}, 0, 100, 50);
   gain_ = makeSlider(this,
                      {"imageCompareGain", tr("Amplification"),
-                      tr("How many times larger differences are shown; black is where both are the same")},
+                      tr("Gain of the difference; black where both images are the same")},
                      1, kMaxGain, kUsualGain);
   row->addWidget(blend_);
   row->addWidget(gain_);

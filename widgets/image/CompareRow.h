@@ -27,7 +27,7 @@ class StreamSelector;
 
 /// Chooses a second image to compare with, and how: any stream of images (another camera, another robot, the
 /// logged images of a robot whose program runs again), at the same time, at one shifted by some seconds, or
-/// held while the first goes on. A row of controls; object names begin with "imageCompare". GUI thread.
+/// held while the first continues. A row of controls; object names begin with "imageCompare". GUI thread.
 class CompareRow final : public QWidget {
   Q_OBJECT
  public:

@@ -66,7 +66,7 @@ class ImageCanvas final : public QWidget {
   void pixelChanged();
 
  protected:
-  /// Shows what is drawn under the cursor as a tool tip.
+  /// Shows what is drawn under the cursor as a tooltip.
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;

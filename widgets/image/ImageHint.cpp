@@ -77,7 +77,7 @@ QString imageHint(const ViewContext& context, const std::string& path) {
   if (session.robots().empty() && !exists && hasForeignStreams(session.store()))
     return imageSentence(
         QT_TRANSLATE_NOOP("ImageHint",
-                          "Up to here there are no images in this log. What it has is shown in the "
+                          "The log has no images up to this time. Its contents are shown in the "
                           "views Data, Plots, Field and Scene."));
   if (session.robots().empty() && !exists)
     return imageSentence(

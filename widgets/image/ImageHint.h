@@ -8,8 +8,8 @@ namespace widgets {
 
 struct ViewContext;
 
-/// Why a view has no image from the stream `path` to show, and what to do about it: the robot may have no
-/// camera, or its platform reported as the last thing that something does not work, such as a camera that
+/// Returns a hint why a view has no image from the stream `path`, and what to do about it: the robot may have
+/// no camera, or its platform reported as the last thing that something does not work, such as a camera that
 /// cannot be opened. GUI thread.
 QString imageHint(const ViewContext& context, const std::string& path);
 

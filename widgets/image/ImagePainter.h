@@ -16,7 +16,7 @@ class ImageAnnotations;
 
 namespace widgets {
 
-/// What an image view shows: pixels, and drawings on them, lowest first. Drawings are not owned.
+/// The contents of an image view: pixels, and drawings on them, lowest first. Drawings are not owned.
 struct ImagePicture {
   QImage pixels;
   /// A drawing that belongs to the image.

@@ -52,7 +52,7 @@ ImageStreamView::ImageStreamView(ViewContext& context, QWidget* parent)
 ImageStreamView::~ImageStreamView() = default;
 
 void ImageStreamView::createActions() {
-  fit_ = makeFit(tr("Shows the whole image, as large as it fits"));
+  fit_ = makeFit(tr("Fits the whole image into the view"));
   oneToOne_ = makeAction(this, "one-to-one",
                          {"imageOneToOne", tr("1:1"), tr("Shows the image pixel by pixel"), Qt::Key_A});
   freeze_ = makeFreeze();

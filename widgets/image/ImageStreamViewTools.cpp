@@ -93,10 +93,11 @@ std::vector<std::string> ImageStreamView::streamChoices() const {
 void ImageStreamView::createModes() {
   gray_ = makeToggle(this, "color-pixels",
                      {"imageGray", tr("Monochrome"), tr("Shows the brightness of the pixels"), Qt::Key_G});
-  stereogram_ = makeToggle(
-      this, "eye",
-      {"imageStereogram", tr("Stereogram"),
-       tr("Shows distances as random dots: look through the picture to see them in depth"), Qt::Key_S});
+  stereogram_ =
+      makeToggle(this, "eye",
+                 {"imageStereogram", tr("Stereogram"),
+                  tr("Shows distances as a random-dot stereogram: focus behind the picture to see the depth"),
+                  Qt::Key_S});
   for (QAction* mode : {gray_, stereogram_})
     connect(mode, &QAction::toggled, this, &ImageStreamView::showAgain);
 }

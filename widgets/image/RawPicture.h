@@ -14,10 +14,10 @@ class RawImage;
 
 namespace widgets {
 
-/// What is drawn for an image of any encoding; null if its encoding is unknown or its data do not fit. Depths
-/// (32FC1 in m, 16UC1 in mm) are gray from near (bright) to far, brightnesses of 16 bits (mono16) from dark
-/// to bright, both scaled to the lowest and the highest value in the image. What is no depth (NaN, infinite,
-/// 0 mm) is black. Everything else is drawn by toQImage(). Pure; any thread.
+/// Converts an image of any encoding for display; null if its encoding is unknown or its data do not fit.
+/// Depths (32FC1 in m, 16UC1 in mm) are gray from near (bright) to far, brightnesses of 16 bits (mono16) from
+/// dark to bright, both scaled to the lowest and the highest value in the image. What is no depth (NaN,
+/// infinite, 0 mm) is black. Everything else is drawn by toQImage(). Pure; any thread.
 QImage rawPicture(const foxglove::RawImage& image, std::span<const robotlink::Rgb> classColors = {});
 
 /// A pixel of such an image; unset outside of it. The colors of depths and mono16 are left out.

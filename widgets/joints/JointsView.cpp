@@ -180,12 +180,12 @@ QString JointsView::hint() const {
   if (model_.rowCount() > 0) return {};
   if (manual_.robot().empty() && hasForeignStreams(session().store()))
     return tr(
-        "Up to here there are no joints in this log. What it has is shown in the views Data, Plots, "
+        "The log has no joints up to this time. Its contents are shown in the views Data, Plots, "
         "Field and Scene.");
   if (manual_.robot().empty())
     return tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.");
   const QString name = QString::fromStdString(manual_.robot());
-  if (manual_.description() == nullptr) return tr("What kind of robot %1 is, is not known yet.").arg(name);
+  if (manual_.description() == nullptr) return tr("The kind of robot %1 is not known yet.").arg(name);
   return manual_.description()->joints.empty() ? tr("%1 has no joints.").arg(name) : QString();
 }
 

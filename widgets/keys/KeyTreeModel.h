@@ -37,9 +37,9 @@ class KeyTreeModel final : public QAbstractItemModel {
   const std::vector<KeyEntry>& keys() const { return keys_; }
   /// The pending mode of the key if there is one, else its mode.
   KeyValue shownValue(const KeyEntry& key) const;
-  /// Forgets what was requested and refused; to be called before the keys of another robot are set.
+  /// Forgets what was requested and refused; call this before the keys of another robot are set.
   void forget();
-  /// Drops the pending mode of a key; the reason is shown in its tool tip.
+  /// Drops the pending mode of a key; the reason is shown in its tooltip.
   void refuse(const std::string& key, const QString& reason);
   /// Names of all keys at or below a row; of all keys for an invalid index.
   std::vector<std::string> keysBelow(const QModelIndex& index) const;

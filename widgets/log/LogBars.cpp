@@ -42,7 +42,8 @@ LogJobBar::LogJobBar(QWidget* parent)
     : QWidget(parent),
       text_(makeText(this, "logJobText")),
       progress_(new QProgressBar(this)),
-      cancel_(makeTextButton(this, {"logJobCancel", tr("Cancel"), tr("Cancels it; nothing of it is left")})),
+      cancel_(
+          makeTextButton(this, {"logJobCancel", tr("Cancel"), tr("Cancels the job and removes its output")})),
       open_(makeTextButton(this, {"logJobOpen", tr("Open"), tr("Opens the new log instead of this one")})),
       dismiss_(makeTextButton(this, {"logJobDismiss", tr("Dismiss"), tr("Hides this line")})) {
   setObjectName(QStringLiteral("logJobBar"));

@@ -27,7 +27,7 @@ class LogJobBar final : public QWidget {
   bool busy() const { return job_ != nullptr; }
   /// Starts a job; ignored while another one is running.
   void start(const QString& title, LogJob::Work work);
-  /// Shows the progress; to be called once per tick.
+  /// Shows the progress; call this once per tick.
   void tick();
 
  Q_SIGNALS:

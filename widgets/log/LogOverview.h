@@ -95,7 +95,7 @@ class LogReading {
   /// `height` in pixels.
   virtual void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times,
                               int height) = 0;
-  /// Those that were read since the last call.
+  /// Removes and returns the thumbnails that were read since the last call.
   virtual std::vector<LogThumbnail> takeThumbnails() = 0;
   /// Returns the bookmarks, or why they cannot be read, once; unset before and after. The caller owns them
   /// from then on.

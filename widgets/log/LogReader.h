@@ -66,7 +66,7 @@ class LogReader final : public LogReading {
   /// Says that the reader is being destroyed. Used by the thread that makes the overview only.
   std::stop_token stop_;
 
-  /// Protects all following members but the threads. log_ is set once; the threads use it afterwards without
+  /// Protects all following members but the threads. log_ is set once; the threads use it afterward without
   /// the mutex.
   std::mutex mutex_;
   /// Null until it is open.

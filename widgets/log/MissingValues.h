@@ -16,8 +16,8 @@ namespace widgets {
 /// A stretch of time whose values a series of a live robot lacks. Seconds on the session's timeline.
 struct MissingValues {
   enum class Why : std::uint8_t {
-    kUnread,   ///< They are being read from disk.
-    kTooMany,  ///< They are on disk, and were not read, or there are more than there is memory for.
+    kUnread,   ///< The values are being read from disk.
+    kTooMany,  ///< The values are on disk and were not read, or do not fit into memory.
     kLost      ///< The disk was too slow for them.
   };
   double from = 0, to = 0;

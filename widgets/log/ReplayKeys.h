@@ -10,7 +10,7 @@ namespace widgets {
 
 class ReplayControl;
 
-/// What the keyboard does with a replay, with the bindings of video players. Each action has one key; see
+/// The keyboard actions of a replay, with the bindings of video players. Each action has one key; see
 /// replayKey() and keySequence().
 enum class ReplayKey : std::uint8_t {
   /// Space.
@@ -39,7 +39,7 @@ enum class ReplayKey : std::uint8_t {
 
 /// The action of a key event; unset: none.
 std::optional<ReplayKey> replayKey(const QKeyEvent& event);
-/// The key of an action, for tool tips and menus.
+/// The key of an action, for tooltips and menus.
 QKeySequence keySequence(ReplayKey key);
 /// Executes the action. Does nothing for kBookmark, which OpenLogs does.
 void press(ReplayKey key, ReplayControl& replay);

@@ -66,7 +66,7 @@ QString ReplayPackageModel::reason(int row, Source source) const {
   if (source == ControlReplay::AS_LOGGED && !at(row).package.logged()) return tr("the log does not hold it");
   if (source == ControlReplay::RECOMPUTED && !at(row).package.can_recompute()) {
     const QString why = QString::fromStdString(at(row).package.why_not());
-    return why.isEmpty() ? tr("no task of the program yields it") : why;
+    return why.isEmpty() ? tr("no task of the program produces it") : why;
   }
   return {};
 }

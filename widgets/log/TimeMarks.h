@@ -19,7 +19,7 @@
 
 namespace widgets {
 
-/// What is marked in the timeline and in all plots of a window: text messages that match a regular
+/// The marks in the timeline and in all plots of a window: text messages that match a regular
 /// expression, and where a simulated world was put to another instant, of open logs as a whole and of the
 /// session; and what a search found. GUI thread; owned by the
 /// logs.
@@ -29,7 +29,7 @@ class TimeMarks final : public QObject {
   /// More are not marked: the first ones of logs, the newest ones of robots.
   static constexpr std::size_t kMaxMarks = 10'000;
 
-  /// Those of a window, created on the first call.
+  /// The marks of a window, created on the first call.
   static TimeMarks& of(OpenLogs& logs);
 
   /// Marks texts that match, in any case of letters; empty: none. Returns an empty text, or what is wrong

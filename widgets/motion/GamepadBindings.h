@@ -10,7 +10,8 @@
 
 namespace widgets {
 
-/// What sticks, triggers and buttons of a gamepad are at one instant, in the order of kAxes and kButtons.
+/// The positions of a gamepad's sticks, triggers and buttons at one instant, in the order of kAxes and
+/// kButtons.
 struct GamepadReading {
   /// As SDL names them; triggers reach from 0 to 1, the others from -1 to 1, where y points down.
   static constexpr std::array<const char*, 6> kAxes{"leftx",  "lefty",       "rightx",

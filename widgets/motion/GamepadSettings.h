@@ -9,7 +9,7 @@
 
 namespace widgets {
 
-/// What the user has chosen for gamepads, which a text file remembers. GUI thread.
+/// The user's gamepad settings, which are saved in a text file. GUI thread.
 class GamepadSettings {
  public:
   /// Reads the file; an empty path: nothing is remembered.

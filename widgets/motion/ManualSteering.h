@@ -41,7 +41,7 @@ class ManualSteering final : public QObject {
   /// a refusal of the robot comes later, see Session::setRefusalHandler().
   robotlink::Result<void> takeOver(bool take);
   /// What pad, keys and gamepad say now. A deflection replaces a velocity that was commanded by walk(), and
-  /// ends with its release; without a deflection that goes on.
+  /// ends with its release; without a deflection that continues.
   void setAxes(const WalkAxes& axes);
   /// Ends what pad, keys and gamepad command, and sends that at once.
   void releaseAxes();

@@ -382,7 +382,8 @@ QString MotionView::stateText() const {
   if (robot_.empty()) return tr("No robot. Start a simulation or connect to a robot.");
   if (isLost(session(), robot_))
     return tr(
-        "The connection to the robot is lost. It stands, and can be steered as soon as it is found again.");
+        "The connection to the robot is lost. The robot has stopped; you can steer it again when it is "
+        "reconnected.");
   const auto* base = drive_ ? driveState() : nullptr;
   if (base == nullptr || manual_.control().state() != ManualControl::State::kTaken)
     return manual_.control().text();

@@ -76,7 +76,7 @@ class MotionView final : public View {
   void useRobot(const robotlink::RobotDescription* description);
   /// Remembers the limits in the panel for the robot's kind.
   void keepLimits();
-  /// Writes the robot's name into the title and into STOP's tool tip.
+  /// Writes the robot's name into the title and into STOP's tooltip.
   void nameRobot();
   /// Requests the motors of the base on or off; the button follows what the base reports.
   void switchMotors(bool on);

@@ -66,7 +66,7 @@ class WalkPad final : public QWidget {
   /// Sets the axes from the keys that are held.
   void useKeys(bool halved);
   void setAxes(const WalkAxes& axes);
-  /// Sets the tool tip and the accessible name.
+  /// Sets the tooltip and the accessible name.
   void describeUse();
 
   WalkAxes axes_;

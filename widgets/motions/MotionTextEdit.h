@@ -7,7 +7,7 @@ namespace widgets {
 
 class MotionBench;
 
-/// The text of the motion that is edited. Words with errors are underlined, and say by a tool tip what is
+/// The text of the motion that is edited. Words with errors are underlined, and say by a tooltip what is
 /// wrong; comments and keywords have colors. Undo and redo are those of the bench, whose selected line is
 /// that of the cursor. GUI thread; the bench must outlive it.
 class MotionTextEdit final : public MarkedTextEdit {

@@ -11,7 +11,7 @@ namespace widgets {
 
 struct ViewContext;
 
-/// Which angles of a robot are captured: what it measures, or what its program requests.
+/// The source of captured joint angles: measured by the robot, or requested by its program.
 enum class PoseSource : std::uint8_t { kMeasured, kRequested };
 
 /// Adds the pose of the selected robot at the instant of the timeline to the motion in the editor, as a key

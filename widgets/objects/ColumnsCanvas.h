@@ -48,7 +48,7 @@ class SteadyLimits {
 void paintColumns(QPainter& painter, const QSize& size, const ColumnGraph& graph, const QPalette& palette,
                   std::optional<int> marked = {});
 
-/// Shows a column graph; a tool tip has the value under the cursor. GUI thread.
+/// Shows a column graph; a tooltip has the value under the cursor. GUI thread.
 class ColumnsCanvas final : public QWidget {
   Q_OBJECT
  public:

@@ -84,7 +84,7 @@ robotlink::Result<std::vector<double>> propertyNumbers(const QString& typed, con
     bool isNumber = false;
     const double number = word.toDouble(&isNumber);
     if (!isNumber || !std::isfinite(number))
-      return refuse(PropertyTexts::tr("%1 is no number; the decimal point is a point").arg(word));
+      return refuse(PropertyTexts::tr("%1 is not a number; use a point as the decimal separator").arg(word));
     const bool isTooSmall = rule.isAbove ? number <= rule.minimum : number < rule.minimum;
     if (isTooSmall || number > rule.maximum)
       return refuse((rule.isAbove ? PropertyTexts::tr("%1 must be above %2 and at most %3 %4")

@@ -9,7 +9,7 @@
 
 namespace widgets {
 
-/// Which numbers a property of an object may have. A plain value.
+/// The valid range of an object's property. A plain value.
 struct PropertyRule {
   double minimum, maximum;
   /// Whether the minimum itself is too small: masses and sizes are above 0.

@@ -20,7 +20,7 @@ class GlanceSubscription {
   /// Called in each tick while the view is visible. Each key is requested once until release().
   void want(robotlink::Session& session, const std::string& robot,
             std::initializer_list<const char*> packages);
-  /// Gives back what was requested. To be called when the view is hidden.
+  /// Gives back what was requested. Call this when the view is hidden.
   void release(robotlink::Session& session);
 
  private:

@@ -18,7 +18,7 @@ struct ViewContext;
 struct CardText {
   QString text;
   Meaning meaning = Meaning::kMuted;
-  /// The whole of it, for a tool tip; empty: the same.
+  /// The whole of it, for a tooltip; empty: the same.
   QString details = {};
   bool operator==(const CardText&) const = default;
 };
@@ -40,7 +40,7 @@ struct RobotCard {
   QString noImage;
 
   bool operator==(const RobotCard&) const = default;
-  /// All of it in one text, a line each, for tool tips and screen readers.
+  /// All of it in one text, a line each, for tooltips and screen readers.
   QString text() const;
 };
 

@@ -140,7 +140,8 @@ void RobotsView::tick() {
   followSelection();
   hint_->setHint(model_.rowCount() > 0 ? QString()
                  : hasForeignStreams(session().store())
-                     ? tr("This log is of no robot of ours. What it has is shown in the views Data, Plots, "
+                     ? tr("This log is of a robot without a description here. Its contents are shown in the "
+                          "views Data, Plots, "
                           "Field and Scene.")
                      : tr("No robot is here.\nStart a simulation, connect to a robot, or open "
                           "a log with File > Open log…"));

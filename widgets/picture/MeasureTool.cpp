@@ -55,7 +55,7 @@ void MeasureTool::createBar(const QByteArray& name) {
   text_->setObjectName(QString::fromLatin1(name + "MeasureText"));
   text_->setAccessibleName(tr("Measurement"));
   text_->setTextFormat(Qt::PlainText);
-  // One line, so that the picture stays where it is; what does not fit is in the tool tip.
+  // One line, so that the picture stays where it is; what does not fit is in the tooltip.
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   row->addWidget(text_, 1);

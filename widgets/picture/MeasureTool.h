@@ -57,7 +57,7 @@ class MeasureTool final : public QObject {
   void paint(QPainter& painter) const;
 
  Q_SIGNALS:
-  /// It was switched on or off.
+  /// Emitted when the tool is switched on or off.
   void toggled(bool on);
 
  protected:

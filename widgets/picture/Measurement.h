@@ -10,7 +10,7 @@ class QPainter;
 class QPalette;
 class QSizeF;
 
-// What is measured in a picture: the distance of two points, or the angle at the second of three. Pure
+// Measurements in a picture: the distance of two points, or the angle at the second of three. Pure
 // functions. Points are in the picture's own coordinates: pixels of an image, meters of a field.
 namespace widgets {
 

@@ -66,17 +66,17 @@ class PictureView : public View {
   QAction* makeFit(const QString& toolTip);
   QAction* makeFreeze();
   /// Creates the list of drawings of these kinds (see DrawingsModel) with the action that shows it (D).
-  /// To be called at most once.
+  /// Call this at most once.
   Side makeDrawings(const QStringList& kinds);
   /// The model of that list; null without one.
   DrawingsModel* drawings() const { return drawings_; }
   /// Adds a button to a row that opens the menu of poses at which the drawings relative to robots are placed;
-  /// the state keeps "pose". To be called at most once.
+  /// the state keeps "pose". Call this at most once.
   void addPoses(QHBoxLayout* row);
-  /// That menu; null without one.
+  /// The pose menu; null if the view has none.
   PoseMenu* poses() const { return poses_; }
 
-  /// Puts the rows, the canvas with what is beside it, and the rows below together. To be called once. The
+  /// Puts the rows, the canvas with what is beside it, and the rows below together. Call this once. The
   /// state keeps "splitter" and, if there is a panel that can be hidden, "panel" and "drawings". The canvas
   /// is what is saved, copied and zoomed: it has rendered() and zoomBy().
   template <typename Canvas>

@@ -49,7 +49,7 @@ void PoseMenu::list() {
       tr("The true pose where it is known, else the robot's own estimate"));
   add(QLatin1String(kTruePose), tr("The &true pose"), tr("Only simulated robots have one"));
   for (const QString& estimate : choices().mid(1))
-    add(estimate, tr("The estimate %1").arg(estimate), tr("Where the robot believes to be"));
+    add(estimate, tr("The estimate %1").arg(estimate), tr("The robot's own estimate of its pose"));
   connect(entries_, &QActionGroup::triggered, this,
           [this](const QAction* entry) { choose(entry->data().toString()); });
 }

@@ -12,7 +12,8 @@
 
 namespace widgets {
 
-/// What the curves of a plot are at two cursors and between them: a row for each curve. GUI thread.
+/// A table of the values of a plot's curves at two cursors and between them: a row for each curve. GUI
+/// thread.
 class CursorModel final : public QAbstractTableModel {
   Q_OBJECT
  public:

@@ -94,7 +94,7 @@ class CurveModel final : public QAbstractTableModel {
     double loggedSince = 0;
     /// Whether its values belong to the axis on the right.
     bool isRight = false;
-    /// Those of its streams whose debug keys were requested.
+    /// The streams of the curve whose debug keys were requested.
     std::set<std::string> requested = {};
     /// Set for values that are states.
     StateNames names = {};

@@ -28,7 +28,7 @@ class HistoryCurves final : public QObject {
   /// Bound of the memory for the values of all curves while they are read; the newest ones stay.
   static constexpr std::size_t kMaxBytes = 256U << 20U;
 
-  /// Those of a window, created on the first call.
+  /// The curves of a window, created on the first call.
   static HistoryCurves& of(OpenLogs& logs);
 
   /// The values of a source that are on disk, which are read from one of the next ticks on. What is added to
@@ -48,7 +48,7 @@ class HistoryCurves final : public QObject {
   void take();
 
   Curves waiting_;
-  /// Those that are read together, by the reader; null: nothing is read.
+  /// The curves that the reader reads together; null if nothing is read.
   Curves curves_;
   std::unique_ptr<logplayer::NumberReader> reader_;
   std::set<logplayer::LogNumber> read_;

@@ -23,7 +23,7 @@ class LoggedCurves final : public QObject {
   /// Bound of the memory for the points of all curves of all logs.
   static constexpr std::size_t kMaxBytes = 512U << 20U;
 
-  /// Those of a window, created on the first call.
+  /// The curves of a window, created on the first call.
   static LoggedCurves& of(OpenLogs& logs);
 
   /// The curve of a source, which is filled from now on; null if no open log has the stream, or all streams

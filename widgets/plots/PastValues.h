@@ -36,7 +36,7 @@ class PastValues {
   const std::shared_ptr<const LoggedCurve>& values() const { return values_; }
 
   /// Puts what was read before the values that the session published, which `live` has as the filter made
-  /// them. Returns whether it did. While reading goes on it waits until there is a good deal more, since it
+  /// them. Returns whether it did. While reading continues it waits until there is a good deal more, since it
   /// costs as much as all values.
   bool mergeInto(robotlink::Series& live, robotlink::PointFilter& filter);
   /// From when to when values are still to be read, if there are some; unset: none are. It begins at the

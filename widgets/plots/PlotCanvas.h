@@ -73,9 +73,9 @@ class PlotCanvas final : public QWidget {
   void setMissing(std::vector<MissingValues> missing);
   /// Marks what happened when.
   void setMarkers(std::vector<PlotMarker> markers);
-  /// Marks where texts are, which tool tips say, in order of time.
+  /// Marks where texts are, which tooltips say, in order of time.
   void setTextMarks(std::vector<PlotMarker> marks);
-  /// What the tool tip at a point says: the texts there, or the state; empty: nothing.
+  /// What the tooltip at a point says: the texts there, or the state; empty: nothing.
   QString toolTipAt(const QPoint& point) const;
   /// The ends of the time axis, in s.
   std::pair<double, double> shownTimes() const;

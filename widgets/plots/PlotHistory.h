@@ -7,7 +7,7 @@
 
 namespace widgets {
 
-/// What the axes of a plot show.
+/// The ranges of a plot's axes.
 struct PlotRanges {
   using Range = std::pair<double, double>;
   /// Times in s.

@@ -16,7 +16,7 @@
 
 namespace widgets {
 
-/// What a curve shows: a stream of plot values (no field), a value in the messages of any other stream, or
+/// The source of a curve: a stream of plot values (no field), a value in the messages of any other stream, or
 /// what an expression makes of several.
 struct PlotSource {
   /// "red1/models/ball"; empty for expressions.
@@ -134,7 +134,7 @@ class PlotReader {
   QString problem_;
   /// The store's list of streams that the expression was bound to last; 0: never.
   std::uint64_t listVersion_ = 0;
-  /// That of the store at the last call.
+  /// The store's generation at the last call.
   std::optional<std::uint64_t> generation_;
   std::map<std::string, StreamCursor> cursors_;
   /// The time of the expression's newest point, in s.

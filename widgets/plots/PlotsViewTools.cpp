@@ -54,11 +54,11 @@ void PlotsView::createActions() {
   undo_ = makeAction(this, "undo",
                      {"plotsUndo", tr("Previous view"), tr("Shows what was shown before"),
                       QKeySequence(QStringLiteral("Alt+Left"))});
-  redo_ = makeAction(this, "redo",
-                     {"plotsRedo", tr("Next view"), tr("Shows what was shown before going back"),
-                      QKeySequence(QStringLiteral("Alt+Right"))});
+  redo_ = makeAction(
+      this, "redo",
+      {"plotsRedo", tr("Next view"), tr("Redoes the zoom"), QKeySequence(QStringLiteral("Alt+Right"))});
   link_ = makeToggle(this, "lock",
-                     {"plotsLink", tr("Link"), tr("Shows the same times as the other linked plots")});
+                     {"plotsLink", tr("Link"), tr("Keeps the same time range as the other linked plots")});
   cursors_ = makeToggle(this, "select-area",
                         {"plotsCursors", tr("Cursors"),
                          tr("Shows what is at and between two cursors; a click sets A, Shift+click sets B")});
@@ -77,16 +77,16 @@ void PlotsView::createLookActions() {
                  {"plotsAcross", tr("Over each other"),
                   tr("Adds the lower one of two selected curves over the upper one, instead of over time")});
   for (QAction* action : {strip_, across_}) action->setIcon({});
-  equal_ = makeToggle(
-      this, "fit",
-      {"plotsEqual", tr("Equal axes"), tr("Draws units as long on both axes of curves over others")});
+  equal_ = makeToggle(this, "fit",
+                      {"plotsEqual", tr("Equal axes"),
+                       tr("Uses the same scale on both axes of plots of one value over another")});
   equal_->setIcon({});
   showSpectrum_ = makeToggle(this, "plots",
                              {"plotsSpectrum", tr("Spectrum"),
                               tr("Shows the spectrum of the selected curves, or of all, of the shown times "
                                  "or between the cursors")});
   mark_ = makeAction(this, "bookmark",
-                     {"plotsMark", tr("Mark texts…"), tr("Marks when messages were written that match")});
+                     {"plotsMark", tr("Mark texts…"), tr("Marks the times of matching messages")});
   previousChange_ = makeAction(this, "previous",
                                {"plotsPreviousChange", tr("Previous change"),
                                 tr("Shows when the selected curve changed before"), tr("Ctrl+,")});
@@ -167,7 +167,7 @@ QWidget* PlotsView::createTools() {
   addTexts({showTree_});
   for (QAction* action : {add_, remove_, right_}) top->addWidget(makeButton(this, action));
   top->addWidget(makeMenuButton(
-      this, {"plotsCompute", tr("Compute"), tr("Adds what is computed of the selected curves")},
+      this, {"plotsCompute", tr("Compute"), tr("Adds a curve computed from the selected ones")},
       createFilterMenu()));
   top->addSpacing(8);
   top->addWidget(window_);

@@ -10,7 +10,7 @@ class WorldPort;
 
 namespace widgets {
 
-/// What is known of one of the numbers of a port.
+/// The unit and the range of one of the numbers of a port.
 struct PortNumber {
   /// Its range, in the unit; not known if they are not in order.
   double minimum = 0, maximum = 0;

@@ -15,8 +15,8 @@ class HostProgram;
 
 namespace widgets {
 
-/// Where a robot's program runs and, if it has ended or does not answer, what happened and how it can be
-/// started again. GUI thread.
+/// A bar that shows where a robot's program runs and, if it has ended or does not answer, what happened and
+/// how it can be started again. GUI thread.
 class HostingBar final : public QWidget {
   Q_OBJECT
  public:

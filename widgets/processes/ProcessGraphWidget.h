@@ -52,7 +52,7 @@ class ProcessGraphWidget final : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  /// Shows the tool tip of the process or port under the cursor.
+  /// Shows the tooltip of the process or port under the cursor.
   bool event(QEvent* event) override;
 
  private:

@@ -14,7 +14,7 @@ using robotlink::Vector2;
 constexpr double kShare = 0.1;      // share of the remaining distance per step
 constexpr double kJump = 1.0;       // m; the way of a robot that is carried this far is not followed
 constexpr double kStill = 2e-4;     // m and rad; smaller changes are not worth a new picture
-constexpr double kLead = 0.5;       // m; largest lead towards the ball
+constexpr double kLead = 0.5;       // m; largest lead toward the ball
 constexpr double kNearBall = 2.0;   // m
 constexpr double kShoulder = 0.25;  // m; a camera behind the robot looks at a point this far in front of it
 

@@ -14,7 +14,7 @@ namespace widgets {
 class CameraRide {
  public:
   /// kOff: step() returns the camera unchanged.
-  /// kBeside: keeps the direction of view, and looks ahead towards a ball within 2 m.
+  /// kBeside: keeps the direction of view, and looks ahead toward a ball within 2 m.
   /// kBehind: turns with the robot, looking over its shoulder.
   enum class Mode : std::uint8_t { kOff, kBeside, kBehind };
   /// What the camera follows.
@@ -26,7 +26,8 @@ class CameraRide {
     std::optional<double> height = {};
     /// Distance of the camera from which the robot is seen well, m.
     double distance = 2.4;
-    /// It is any object, which is seen as a whole from its middle, not one over whose shoulder one looks.
+    /// Whether the subject is an arbitrary object, which is viewed as a whole, instead of a robot, which is
+    /// viewed over its shoulder.
     bool isObject = false;
   };
 

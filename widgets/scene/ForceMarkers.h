@@ -27,7 +27,7 @@ class ForceMarkers {
   /// More contacts and joints are not shown.
   static constexpr int kMaxForces = 5000;
 
-  /// To be called in each tick in which they are shown. `revision` differs when `isShown` may.
+  /// Call this in each tick in which they are shown. `revision` differs when `isShown` may.
   std::vector<SceneBody> bodies(robotlink::Session& session, robotlink::Instant shown, int revision,
                                 const ObjectFilter& isShown);
 

@@ -34,7 +34,7 @@ class SceneCanvas final : public QWidget {
   /// Waits for the picture that is being drawn.
   ~SceneCanvas() override;
 
-  /// To be called 30 times a second even if nothing changed: after a call without a change a picture with
+  /// Call this 30 times a second even if nothing changed: after a call without a change a picture with
   /// smooth edges is requested.
   void setContents(VisibleScene contents);
   /// The models that can be dragged; without `always` only while Control is held.
@@ -44,7 +44,7 @@ class SceneCanvas final : public QWidget {
   /// Highlights an object, with all that belongs to it, while nothing is under the cursor that a click would
   /// select; empty: none.
   void setSelected(const std::string& object);
-  /// Shows the handles at an object; unset: none. While one is dragged its drag goes on as it began.
+  /// Shows the handles at an object; unset: none. While one is dragged its drag continues as it began.
   void setGizmo(const std::optional<Gizmo>& gizmo);
   /// Whether a handle or a model is being dragged.
   bool isDragging() const { return mode_ == Mode::kDragging || mode_ == Mode::kHandling; }
@@ -108,7 +108,7 @@ class SceneCanvas final : public QWidget {
   void eventHappened(const widgets::SceneEvent& event);
 
  protected:
-  /// Shows what is drawn under the cursor as a tool tip.
+  /// Shows what is drawn under the cursor as a tooltip.
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -163,7 +163,7 @@ class SceneCanvas final : public QWidget {
 
   VisibleScene contents_;
   /// Which fixed models are surroundings, as found since the last press or change of the scene: under a
-  /// moving mouse they are not measured again and again.
+  /// moving mouse they are not measured repeatedly.
   mutable std::map<std::string, bool> backgrounds_;
   std::vector<std::string> movable_;
   bool sends_ = false, moveAlways_ = true, grid_ = true, labels_ = true;

@@ -199,7 +199,7 @@ void SceneHands::endGizmo(const Pose3& pose) {
     ask(placeRequest(moved.object, pose));
     return addMove(moved.object, moved.pose, pose);
   }
-  // It is shown there until the simulation goes on with it.
+  // The object is shown at the new place until the simulation has moved it.
   settling_ = moved;
   settlingTicks_ = 0;
   edits().setPose(moved.object, objectPose(pose), told([](const std::string&) {}));
@@ -231,7 +231,7 @@ void SceneHands::endDrag(const std::string& model, const robotlink::Pose2& wante
     thrown.mutable_velocity()->set_y(limited.y());
     ask(std::move(request));
   }
-  // It keeps its height and how it is tilted.
+  // The object keeps its height, roll and pitch.
   const Pose3 after = poseOnGround(wanted) * poseOnGround(robotlink::groundPose(*before)).inverse() * *before;
   if (!after.isApprox(*before, 1e-6)) addMove(model, *before, after);
 }
@@ -387,9 +387,9 @@ void SceneHands::showHistory() {
   undo_->setEnabled(history.canUndo());
   redo_->setEnabled(history.canRedo());
   undo_->setToolTip(history.canUndo() ? tr("Undoes: %1").arg(history.undoTitle())
-                                      : tr("Nothing was done to the scene that could be undone"));
+                                      : tr("There is no change of the scene to undo"));
   redo_->setToolTip(history.canRedo() ? tr("Does again: %1").arg(history.redoTitle())
-                                      : tr("Nothing was undone that could be done again"));
+                                      : tr("There is no change of the scene to redo"));
 }
 
 void SceneHands::ask(robotcontrol::Request request) {

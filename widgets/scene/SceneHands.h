@@ -30,11 +30,11 @@ class ScenePalette;
 class SceneState;
 struct ViewContext;
 
-/// What the mouse and the keys do with the objects of a scene view: the handles at the selected object, the
+/// Manipulates the objects of a scene view by mouse and keys: the handles at the selected object, the
 /// menu of an object, throwing, pinning, adding, deleting, and one history of all of it (SceneEdits).
 ///
 /// What moves in the simulation is moved there, by requests; what is fixed, such as a wall or a lamp, is
-/// moved in the text of the scene, in which the simulation then goes on. GUI thread.
+/// moved in the text of the scene, in which the simulation then continues. GUI thread.
 class SceneHands final : public QObject {
   Q_OBJECT
  public:

@@ -18,7 +18,7 @@ namespace widgets {
 class SceneObjects;
 class SceneState;
 
-/// Which objects get markers: those for which it returns true.
+/// A predicate that selects the objects that get markers.
 using ObjectFilter = std::function<bool(const std::string& path)>;
 
 /// Joints, frames and centers of mass of a simulated scene, as bodies that nothing hides. Their size follows

@@ -15,7 +15,7 @@ class QMenu;
 
 namespace widgets {
 
-/// What can be shown or left out in a view of a scene.
+/// The layers of a scene view that can be shown or hidden.
 enum class SceneLayer : std::uint8_t {
   kVisuals,
   kSolids,

@@ -26,7 +26,7 @@ constexpr robotlink::Duration kEchoMemory = std::chrono::seconds(1);
 constexpr std::array<std::uint8_t, 4> kCameraColor{250, 210, 60, 230}, kDistanceColor{230, 60, 60, 230},
     kSonarColor{60, 130, 240, 150}, kLaserColor{250, 140, 40, 130};
 
-/// Where a camera is, and half of its opening angles.
+/// Where a camera is, and half of its fields of view.
 struct CameraSight {
   Pose3 inRobot;
   double halfWidth = 0, halfHeight = 0;

@@ -13,8 +13,9 @@ struct RobotDescription;
 
 namespace widgets {
 
-/// What a robot's camera sees, as a pyramid half a meter long, and what its distance sensor, sonars and laser
-/// measure, as a line each, in its frame on the ground. `description` may be null. GUI thread.
+/// Returns lines for a robot's camera frustum, as a pyramid half a meter long, and for what its distance
+/// sensor, sonars and laser measure, as a line each, in its frame on the ground. `description` may be null.
+/// GUI thread.
 SceneLines sensorLines(const robotlink::StreamStore& store, const std::string& robot,
                        const robotlink::RobotDescription* description, robotlink::Instant shown);
 

@@ -13,8 +13,8 @@
 
 namespace widgets {
 
-/// Which parts of a scene a view shows and how: the looks of objects, and the one object to which the view
-/// may be limited. GUI thread.
+/// The visibility of the parts of a scene in a view: the looks of objects, and the one object to which the
+/// view may be limited. GUI thread.
 class ShownParts {
  public:
   /// The middle of an object in its own frame, and the radius of a sphere around all of its shapes.

@@ -20,7 +20,8 @@ NewSceneDialog::NewSceneDialog(const SceneLanguage& language, std::filesystem::p
   setWindowTitle(tr("New scene"));
   auto* form = new QFormLayout(this);
   name_ = new QLineEdit(QStringLiteral("room"), this);
-  describe(*name_, {"newSceneName", tr("Name"), tr("Of the world and its file: letters, digits, - and _")});
+  describe(*name_,
+           {"newSceneName", tr("Name"), tr("Name of the world and its file: letters, digits, - and _")});
   name_->selectAll();
   form->addRow(tr("Name"), name_);
   const RoomChoice usual;

@@ -67,7 +67,7 @@ class SceneBench final : public QObject {
   bool hasUnsaved() const;
   /// Saves all changed files that have a path; fails at the first that cannot be saved.
   robotlink::Result<void> saveAll();
-  /// Saves the current file and lets the simulation go on in it, or opens it if it is none of its files.
+  /// Saves the current file and lets the simulation continue in it, or opens it if it is none of its files.
   robotlink::Result<void> run();
 
   /// Goes to an object of the running scene, "red1/head/camera", by way of the files that are included. With
@@ -113,7 +113,7 @@ class SceneBench final : public QObject {
   };
   struct Checked {
     int file = 0, revision = 0;
-    /// Those in the file itself name no file.
+    /// The problems; those in the file itself have no file name.
     std::vector<SceneProblem> problems;
   };
   SceneFile& add();

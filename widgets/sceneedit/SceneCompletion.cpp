@@ -59,7 +59,7 @@ SceneProposal proposalOf(const SceneElement& element) {
   if (back < 0) back = proposal.text.size();
   const bool hasValue = !element.type.empty() && element.type != "string" && element.initial != "__default__";
   if (hasValue) proposal.text += fromText(element.initial);
-  // Behind a default value one goes on; in an element with children or a text one fills it in.
+  // Behind a default value one continues; in an element with children or a text one fills it in.
   if (hasValue && back == proposal.text.size() - static_cast<int>(element.initial.size()))
     back = proposal.text.size();
   proposal.text += QStringLiteral("</%1>").arg(fromText(element.name));

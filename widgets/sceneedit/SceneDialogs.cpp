@@ -57,7 +57,7 @@ bool newScene(SceneBench& bench, QWidget* parent) {
   NewSceneDialog dialog(*language, bench.folder() / "room.sdf", parent);
   if (dialog.exec() != QDialog::Accepted) return false;
   bench.startAnew(dialog.text(), {}, dialog.name() + QStringLiteral(".sdf"));
-  // The user goes on in the text.
+  // The user continues in the text.
   Q_EMIT bench.lineWanted(1);
   return true;
 }

@@ -64,7 +64,7 @@ SceneEditorView::SceneEditorView(ViewContext& context, QWidget* parent)
   showFiles();
   showCurrent();
   showPlace();
-  // Nobody hears of the title before the view is in its dock.
+  // The title's signal would be lost before the view is in its dock.
   QMetaObject::invokeMethod(this, &SceneEditorView::showState, Qt::QueuedConnection);
 }
 
@@ -92,8 +92,8 @@ void SceneEditorView::createEditActions() {
   find_ = makeAction(
       this, "search",
       {"sceneFind", tr("Find and replace"), tr("Finds and replaces text in the file"), QKeySequence::Find});
-  indent_ = makeAction(this, "layers",
-                       {"sceneIndent", tr("Indent all"), tr("Indents all lines after what they are in")});
+  indent_ =
+      makeAction(this, "layers", {"sceneIndent", tr("Indent all"), tr("Indents all lines by their nesting")});
   propose_ = makeAction(this, "labels",
                         {"scenePropose", tr("What can be written here"),
                          tr("Lists elements or attributes for the cursor: Ctrl+Space")});
@@ -113,7 +113,7 @@ void SceneEditorView::createSceneActions() {
                   tr("Selects the object around the cursor in the views of the scene"), tr("Ctrl+Shift+G")});
   openIncluded_ = makeAction(this, "open",
                              {"sceneOpenIncluded", tr("Open the included model"),
-                              tr("Opens the file of the <include> around the cursor"), Qt::Key_F2});
+                              tr("Opens the file of the <include> at the cursor"), Qt::Key_F2});
 }
 
 QWidget* SceneEditorView::createTools() {

@@ -29,13 +29,13 @@ class SceneBench;
 class SceneFile;
 struct ViewContext;
 
-/// What the views of the running scene do to it, with one history of all of it. Two things are kept apart:
+/// Executes edits of the running scene from all views, with one undo history. Two things are kept apart:
 ///
 /// - The state of the simulation, such as where a robot was dragged. Views change it by requests, and say by
 ///   addRequests() how that is undone. It is in no file.
 /// - The texts of the scene's files. The functions here change them in the scene editor, unsaved, and have
-///   the simulation go on in them. Each text is checked first, in a thread of its own, which takes some 100
-///   ms, for large scenes longer; what the simulator would refuse is refused here, with its reason, and
+///   the simulation continue in them. Each text is checked first, in a thread of its own, which takes some
+///   100 ms, for large scenes longer; what the simulator would refuse is refused here, with its reason, and
 ///   nothing changes. A text that was edited meanwhile is changed and checked again.
 ///
 /// Changes are made one after the other, in the order in which they were begun. One of the same place, such
@@ -61,9 +61,9 @@ class SceneEdits final : public QObject {
 
   /// Called in the GUI thread, later, if something of a scene does not fit between what is there now.
   using Refused = std::function<void(const std::string& reason)>;
-  /// `goOn` has the simulation go on with texts that count instead of files; without a Refused what is in the
-  /// way of something is put back. `mayWrite` says whether a file is one of the open scene. Without them no
-  /// text can be changed.
+  /// `goOn` has the simulation continue with texts that count instead of files; without a Refused what is in
+  /// the way of something is put back. `mayWrite` says whether a file is one of the open scene. Without them
+  /// no text can be changed.
   using GoOn = std::function<Done(const Texts& unsaved, const Refused& refused)>;
   void setHost(GoOn goOn, std::function<bool(const std::filesystem::path& file)> mayWrite);
   /// Whether the running scene has a text that can be changed.
@@ -81,7 +81,7 @@ class SceneEdits final : public QObject {
   void setPose(const std::string& object, const std::array<double, 6>& pose, Told told = {});
   /// Whether an object is one of the world's own, so that it can be copied, erased and renamed.
   bool isOwn(const std::string& object) const;
-  /// Has the simulation go on in the texts as they are in the editor.
+  /// Has the simulation continue in the texts as they are in the editor.
   Done apply();
   /// Goes back to what a file has on the disk, also in the simulation if it is of its scene, which can be
   /// undone.
@@ -178,7 +178,7 @@ class SceneEdits final : public QObject {
   void request(const std::shared_ptr<const robotcontrol::Request>& request);
   /// Puts texts in place of others if these are still there.
   Done exchange(const Texts& from, const Texts& to);
-  /// Exchanges the texts of a step, and has the simulation go on in them.
+  /// Exchanges the texts of a step, and has the simulation continue in them.
   Done act(const Step& step, Way way);
   /// The simulation did not go on with a step, so neither do the texts.
   void takeBack(const std::string& scene, int number, Way way, const std::string& reason);
@@ -200,7 +200,7 @@ class SceneEdits final : public QObject {
   std::unique_ptr<robotlink::Worker<Job, Checked>> worker_;
 };
 
-/// Those of a window, created on the first call.
+/// The edits of a window, created on the first call.
 SceneEdits& sceneEdits(ViewContext& context);
 
 /// Six numbers as a file has them, without digits that say nothing.

@@ -36,7 +36,7 @@ class SceneFile final : public QObject {
   QString name() const;
   /// "room.sdf*"; the star stands for unsaved changes.
   QString title() const;
-  /// As which model of the running scene the file's model is edited; empty: as any.
+  /// The name of the model in the running scene that this file is edited for; empty: any.
   const QString& instance() const { return instance_; }
   void setInstance(const QString& instance) { instance_ = instance; }
 

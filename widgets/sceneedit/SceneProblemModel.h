@@ -8,7 +8,7 @@
 
 namespace widgets {
 
-/// What is wrong in a scene file, as a table with a row for each problem. GUI thread.
+/// A table of the problems in a scene file, with a row for each. GUI thread.
 class SceneProblemModel final : public RowModel<SceneProblem> {
   Q_OBJECT
  public:

@@ -6,7 +6,7 @@
 
 namespace widgets {
 
-/// Where in an XML text a position is, as one needs it to propose what can be written there. A plain value.
+/// The context of a position in an XML text, for completion. A plain value.
 struct XmlPlace {
   enum class Kind {
     kText,            ///< between tags

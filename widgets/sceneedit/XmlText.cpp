@@ -43,7 +43,7 @@ XmlTag tagAt(const QString& text, int begin) {
   QChar quote;
   for (; tag.end < text.size(); ++tag.end) {
     const QChar c = text[tag.end];
-    // It is in no value, so the tag before was not completed.
+    // XML allows no "<" in values, so the previous tag is incomplete.
     if (c == QLatin1Char('<')) return tag;
     if (!quote.isNull()) {
       if (c == quote) quote = {};

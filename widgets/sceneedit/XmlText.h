@@ -7,7 +7,7 @@
 
 namespace widgets {
 
-// What can be seen of XML while it is being typed, so that it is mostly not well-formed. Positions count the
+// A tolerant reader of XML that is being typed and therefore mostly not well-formed. Positions count the
 // characters of the text from 0, as a QTextCursor does; ends are behind the last character. All functions are
 // pure and take time in proportion to the text.
 

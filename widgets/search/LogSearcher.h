@@ -32,10 +32,10 @@ class LogSearcher {
   };
   /// What the history of live robots has of the streams that are searched. A plain value.
   struct History {
-    /// Those of each stream are in order of time.
+    /// The pieces, in order of time within each stream.
     std::vector<robotlink::HistoryArchive::Piece> pieces;
     std::vector<std::string> robots;
-    /// Those of texts, as expressions call them.
+    /// The streams of texts, by the names that expressions use.
     std::set<std::string> textStreams;
   };
   struct Plan {

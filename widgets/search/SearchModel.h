@@ -8,7 +8,7 @@
 
 namespace widgets {
 
-/// Where in the open logs something was found.
+/// A search hit in the open logs.
 struct SearchRow {
   /// On the timeline; unset `until`: to the end of the log.
   robotlink::Instant from;

@@ -59,9 +59,9 @@ SearchView::~SearchView() {
 
 void SearchView::createActions() {
   search_ = makeAction(this, "search",
-                       {"searchStart", tr("Search"), tr("Searches the whole of the open logs (Enter)")});
+                       {"searchStart", tr("Search"), tr("Searches all open logs completely (Enter)")});
   cancel_ =
-      makeAction(this, "stop", {"searchCancel", tr("Cancel"), tr("Ends the search; what was found stays")});
+      makeAction(this, "stop", {"searchCancel", tr("Cancel"), tr("Stops the search; its results are kept")});
   previous_ = makeAction(this, "previous",
                          {"searchPrevious", tr("Previous hit"), tr("Jumps to the hit before the shown time"),
                           QKeySequence::FindPrevious});

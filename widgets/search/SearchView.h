@@ -26,7 +26,7 @@ class EmptyHint;
 /// computed as OpenLogs knows how to. A click on a hit jumps there; hits are marked in the timeline and in
 /// plots.
 ///
-/// A search goes on and ends while the view is hidden, too. Registered as "search". GUI thread.
+/// A search continues and ends while the view is hidden, too. Registered as "search". GUI thread.
 class SearchView final : public View {
   Q_OBJECT
  public:

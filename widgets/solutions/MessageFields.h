@@ -38,7 +38,7 @@ QVariant valueAt(const google::protobuf::Message& root, const FieldPath& path);
 bool setValueAt(google::protobuf::Message& root, const FieldPath& path, const QVariant& value);
 /// Names of the field's enumeration; empty for other types.
 QStringList choicesAt(const FieldPath& path);
-/// "number", "whole number", ...: what can be typed, for tool tips; translated.
+/// "number", "whole number", ...: what can be typed, for tooltips; translated.
 QString typeName(const FieldPath& path);
 /// "walk.step[2].x"
 QString pathText(const FieldPath& path);

@@ -29,7 +29,7 @@ ParameterSlider::ParameterSlider(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("parameterSliderRow"));
   slider_ = new QSlider(Qt::Horizontal, this);
   widgets::describe(*slider_, {"parameterSlider", tr("Value of the parameter"),
-                               tr("Drags the current parameter; it is set when you let go")});
+                               tr("Drag to change the current parameter; it is set on release")});
   slider_->setTracking(false);
   text_ = new QLabel(this);
   text_->setObjectName(QStringLiteral("parameterSliderText"));

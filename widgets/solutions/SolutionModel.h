@@ -54,7 +54,7 @@ using TaskSolution = std::pair<std::string, std::string>;
 /// null messages are skipped.
 std::set<TaskSolution> shadowsOf(const std::vector<const robotlink::StreamMessage*>& tables);
 
-/// What a solution takes of a process in real time, whether it is active or in the shadow.
+/// What a solution takes of a process in real time, whether it is active or in shadow mode.
 struct SolutionCost {
   /// In s, for each frame in which it ran.
   double mean = 0;
@@ -74,8 +74,8 @@ std::map<TaskSolution, SolutionCost> costsOf(const robotlink::StreamStore& store
 class SolutionModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
-  /// Name, a check box for running in the shadow (solutions that can be chosen), cost (solutions that run and
-  /// are measured), process (tasks only), and state.
+  /// Name, a check box for running in shadow mode (solutions that can be chosen), cost (solutions that run
+  /// and are measured), process (tasks only), and state.
   enum Column { kName, kShadow, kCost, kProcess, kState, kColumns };
   enum Role {
     /// The task's name, for its solutions as well (QString).
@@ -96,9 +96,9 @@ class SolutionModel final : public QAbstractItemModel {
   /// kept if the names are the same.
   void setTasks(std::vector<TaskEntry> tasks);
   const std::vector<TaskEntry>& tasks() const { return tasks_; }
-  /// Forgets what was requested and refused; to be called before the tasks of another robot are set.
+  /// Forgets what was requested and refused; call this before the tasks of another robot are set.
   void forget();
-  /// Replaces what runs in the shadow; what was requested counts until then.
+  /// Replaces what runs in shadow mode; what was requested counts until then.
   void setShadows(std::set<TaskSolution> shadows);
   /// Replaces what solutions cost.
   void setCosts(std::map<TaskSolution, SolutionCost> costs);

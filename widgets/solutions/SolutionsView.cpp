@@ -146,13 +146,13 @@ void SolutionsView::tick() {
 void SolutionsView::showHint() {
   const auto& remote = session().remoteRobots();
   const auto found = remote.find(robot_);
-  hint_->setHint(
-      model_.rowCount() > 0 ? QString()
-      : robot_.empty()
-          ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
-      : found != remote.end() && found->second.isForeign
-          ? tr("%1 has no solutions: its server is none of RobotControl.").arg(QString::fromStdString(robot_))
-          : tr("The robot has not reported its tasks yet. Start its program."));
+  hint_->setHint(model_.rowCount() > 0 ? QString()
+                 : robot_.empty()
+                     ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
+                 : found != remote.end() && found->second.isForeign
+                     ? tr("%1 has no solutions: its server is not a RobotControl program.")
+                           .arg(QString::fromStdString(robot_))
+                     : tr("The robot has not reported its tasks yet. Start its program."));
 }
 
 void SolutionsView::choose(const QModelIndex& index) {

@@ -36,7 +36,7 @@ void SteeringBar::refresh(robotlink::Session& session, const std::string& robot)
   setVisible(isShown);
   if (!isShown) return;
   const bool isOther = state_->isOthers();
-  text_->setText(isOther ? tr("%1 What you command is not sent.").arg(state_->text) : state_->text);
+  text_->setText(isOther ? tr("%1 Your commands are not sent.").arg(state_->text) : state_->text);
   text_->setToolTip(state_->details);
   setMeaning(*text_, isOther ? std::optional(Meaning::kWarning) : std::nullopt);
   take_->setText(isOther ? tr("Steer instead") : tr("Let others steer"));

@@ -24,7 +24,7 @@ class SteeringBar final : public QWidget {
   Q_OBJECT
  public:
   SteeringBar(const robotlink::CommandTable& commands, QWidget* parent);
-  /// Shows who steers the robot now; to be called in each tick.
+  /// Shows who steers the robot now; call this in each tick.
   void refresh(robotlink::Session& session, const std::string& robot);
 
  private:

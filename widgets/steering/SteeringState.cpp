@@ -27,8 +27,9 @@ struct SteeringText {
 QString sentenceFor(const SteeringState& state, const QString& robot) {
   if (state.who == Who::kNobody) return SteeringText::tr("Nobody steers %1.").arg(robot);
   if (state.who == Who::kThisPerson) return SteeringText::tr("You steer %1.").arg(robot);
-  const QString sentence = state.isSilent ? SteeringText::tr("%1 steered %2, and is not heard any more.")
-                                          : SteeringText::tr("%1 steers %2.");
+  const QString sentence = state.isSilent
+                               ? SteeringText::tr("%1 was steering %2, and has stopped responding.")
+                               : SteeringText::tr("%1 steers %2.");
   return sentence.arg(state.name, robot);
 }
 
@@ -47,7 +48,7 @@ std::optional<SteeringState> steeringState(robotlink::Session& session, const st
   state.who = whoSteers(*status, session.remoteRobots().contains(robot));
   state.name = QString::fromStdString(status->who());
   if (state.who == Who::kOther && status->client() == 0)
-    state.name = SteeringText::tr("Somebody at the robot's own computer");
+    state.name = SteeringText::tr("A user at the robot's own computer");
   state.isSilent = status->silent();
   state.text = sentenceFor(state, QString::fromStdString(robot));
   state.details = QString::fromStdString(status->text());

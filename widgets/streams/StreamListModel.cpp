@@ -181,11 +181,11 @@ QVariant StreamListModel::headerData(int section, Qt::Orientation orientation, i
     return RowModel::headerData(section, orientation, role);
   switch (section) {
     case kByteRate:
-      return tr("Memory that its messages of a second take");
+      return tr("Memory taken by its messages per second");
     case kBytes:
-      return tr("What is kept of it, in memory and on disk; in a log, all of it");
+      return tr("Size of its history, in memory and on disk; for a log, its size in the file");
     case kShare:
-      return tr("Its part of what is kept of all streams");
+      return tr("Its share of the memory for the history of all streams");
     case kLeftOut:
       return tr(
           "Of robots elsewhere: messages replaced by newer ones because the line is narrow or a lower "

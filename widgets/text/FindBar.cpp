@@ -24,20 +24,20 @@ void FindBar::createFields() {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(4, 2, 4, 2);
   sought_ = new QLineEdit(this);
-  describe(*sought_, {"findText", tr("Find"), tr("Enter finds the next place, Shift+Enter the one before")});
+  describe(*sought_,
+           {"findText", tr("Find"), tr("Enter finds the next match, Shift+Enter the previous one")});
   sought_->setPlaceholderText(tr("Find"));
   instead_ = new QLineEdit(this);
-  describe(*instead_, {"replaceText", tr("Replace by"), tr("What replaces the text that is found")});
+  describe(*instead_, {"replaceText", tr("Replace by"), tr("Replacement text")});
   instead_->setPlaceholderText(tr("Replace by"));
-  QAction* exact =
-      makeToggle(this, "labels", {"findCase", tr("Match case"), tr("Capitals and small letters differ")});
+  QAction* exact = makeToggle(this, "labels", {"findCase", tr("Match case"), tr("Match case")});
   QAction* before = makeAction(this, "up", {"findBefore", tr("Previous"), tr("Finds the place before")});
   QAction* next =
       makeAction(this, "down", {"findNext", tr("Next"), tr("Finds the next place"), QKeySequence::FindNext});
   QAction* one = makeAction(this, "edit",
-                            {"replaceOne", tr("Replace"), tr("Replaces this place and finds the next one")});
+                            {"replaceOne", tr("Replace"), tr("Replaces this match and finds the next one")});
   QAction* all = makeAction(this, "check-all",
-                            {"replaceAll", tr("Replace all"), tr("Replaces all places, as one step")});
+                            {"replaceAll", tr("Replace all"), tr("Replaces all matches, as one undo step")});
   row->addWidget(sought_, 2);
   exactCase_ = makeButton(this, exact);
   row->addWidget(exactCase_);

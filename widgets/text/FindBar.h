@@ -20,7 +20,8 @@ class FindBar final : public QWidget {
 
   /// Shows the row, with what is selected in the text as what is sought.
   void open();
-  /// Selects the next place behind the cursor, or before it; goes on at the other end. False: there is none.
+  /// Selects the next place behind the cursor, or before it; continues at the other end. False: there is
+  /// none.
   bool find(bool backwards);
   /// Replaces what is selected, if it is what is sought, and selects the next place.
   void replace();

@@ -3,7 +3,7 @@
 
 namespace widgets {
 
-/// Where one is in a text that is edited: what an editor keeps for the one that comes after it, or for the
+/// The cursor and scroll position in an edited text: an editor keeps it for its successor, or for the
 /// next time when the text is shown.
 struct TextPlace {
   /// The cursor and the other end of the selection, in characters.

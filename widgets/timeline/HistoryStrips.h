@@ -20,9 +20,9 @@ class Session;
 
 namespace widgets {
 
-/// What a timeline shows of the history of live robots besides values: small images, and warnings and errors,
-/// of what is in memory and on disk. Images are made, and files read, in a thread, a few at a time. Nothing
-/// is done but in tick(). GUI thread; the session must outlive it.
+/// The parts of live robots' history that a timeline shows in addition to values: small images, warnings and
+/// errors, of what is in memory and on disk. Images are made, and files read, in a thread, a few at a time.
+/// Nothing is done but in tick(). GUI thread; the session must outlive it.
 class HistoryStrips {
  public:
   /// What is kept of a robot.
@@ -42,7 +42,7 @@ class HistoryStrips {
 
   explicit HistoryStrips(robotlink::Session& session);
 
-  /// Takes what was made and what has arrived, and begins more. To be called while it is shown.
+  /// Takes what was made and what has arrived, and begins more. Call this while it is shown.
   void tick();
   const Strip& of(const std::string& robot) { return robots_[robot].strip; }
   /// Sets which images of a robot are to be made, in place of those that were to be made; `height` in pixels.
@@ -68,7 +68,7 @@ class HistoryStrips {
     std::uint64_t epoch = 0;
     int height = 0;
     std::vector<Picture> pictures;
-    /// Whose texts are read, of these streams.
+    /// The pieces whose texts are read, and the streams with the texts.
     std::vector<Piece> pieces;
     std::vector<std::string> streams;
   };

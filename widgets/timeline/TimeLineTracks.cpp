@@ -25,7 +25,7 @@ struct TimeLineTracks::Track {
   PastValues past = {};
   /// Null: no open log has it.
   std::shared_ptr<const LoggedCurve> logged = {};
-  /// Streams whose debug keys were requested; what a user switches off afterwards stays off.
+  /// Streams whose debug keys were requested; what a user switches off afterward stays off.
   std::set<std::string> requested = {};
 };
 

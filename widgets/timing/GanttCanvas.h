@@ -16,7 +16,7 @@ class Session;
 namespace widgets {
 
 /// The Gantt chart of a robot's processes: a lane for each, in it a bar for each frame, and below this the
-/// frame's tasks. A tool tip describes what is under the mouse; a click requests the time of a frame, or that
+/// frame's tasks. A tooltip describes what is under the mouse; a click requests the time of a frame, or that
 /// of the place; the wheel zooms, dragging moves the chart.
 ///
 /// It follows the instant that the timeline shows, which is near its right edge then, until the user moves
@@ -68,7 +68,7 @@ class GanttCanvas final : public QWidget {
   };
   /// Sets the axis: its zoom, and its begin while the chart follows.
   void place();
-  /// Decides whether the chart goes on standing still.
+  /// Decides whether the chart continues standing still.
   void followTimeline(robotlink::Session& session);
   void zoomAt(double x, double factor);
   void moveBy(double pixels);

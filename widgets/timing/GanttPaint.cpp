@@ -183,7 +183,7 @@ std::optional<GanttHit> ganttHit(const GanttLook& look, const QPointF& at) {
   for (std::size_t lane = 0; lane < look.lanes.size(); ++lane) {
     if (!ganttLaneRect(look, lane).contains(at)) continue;
     const auto& frames = look.lanes[lane].frames;
-    // Those painted last lie on top.
+    // Frames painted last are on top.
     for (std::size_t i = frames.size(); i-- > 0;) {
       const QRectF bar = ganttBar(look, {lane, i, -1});
       if (at.x() < bar.left() - kNear || at.x() > bar.right() + kNear) continue;

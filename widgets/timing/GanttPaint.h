@@ -15,7 +15,7 @@
 class QPainter;
 class QPalette;
 
-// What a Gantt chart of processes looks like, and what lies where in it. Pure functions.
+// Layout and painting of a Gantt chart of processes. Pure functions.
 namespace widgets {
 
 /// All that the picture depends on; pixels.
@@ -47,7 +47,7 @@ QRectF ganttLaneRect(const GanttLook& look, std::size_t lane);
 /// The bar of a frame, at least a pixel wide; and that of one of its tasks, below.
 QRectF ganttBar(const GanttLook& look, const GanttHit& of);
 std::optional<GanttHit> ganttHit(const GanttLook& look, const QPointF& at);
-/// What a tool tip says of it: names, begin, how long, which share of the period, whether it overruns.
+/// What a tooltip says of it: names, begin, how long, which share of the period, whether it overruns.
 QString ganttText(const GanttLook& look, const GanttHit& of);
 void paintGantt(QPainter& painter, const GanttLook& look, const QPalette& palette);
 

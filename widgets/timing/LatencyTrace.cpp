@@ -84,7 +84,7 @@ void LatencyTrace::resolve(Frame& frame) {
     const auto sent = std::ranges::find_if(sender->sent, [&](const Package& candidate) {
       return candidate.name == package.name && candidate.stamp == package.stamp;
     });
-    // While the clock goes on, what a process takes is in the time of the next one's frame.
+    // While the clock continues, what a process takes is in the time of the next one's frame.
     const double took = sender->clockStands ? sent->seconds : 0;
     for (const auto& [reading, origin] : sender->origins)
       offer(reading, {origin.stamp, origin.computing + took});

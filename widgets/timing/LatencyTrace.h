@@ -73,7 +73,7 @@ class LatencyTrace {
   void forget();
 
   Frames frames_;
-  /// Those that sent a package of this name and timestamp.
+  /// The frames that sent a package, by its name and timestamp.
   std::map<std::pair<std::string, robotlink::Instant>, std::vector<Frame*>> senders_;
   /// The newest reading that became a command, by the names of both.
   std::map<std::pair<std::string, std::string>, robotlink::Instant> reported_;

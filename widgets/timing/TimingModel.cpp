@@ -202,11 +202,11 @@ QVariant TimingModel::headerData(int section, Qt::Orientation orientation, int r
     return TitledModel::headerData(section, orientation, role);
   switch (section) {
     case kMedian:
-      return tr("Half of all frames took no longer");
+      return tr("Median: half of all frames took at most this long");
     case kNinetyFive:
-      return tr("95 % of all frames took no longer");
+      return tr("95th percentile");
     case kNinetyNine:
-      return tr("99 % of all frames took no longer");
+      return tr("99th percentile");
     case kPeriodMinimum:
       return tr("Shortest time from one frame to the next, on the robot's clock");
     case kPeriodMax:

@@ -28,7 +28,7 @@ struct RobotBody {
   };
   /// Their poses.
   std::vector<robotlink::Pose3> parts;
-  /// Those of parents come first.
+  /// The joints; a parent's joint comes before those of its children.
   std::vector<Joint> joints;
   /// What is seen: entity i is part i, in the frame of that part.
   std::shared_ptr<const foxglove::SceneUpdate> shapes;

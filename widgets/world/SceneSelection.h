@@ -27,7 +27,7 @@ class SceneSelection final : public QObject {
   std::string object_;
 };
 
-/// That of the window; created on first use.
+/// The selection of a window; created on first use.
 SceneSelection& sceneSelection(ViewContext& context);
 
 }  // namespace widgets

@@ -9,7 +9,8 @@ namespace {
 using robotlink::Duration;
 using robotlink::Instant;
 
-/// A step back that is no disorder any more, but a new beginning.
+/// A step back by more than this means that the body's clock was restarted, not that messages are out of
+/// order.
 constexpr Duration kNewBeginning = std::chrono::seconds(1);
 /// Times and shifts beyond it are nonsense; no sum of some of them leaves what an Instant can hold.
 constexpr Duration kMaxTime = std::chrono::hours(24 * 365 * 70);

@@ -10,7 +10,7 @@ namespace app {
 
 /// The time of a body elsewhere, as its program here goes by it. It follows the times that are heard of the
 /// body, whatever their delay: it is the body's time less the shortest delay. Between them, and while the
-/// link is cut, it goes on as real time does. It never goes back: a body that is restarted, whose times
+/// link is cut, it continues as real time does. It never goes back: a body that is restarted, whose times
 /// begin again, continues.
 ///
 /// now() may be called from any thread, the rest from one.

@@ -90,7 +90,7 @@ BodyFeed::BodyFeed(BodyOptions options, robotlink::Session& session, logplayer::
       limits_(limits) {}
 
 BodyFeed::~BodyFeed() {
-  program_.reset();  // It uses the link.
+  program_.reset();  // first, because the program uses the link
 }
 
 LinkLimits BodyFeed::limits() const {

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// How `robotctl run --platform ws://HOST:PORT` runs the program of a body that is elsewhere.
+/// Returns the headless runner for the program of a remote body (`robotctl run --platform ws://HOST:PORT`).
 HeadlessPlatform headlessBody();
 
 }  // namespace app

@@ -38,7 +38,7 @@ BodyLink::BodyLink(Options options) : wantedRobot_(std::move(options.robot)), se
   linked.connection = std::move(options.connection);
   linked.convert = decodedImage;
   linked.alsoWanted = [this](const std::string& path) { return wants(path); };
-  // Such as the poses of a whole world, which would keep a narrow line busy.
+  // Such as the poses of a whole world, which would keep a slow link busy.
   linked.wantsNothingElse = true;
   linked.passed = [this](const robotlink::StreamMessage& message) { look(message); };
   client_ = std::make_unique<SessionClient>(session_, std::move(linked));
@@ -131,7 +131,8 @@ BodyLink::Kind BodyLink::kindOf(const std::string& robot) const {
 }
 
 std::uint64_t BodyLink::progress() const {
-  // The names of the robots come behind many channels. What this end asks for now and then is less than that.
+  // The names of the robots come behind many channels. What this end asks for from time to time is less than
+  // that.
   constexpr std::uint64_t kPart = 4096;
   const std::size_t known = robots().size() + setups_.size() + offers_.size();
   return known > 0 ? known : state().bytes / kPart;

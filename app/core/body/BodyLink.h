@@ -23,7 +23,7 @@ class SetCamera;
 
 namespace app {
 
-/// The connection from a robot's program to its body elsewhere (REMOTE_BODY.md): it is made again and again
+/// The connection from a robot's program to its body elsewhere (REMOTE_BODY.md): it is made repeatedly
 /// by itself. Of each sensor package the newest is kept until it is taken.
 ///
 /// One thread, but for engageStop(), which any thread may call.
@@ -101,7 +101,7 @@ class BodyLink {
             std::function<void(const std::string& why)> done);
 
   const std::string wantedRobot_;
-  /// Those that were chosen.
+  /// The limits that the user has chosen for this connection.
   LinkLimits limits_;
   LineBudget line_;
   /// The measurement that line_ has.
@@ -113,7 +113,7 @@ class BodyLink {
   bool isOther_ = false;
   std::set<std::string> packages_;
   Arrived arrived_;
-  /// Nobody looks at it.
+  /// Receives the body's streams; no view reads it.
   robotlink::Session session_;
   /// The last member, since it uses the others.
   std::unique_ptr<robotlink::websocket::SessionClient> client_;

@@ -65,12 +65,13 @@ PackagePtr packageOf(const BodyCommands::Package& wire, const google::protobuf::
   return robotlink::parsedMessage(wire.type(), wire.data());
 }
 
-/// What costs time to make, and is made only for who looks at it. It stays here.
+/// Whether a package is expensive to produce and only of interest to people; such packages are not sent to
+/// the program.
 bool isForPeople(const std::string& package) {
   return package == robotlink::kOracleClasses.name || package == robotlink::kLinkPackets.name;
 }
 
-/// There is nothing that requests could change here.
+/// A preview that never changes anything: a body has no program state that requests could change.
 class NoPreview final : public ProgramPreview {
  public:
   std::string add(const robotcontrol::Request&) override { return {}; }

@@ -10,17 +10,17 @@
 
 namespace app {
 
-/// What a body elsewhere objects to whose program is to run here, or runs here already, until the user has
-/// answered. At most one question at a time. One thread.
+/// Keeps the objection (certificate, token) of a remote body whose program runs or is to run here, until the
+/// user has answered. At most one question at a time. One thread.
 class BodyQuestion {
  public:
   /// A platform is going to be opened; what was asked before is not asked any more.
   void begin(const PlatformOpening& opening);
-  /// It could not be. Returns whether the user can do something about it, and so is asked.
+  /// Call this when opening failed. Returns whether the user can resolve the failure, and is therefore asked.
   bool ask(const robotlink::Errors& errors);
   /// A platform with these sources is open. If it is the one: remembers the token if the user wanted that.
   robotlink::Result<void> finish(const std::vector<std::string>& sources);
-  /// Asks what the body that is open objects to now. To be called often, while no platform is being opened.
+  /// Asks what the body that is open objects to now. Call this often, while no platform is being opened.
   void follow();
 
   const std::optional<LinkQuestion>& asked() const { return asked_; }
@@ -53,7 +53,7 @@ class BodyQuestion {
   bool isOpen_ = false;
   /// What the user has answered while the connection was not tried again yet.
   std::optional<LinkQuestion> answered_;
-  /// That the user has entered, and whether it is to be remembered.
+  /// The token that the user has entered, and whether to remember it.
   std::string token_;
   bool remembers_ = false;
 };

@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// Why a body that is open refuses the connection, passed from the platform's thread to that of the user. Any
+/// Passes the reason why an open body refuses the connection from the platform's thread to the GUI's. Any
 /// thread.
 class BodyRefusal {
  public:

@@ -27,9 +27,9 @@ namespace app {
 /// the newest commands over it as one message, which says what readings they answer. Its time is the body's
 /// (BodyClock).
 ///
-/// The owner lets it run a few hundred frames a second. While the line is cut, the program goes on with what
-/// it knows, and the body's watchdog lets the robot stand. `link` and `clock` must outlive it; `local` is
-/// real time.
+/// The owner lets it run a few hundred frames a second. While the line is cut, the program continues with
+/// what it knows, and the body's watchdog lets the robot stand. `link` and `clock` must outlive it; `local`
+/// is real time.
 class RemoteBodyPlatform final : public robotlink::Platform {
  public:
   /// The link knows its body.

@@ -83,7 +83,7 @@ void followCameraAddress(FormState& state, const std::string& changed) {
   state.complete = address.has_value();
 }
 
-/// What images the camera shall send.
+/// The images that the camera is to send.
 std::vector<PlatformField> imageFields() {
   return {{.name = "size",
            .kind = Kind::kChoice,

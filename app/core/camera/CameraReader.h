@@ -16,7 +16,7 @@
 
 namespace app {
 
-/// Reads a camera in a thread of its own: opens it, again and again where that fails or the camera was
+/// Reads a camera in a thread of its own: opens it, repeatedly where that fails or the camera was
 /// unplugged, and keeps the newest image. Any thread may call. Only the destructor may block, up to 0.1 s.
 /// Clock and calls must outlive it.
 class CameraReader {

@@ -8,7 +8,7 @@
 namespace app {
 
 /// Lets this program use a resource folder of the robot's own instead of the installed one, from which it is
-/// copied if it does not exist or is empty. To be called before anything reads resources or starts a thread.
+/// copied if it does not exist or is empty. Call this before anything reads resources or starts a thread.
 robotlink::Result<void> useOwnResources(const std::filesystem::path& folder);
 
 }  // namespace app

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// Where the preset of a robot of this name is in its resource folder.
+/// Returns the path of a robot's preset in its resource folder, by the robot's name.
 std::string presetPathOf(const std::string& robot);
 
 /// What the programs of a server's robots run in, and which of the files that were deployed they have not
@@ -28,7 +28,7 @@ class RunningPrograms {
     bool operator==(const Program&) const = default;
   };
 
-  /// The programs run, as far as they are known; those of other robots are forgotten.
+  /// Sets the programs that run; programs of other robots are forgotten.
   void set(const std::vector<Program>& programs);
   /// A file was written.
   void noteWritten(const std::string& path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the ball and robots are on a field, as referees see it. Meters, in the field's frame.
+// Classifies positions of the ball and robots on a field for the referee (out, in a penalty area, ...).
+// Meters, in the field's frame.
 #pragma once
 
 #include "robotlink/base/Geometry.h"

@@ -15,7 +15,7 @@ class StateStream;
 namespace app {
 
 /// The phases of a game, its clock and its score, apart from any world. Teams are indices into
-/// GameRules::teams. Time is what passes in pass(), so the game goes on whatever clocks do.
+/// GameRules::teams. Time is what passes in pass(), so the game continues whatever clocks do.
 class GameMachine {
  public:
   /// As in robotcontrol::GameState::Phase.
@@ -27,7 +27,7 @@ class GameMachine {
   /// The game starts over.
   void restart();
   void pass(robotlink::Duration time);
-  /// The phase that follows now if nobody decides otherwise; unset: the present one lasts.
+  /// The phase that follows now unless the referee decides otherwise; unset: the current one lasts.
   std::optional<Phase> due() const;
   /// Begins a phase; READY after a half begins the next one. Fails with the reason where that is against the
   /// order of phases.
@@ -42,7 +42,7 @@ class GameMachine {
   bool isOver() const { return phase_ == Phase::kFinished && half_ >= rules_.halves; }
   /// From 1.
   unsigned half() const { return half_; }
-  /// What is left of the half, not below 0.
+  /// The remaining time of the half, not below 0.
   robotlink::Duration left() const;
   std::size_t kickOff() const { return kickOff_; }
   unsigned goals(std::size_t team) const { return goals_[team]; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a referee says, as packages.
+// Makes the packages and messages that a referee publishes.
 #pragma once
 
 #include <memory>

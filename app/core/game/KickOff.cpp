@@ -13,7 +13,7 @@ namespace {
 
 using robotlink::Vector3;
 
-// The red team plays towards +x, as FieldDescription says.
+// The red team plays toward +x, as FieldDescription says.
 constexpr const char* kTowardsPlusX = "red";
 constexpr const char* kTowardsMinusX = "blue";
 

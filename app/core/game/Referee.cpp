@@ -150,7 +150,7 @@ std::vector<std::string> Referee::step() {
 
 void Referee::followPhases() {
   const auto next = machine_.due();
-  // The ball lies where it belongs before the game goes on.
+  // The ball lies where it belongs before the game continues.
   if (!next || (*next == Phase::kPlaying && ballToPlace_)) return;
   (void)enter(*next);
 }

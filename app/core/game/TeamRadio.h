@@ -49,9 +49,9 @@ class TeamRadio {
   /// Changes those that are set.
   void setSettings(const robotcontrol::TeamRadioSettings& settings);
 
-  /// Nothing was sent so far.
+  /// Discards all messages and statistics, and seeds the losses.
   void restart(std::uint64_t seed);
-  /// Where everybody is who can hear from now on; forgets what is on the way to others.
+  /// Sets the positions of all robots that can receive, and drops messages in transit to others.
   void setStations(std::vector<Station> stations);
   /// Sends a message of a station; its sender and team are filled in.
   void send(const std::string& robot, const Message& message, robotlink::Instant now);

@@ -18,15 +18,15 @@ class Umpire {
  public:
   virtual ~Umpire() = default;
 
-  /// To be called after each step of the world. Returns a sentence for the user for each thing that happened.
+  /// Call this after each step of the world. Returns a sentence for the user for each thing that happened.
   virtual std::vector<std::string> step() = 0;
-  /// To be called after a reset of the simulation: the game starts over.
+  /// Call this after a reset of the simulation: the game starts over.
   virtual void restart() = 0;
   /// Writes or reads all that the game consists of.
   virtual void transfer(simcore::StateStream& stream) = 0;
-  /// The simulation went back or on to another instant; the game goes on as it is.
+  /// The simulation went back or on to another instant; the game continues as it is.
   virtual void worldJumped() = 0;
-  /// To be called when there are other models. False if there is no game any more.
+  /// Call this when there are other models. False if there is no game any more.
   virtual bool followModels() = 0;
   /// Goals by the name of the team that scored.
   virtual const std::map<std::string, int>& goals() const = 0;

@@ -105,7 +105,7 @@ void onFatal(int signal) {
     while (true) ::pause();
   }
   putReport(kEndHead, kInSignal);
-  // It comes again when this returns, now without a handler.
+  // The signal is raised again, so that it ends the process when this handler returns.
   ::raise(signal);
 }
 

@@ -11,8 +11,8 @@ class Process;
 
 namespace app {
 
-/// What a robot's program wrote about itself when it crashed, called exit(), or was asked because it did not
-/// answer. A plain value.
+/// The report that a robot's program wrote about itself when it crashed, called exit(), or was asked because
+/// it did not answer. A plain value.
 struct CrashReport {
   /// The task and solution that was executed: "ball-percept (region)"; empty: none.
   std::string activity;
@@ -35,13 +35,13 @@ struct CrashReport {
   /// The processes of which a report may say what they do; they must exist until the program ends.
   static void watch(const std::vector<robotlink::Process*>& processes);
   // With a thread for each process:
-  /// To be called in the thread of a process, which then is what a report of this thread is about.
+  /// Call this in the thread of a process, which then is what a report of this thread is about.
   static void enterThread(const robotlink::Process& process);
   /// The next reports that are asked for are about the thread of this process; null: any.
   static void suspect(const robotlink::Process* process);
 };
 
-/// The signal at which a program writes a report and goes on.
+/// The signal at which a program writes a report and continues.
 int askSignal();
 
 /// How a program ended, from its status of waitpid(): "crashed with a segmentation fault", "called exit(3)".

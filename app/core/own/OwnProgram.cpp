@@ -24,7 +24,7 @@ using robotlink::Errors;
 
 namespace {
 
-/// As many as a debug process takes.
+/// The number of requests that a debug process queues at most.
 constexpr std::size_t kMaxWaitingRequests = 1000;
 /// More than a debug process has in the longest step.
 constexpr std::uint64_t kMaxDebugFrames = 1000;
@@ -108,7 +108,7 @@ struct OwnProgram::Implementation {
   /// A step was sent and its result has not come.
   bool waits = false;
   std::chrono::steady_clock::time_point sentAt;
-  /// It does not take part in steps; and with threads, one of them does not return.
+  /// Whether the program takes no part in steps, and, with threads, whether one of them does not return.
   bool isSilent = false, isStuck = false;
   /// The first step was sent: its threads run.
   bool hasBegun = false;
@@ -262,7 +262,7 @@ void OwnProgram::Implementation::take(const WireAnswer& arrived) {
     waits = false;
     if (isSilent) heard();
   }
-  // It may be the late answer to a question.
+  // The result may be a late answer to an earlier question.
   if (arrived.has_result()) apply(arrived.result());
 }
 
@@ -310,7 +310,7 @@ void OwnProgram::Implementation::applyEvent(const robotcontrol::WireResult::Even
 // ---- What may go wrong
 
 CrashReport OwnProgram::Implementation::lookIntoIt() {
-  // Someone who looks at it step by step wants it to stay as it is.
+  // A user who single-steps the program in a debugger must not be disturbed by a crash report.
   return child->isDebugged() ? CrashReport() : child->ask();
 }
 

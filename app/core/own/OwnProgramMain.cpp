@@ -64,7 +64,7 @@ int run(const std::string& robot) {
     OwnProgramServer server(std::move(link), kProgramSocket, order.setup());
     server.make(order.setup());
     server.serve();
-    // There may be threads that never end.
+    // Threads of modules may never return, so the process exits without joining them.
     if (order.setup().threads()) ::_exit(0);
   }
   // Not exit(): that would look as if the program had called it.

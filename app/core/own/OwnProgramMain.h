@@ -10,7 +10,7 @@ namespace app {
 inline constexpr char kProgramArgument[] = "--robot-program";
 inline constexpr int kProgramSocket = 3, kProgramReports = 4;
 
-/// To be called first in main() of each executable that hosts robots. If the arguments ask for the program of
+/// Call this first in main() of each executable that hosts robots. If the arguments ask for the program of
 /// a robot, runs it until its host is gone, and returns the status of the process; otherwise nothing.
 std::optional<int> ownProgramMain(int argc, char** argv);
 

@@ -35,7 +35,7 @@ struct OwnProgramOptions {
   /// Whether each process of the layout has a thread there, and nothing waits for it: a step sends what the
   /// platform has sent, and takes what has come from the program. Otherwise a step is one in lockstep.
   bool threads = false;
-  /// With threads: whether the clock goes on as real time does; otherwise only the steps advance it.
+  /// With threads: whether the clock continues as real time does; otherwise only the steps advance it.
   bool inRealTime = false;
   /// The texts of description and field, for robots of logs and bodies elsewhere; null: those of the files.
   std::shared_ptr<const robotcontrol::ProgramSetup> texts = nullptr;

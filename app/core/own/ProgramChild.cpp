@@ -124,7 +124,7 @@ std::optional<int> ProgramChild::endsWithin(milliseconds limit) {
     int status = 0;
     const pid_t ended = ::waitpid(pid_, &status, WNOHANG);
     if (ended == pid_) status_ = status;
-    // Somebody else has waited for it: all that is known is that it has ended.
+    // Another caller has reaped the child: it has ended, but its status is unknown.
     if (ended < 0 && errno != EINTR) status_ = 0;
     if (status_ || std::chrono::steady_clock::now() >= end) break;
     readReports();  // A full pipe would hold it up.

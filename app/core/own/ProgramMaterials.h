@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What a program in a process of its own is made of. A plain value.
+/// Everything from which a program in a process of its own is created. A plain value.
 struct ProgramMaterials {
   robotlink::RobotSetup robot;
   robotlink::Layout layout;

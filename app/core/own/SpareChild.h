@@ -8,7 +8,7 @@
 namespace app {
 
 /// A process that waits for the next program of a robot, so that nobody waits for its start: for programs
-/// that are made again and again, as at each jump in a log. One thread at a time.
+/// that are made repeatedly, as at each jump in a log. One thread at a time.
 class SpareChild {
  public:
   /// The process that waits, if it still does, else one that is started now; then the next one is started.

@@ -28,9 +28,9 @@ class LinkMeter {
               robotlink::Instant now);
   /// Keeps bytes that were no packet, or one with a wrong checksum. They count in no rate.
   void damage(std::span<const std::uint8_t> bytes, robotlink::Instant now);
-  /// To be called for the packet that the robot sends once a cycle; gaps are measured between these.
+  /// Call this for the packet that the robot sends once a cycle; gaps are measured between these.
   void cycle(robotlink::Instant now);
-  /// To be called when a connection ends, so that the time without one is no gap, and what was dropped is not
+  /// Call this when a connection ends, so that the time without one is no gap, and what was dropped is not
   /// counted for the next one.
   void restart() {
     lastCycle_.reset();

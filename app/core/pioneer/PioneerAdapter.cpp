@@ -92,7 +92,7 @@ void writeAddress(FormValues& values) {
   address.kind = textOf(values, "kind");
   address.laser.reset();
   std::string text = address.text();
-  // As it was typed, so that a laser's address that is wrong is shown as that.
+  // The address as typed, so that an error about the laser quotes what the user wrote.
   if (const std::string laser = textOf(values, "laser"); !laser.empty())
     text += (text.find('?') == std::string::npos ? "?laser=" : "&laser=") + laser;
   values["address"] = text;

@@ -78,7 +78,7 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   /// only listens; when the address is empty again, it reconnects.
   void setOtherClient(const std::string& address, robotlink::Instant now);
 
-  /// Sends commands as the program, STOP and time require; to be called every cycle. The packets are then in
+  /// Sends commands as the program, STOP and time require; call this every cycle. The packets are then in
   /// takeOutgoing().
   void actuate(bool stopEngaged, robotlink::Instant now);
   /// Removes and returns the packets for the robot.

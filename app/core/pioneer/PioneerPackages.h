@@ -28,7 +28,7 @@ class PioneerPackages {
   void setBumpers(int front, int rear);
   /// Sets what the robot says about its battery in its configuration, V; 0: it says nothing.
   void setBattery(double low, double empty);
-  /// To be called when a connection ends. The odometry of the next connection continues that of this one.
+  /// Call this when a connection ends. The odometry of the next connection continues that of this one.
   void restart();
   /// Sets the odometry to 0. The robot's own odometry does not change.
   void resetOdometry();

@@ -24,7 +24,7 @@ struct Preset;
 
 namespace app {
 
-/// What a user wants to run without a window. A plain value.
+/// The user's choices for a run without a window. A plain value.
 struct HeadlessChoices {
   /// "log:game.mcap" or "tcp://localhost:8101".
   std::string platform;

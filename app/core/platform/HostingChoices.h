@@ -6,7 +6,8 @@
 
 namespace app {
 
-/// Where the user wants the programs of the robots of one kind of platform to run. A plain value.
+/// The user's choice of where the programs of one kind of platform run: in this process or in their own. A
+/// plain value.
 struct HostingChoices {
   /// In processes of their own, unless they are among `otherwise`, by their names.
   bool ownProcesses = false;

@@ -18,7 +18,7 @@ class Pace {
   /// The largest lag that is made up for.
   static constexpr std::chrono::milliseconds kMaxLag{200};
 
-  /// The speed in times real time; 0 means as fast as possible. Call restart() afterwards, or past instants
+  /// The speed in times real time; 0 means as fast as possible. Call restart() afterward, or past instants
   /// are judged by the new speed.
   void setSpeed(double speed) { speed_ = speed; }
   double speed() const { return speed_; }

@@ -31,7 +31,7 @@ struct HeadlessPlatform;
 enum class TimeKind : std::uint8_t {
   /// Simulated time: can be paused, stepped, reset and sped up.
   kSimulated,
-  /// The time line of logs: can be played and jumped in.
+  /// The timeline of logs: can be played and jumped in.
   kLogged,
   /// Real time: cannot be controlled.
   kReal
@@ -49,7 +49,7 @@ struct PlatformContext {
   std::any& memory;
   /// The user's overrides, by robot, from the last time the same sources were open; otherwise empty.
   std::map<std::string, ProgramOverrides> overrides = {};
-  /// To be called with the share of PlatformOpening::file that was read; returns false if that is to be
+  /// Call this with the share of PlatformOpening::file that was read; returns false if that is to be
   /// canceled. May be empty.
   std::function<bool(double share)> progress = {};
   /// Where the user wants programs to run; null: nobody has chosen, and nothing is to be remembered.
@@ -98,7 +98,7 @@ struct PlatformAdapter {
   const char* sources;
   /// The kind of time of its platforms.
   TimeKind time;
-  /// Whether one platform can have several sources, which share a time line.
+  /// Whether one platform can have several sources, which share a timeline.
   bool severalSources = false;
   /// Whether it opens this file or address. Several adapters may; then the one with the lowest `order` does.
   bool (*opens)(const std::string& source);

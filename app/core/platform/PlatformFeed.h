@@ -47,7 +47,7 @@ struct LoadedPlatform {
   /// The layout file of the (first) robot's program; empty if there is none, or if a log's own layout is
   /// used.
   std::filesystem::path layout;
-  /// Those of robots with other layouts, by name.
+  /// The layouts of robots that do not use the common one, by robot name.
   std::map<std::string, std::filesystem::path> otherLayouts = {};
   /// Whether only the robots' bodies are here, whose programs run elsewhere; then there are no layouts.
   bool areBodies = false;
@@ -84,13 +84,13 @@ class PlatformFeed {
     /// Times real time; 0 means as fast as possible.
     double speed = 1;
   };
-  /// What is read of what goes to the session: everything where there is a window.
+  /// The data of the session that someone reads: all of it if there is a window.
   struct Demand {
     /// Whether anything is.
     bool anything = true;
     /// Whether the poses of the bodies are.
     bool transforms = true;
-    /// Whether a client reads the forces in the world; who does so here asks for them (ReadForces).
+    /// Whether a client reads the contact forces. Local views request them instead (ReadForces).
     bool forces = false;
     bool operator==(const Demand&) const = default;
   };
@@ -121,7 +121,7 @@ class PlatformFeed {
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;
   /// The same for one robot, or for those of a team. By default that is refused.
   virtual robotlink::Errors setLayoutOf(const std::string& name, const std::filesystem::path& file);
-  /// Reads the file of what runs again, which was edited, and goes on in it as far as that is possible.
+  /// Reads the file of what runs again, which was edited, and continues in it as far as that is possible.
   /// False: it has to be opened instead. Only simulations can do it. If it fails, everything continues as
   /// before. `texts` count instead of files, until it is loaded again. If it `mustFit`, it fails if something
   /// would stand inside what is there now, which is put back otherwise.
@@ -135,7 +135,7 @@ class PlatformFeed {
   virtual std::shared_ptr<StopSwitch> stopSwitch() const { return nullptr; }
   /// Publishes whether the platform runs, how fast, and where it is.
   virtual void publishStatus() = 0;
-  /// From now on, what nobody reads need not be published again and again: status, transforms, the ends of
+  /// From now on, what nobody reads need not be published repeatedly: status, transforms, the ends of
   /// frames. What happens and what is latched always is. The present state is published when somebody begins
   /// to read.
   virtual void setDemand(const Demand& demand) = 0;

@@ -90,7 +90,7 @@ struct PlatformField {
   std::string option = {};
   /// Whether that option can be given several times.
   bool several = false;
-  /// What is wrong with a text, as a sentence, which is empty if nothing is; unset: any text is right.
+  /// Returns the problem with a text, as a sentence; empty if it is valid. Unset: every text is valid.
   std::function<std::string(const std::string& text)> check = {};
   /// The place in the window's file where the last value is kept: "robot_map", or, in a list, "setup/2".
   /// Empty: it is not kept.
@@ -155,9 +155,9 @@ FormValues initialValues(const PlatformForm& form);
 
 /// The range of a number: "0 to 100"; empty if it has none.
 std::string rangeOf(const PlatformField& field);
-/// What is wrong with a value of a field, as a sentence; empty if nothing is.
+/// Returns the problem with a value of a field, as a sentence; empty if the value is valid.
 std::string problemOf(const PlatformField& field, const FormValue& value);
-/// What is wrong with the first wrong value of a form, as a sentence; empty if nothing is.
+/// Returns the problem with the first invalid value of a form, as a sentence; empty if all are valid.
 std::string problemOf(const PlatformForm& form, const FormValues& values);
 
 }  // namespace app

@@ -73,7 +73,7 @@ class PublishGate {
   void publishPlatform(const std::string& robot, robotlink::Instant time, const std::string& text);
   /// The same about what does not work, as a warning.
   void publishPlatformProblem(const std::string& robot, robotlink::Instant time, const std::string& text);
-  /// To be called before the run ends: what the platforms report from now on is kept, since the session will
+  /// Call this before the run ends: what the platforms report from now on is kept, since the session will
   /// belong to another run.
   void keepReports();
   /// What was kept, as a sentence each. After the run has ended.

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What belongs to plug-ins on the command line of each program.
+/// The command-line options about plug-ins, which all programs have.
 struct PluginOptions {
   /// `--plugin FILE`, in this order.
   std::vector<std::filesystem::path> files;

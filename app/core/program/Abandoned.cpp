@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-/// It concerns the whole process of the operating system.
+/// How much was abandoned in the whole process of the operating system, hence a global.
 std::atomic<int> abandoned{0};
 constexpr std::chrono::milliseconds kAbandonedLook{20};
 

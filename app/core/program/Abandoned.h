@@ -7,7 +7,7 @@
 namespace app {
 
 // Modules that never return cannot be ended. What they use is abandoned: it exists until they return after
-// all, in a thread that waits for that, while everything else goes on without it.
+// all, in a thread that waits for that, while everything else continues without it.
 
 /// Destroys `what` when `hasEnded` returns true, in a thread of its own.
 void abandon(std::shared_ptr<void> what, std::function<bool()> hasEnded);

@@ -77,7 +77,7 @@ class HostedProgram {
   virtual void setListeners(Listeners listeners) = 0;
   /// The parameters of all solutions of all tasks.
   virtual std::vector<robotcontrol::ParameterValues> parameters() const = 0;
-  /// As RobotProgram's functions of these names.
+  /// See the functions of the same names in RobotProgram.
   virtual void recordPackages(const std::set<std::string>& packages) = 0;
   virtual void setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes) = 0;
 
@@ -106,7 +106,7 @@ class HostedProgram {
   virtual std::string refusal() const { return {}; }
   /// Only in lockstep, between steps.
   virtual std::unique_ptr<ProgramPreview> preview() = 0;
-  /// A program elsewhere begins to compute. To be called in lockstep before a step, when no more requests
+  /// A program elsewhere begins to compute. Call this in lockstep before a step, when no more requests
   /// come, and with threads after a step.
   virtual void startStep() {}
   /// The name of one of its processes that decides what the robot does and has stopped, or cannot be reached,

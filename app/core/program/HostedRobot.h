@@ -14,7 +14,8 @@ struct RobotDescription;
 
 namespace app {
 
-/// What a robot is, independent of whether it is simulated, real or logged. A plain value.
+/// The identity of a robot: name, team, description and map, whether it is simulated, real or logged. A plain
+/// value.
 struct HostedRobot {
   /// A name such as "red1".
   std::string name;

@@ -19,9 +19,9 @@ class ModulePatience {
   explicit ModulePatience(std::chrono::milliseconds usual) : usual_(usual) {}
 
   std::chrono::milliseconds usual() const { return usual_; }
-  /// A STOP waits.
+  /// Call this when a STOP request is waiting for a module to return.
   void cut() { cutAt_.store(Clock::now().time_since_epoch().count()); }
-  /// It was fulfilled.
+  /// Call this when the STOP request has been fulfilled.
   void restore() { cutAt_.store(0); }
   /// Everything that waits is about to end: all waits, also those that begin later, are over in a moment.
   void end() {

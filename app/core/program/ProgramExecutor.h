@@ -74,7 +74,7 @@ class ProgramExecutor {
   enum class Guard : std::uint8_t { kNo, kYes, kStandIn };
   void add(robotlink::Platform& platform, const std::vector<robotlink::Process*>& processes,
            Guard guard = Guard::kYes);
-  /// Starts the threads, if there are any; to be called once, after all add().
+  /// Starts the threads, if there are any; call this once, after all add().
   void start();
   /// Makes one step: the platforms actuate, the world advances, the platforms send their sensor data. In
   /// lockstep, all processes that can run do so first.

@@ -14,7 +14,7 @@
 
 namespace app {
 
-/// What the user chose for a robot's program against its layout and files: modes of debug keys, solutions,
+/// The user's overrides of a robot's layout and parameter files: modes of debug keys, solutions,
 /// parameters, a color table, and recorded packages. It is applied to each program that is made for the
 /// robot: after a reset, in another layout, at another place of a log. What one layout cannot fulfill is kept
 /// for one that can. Which requests are overrides, and of what, says the table of requests. A plain value,

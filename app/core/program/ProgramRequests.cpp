@@ -14,7 +14,7 @@ namespace {
 
 /// How many requests may be open.
 constexpr std::size_t kMaxOpen = 1000;
-/// What the user chose by a request, for a sentence about its loss; empty if nobody would miss it.
+/// Names the user's choice in a request, for a message that it was lost; empty if it does not matter.
 std::string choiceOf(const Request& request) {
   const robotlink::RequestKind& kind = robotlink::kindOf(request);
   return kind.choice != nullptr ? kind.choice(request) : std::string();

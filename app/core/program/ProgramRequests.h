@@ -34,7 +34,7 @@ class ProgramRequests {
   explicit ProgramRequests(std::string robot, ProgramOverrides overrides = {}, OverrideListener listener = {})
       : robot_(std::move(robot)), overridden_(std::move(listener)), overrides_(std::move(overrides)) {}
 
-  /// To be called with each new program before it runs. Enqueues requests for the overrides so far and for
+  /// Call this with each new program before it runs. Enqueues requests for the overrides so far and for
   /// what it continues with, followed by the requests that the previous program did not answer; hand() passes
   /// them on. Returns a sentence for each of the former that this program cannot fulfill.
   std::vector<std::string> begin(HostedProgram& program);
@@ -48,10 +48,10 @@ class ProgramRequests {
   /// Enqueues a request of the user. Returns false if too many are waiting already. In a pause, a request
   /// replaces the previous one if both set the same thing.
   bool ask(const robotcontrol::Request& request);
-  /// To be called with each request that the user makes, also if nobody can be asked now: the next program
+  /// Call this with each request that the user makes, also if nobody can be asked now: the next program
   /// does not continue with what it takes back. Returns whether it takes something back.
   bool takeBack(const robotcontrol::Request& request);
-  /// To be called when the robot is put back to its start: the next program continues with nothing.
+  /// Call this when the robot is put back to its start: the next program continues with nothing.
   void beginAnew();
   /// The same; what the user chose is replaced by these overrides, and what is not answered is dropped.
   void beginAnewWith(ProgramOverrides overrides);
@@ -61,7 +61,7 @@ class ProgramRequests {
   /// Looks for results in a debug queue of the program: these requests are done, and what was accepted
   /// becomes an override.
   void answered(const robotlink::SharedDebugQueue& queue);
-  /// To be called when the program has run, since its state no longer is that of the preview.
+  /// Call this when the program has run, since its state no longer is that of the preview.
   void ran() { preview_.reset(); }
   /// Returns the results that the program will give in its next frames, each only once over all calls; null
   /// if there are none. Lets a robot answer at once in a pause.
@@ -77,9 +77,9 @@ class ProgramRequests {
     robotcontrol::Request request;
     /// The program has got it.
     bool handed = false;
-    /// Its result was returned by answersToCome().
+    /// answersToCome() has returned the result of the request.
     bool reported = false;
-    /// It was added to the present preview.
+    /// The request is part of the current preview.
     bool previewed = false;
   };
   /// Whether a request makes the last one in the queue pointless, so that dragging a slider in a pause does

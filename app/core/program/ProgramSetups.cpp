@@ -94,7 +94,8 @@ void addParameters(ProgramSetup& setup, robotcontrol::ParameterValues values) {
   *setup.add_parameters() = std::move(values);
 }
 
-/// Those that the setup does not know are of another program, which has begun later.
+/// Applies reported parameters to a setup; those of a solution that it lacks are added. Returns whether it
+/// changed.
 bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& reported) {
   for (auto& values : *setup.mutable_parameters()) {
     if (values.task() != reported.task() || values.solution() != reported.solution()) continue;

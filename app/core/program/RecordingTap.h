@@ -34,11 +34,11 @@ class RecordingTap {
   RecordingTap& operator=(const RecordingTap&) = delete;
 
   // Only while no process runs:
-  /// Forgets all robots. To be called when their programs have ended.
+  /// Forgets all robots. Call this when their programs have ended.
   void clear() { robots_.clear(); }
   /// Forgets a robot whose program has ended or gets another platform; does nothing if there is none.
   void detach(const std::string& robot);
-  /// To be called when the platforms' clocks restart.
+  /// Call this when the platforms' clocks restart.
   void restart() { recorder_.restart(); }
   /// Attaches the program of a robot before it runs. A robot that is attached already must have the same
   /// platform; the new program then replaces the previous one. Records the setup, and lets the program

@@ -139,13 +139,13 @@ class RobotHost {
   /// Enqueues a request for the program, or has the platform fulfill it (STOP, motors, sonars). Fails if the
   /// platform refuses or if too many requests are waiting.
   robotlink::Result<void> request(const robotcontrol::Request& request);
-  /// To be called when the robot is put back to its start: its next program does not continue to its goal.
+  /// Call this when the robot is put back to its start: its next program does not continue to its goal.
   void beginAnew() { requests_.beginAnew(); }
   /// The same, and its next program starts with these overrides instead of what the user chose since.
   void beginAnewWith(ProgramOverrides overrides) { requests_.beginAnewWith(std::move(overrides)); }
-  /// To be called before each step: passes the requests since the last step to the program.
+  /// Call this before each step: passes the requests since the last step to the program.
   void enqueueRequests();
-  /// Has a program in a process of its own compute from what the platform has sent. To be called in lockstep
+  /// Has a program in a process of its own compute from what the platform has sent. Call this in lockstep
   /// before each step, when no more requests come, and with threads after each step.
   void startStep() { program_->startStep(); }
   /// Whether what the program publishes and what goes wrong with it is kept until deliver(), so that
@@ -154,7 +154,7 @@ class RobotHost {
   void keepReports(bool keeps) { keepsReports_ = keeps; }
   /// Passes on what was kept, unless the program does not return.
   void deliver();
-  /// To be called after each step: has the robot stand while a process that decides what it does is missing,
+  /// Call this after each step: has the robot stand while a process that decides what it does is missing,
   /// and passes what the platform reports to the listener.
   void endStep();
   /// The results that the program will give in its next frames, each only once; null if there are none. Only
@@ -178,7 +178,7 @@ class RobotHost {
   void setUp();
   /// Passes where the program runs to the listener; a robot without one, or with a part of one, stands.
   void reportHosting();
-  /// To be called when a process that decides what the robot does is missing, or is back.
+  /// Call this when a process that decides what the robot does is missing, or is back.
   void noteMissing();
   /// Passes what the platform reports to the listener.
   void reportPlatform();

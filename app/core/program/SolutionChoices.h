@@ -46,7 +46,7 @@ robotlink::Errors checkSolutions(const std::map<std::string, std::string>& solut
                                  const robotlink::TaskCatalog& catalog,
                                  const std::vector<const robotlink::Layout*>& layouts);
 
-/// The same for solutions that are to run in the shadow; also an error if each layout that has the task uses
+/// The same for solutions that are to run in shadow mode; also an error if each layout that has the task uses
 /// the solution itself.
 robotlink::Errors checkShadows(const std::vector<robotlink::ShadowName>& shadows,
                                const robotlink::TaskCatalog& catalog,

@@ -21,11 +21,11 @@
 namespace app {
 
 /// Threads in which the turns of several members are made, several at a time, while whoever asks for them
-/// waits, but not for longer than he wants: a turn that does not return keeps its member and a thread only,
+/// waits, for a limited time: a turn that does not return only keeps its member and one thread busy,
 /// which is replaced. One thread at a time may ask.
 class TurnCrew {
  public:
-  /// How a crew of one thread, and who asks it, wait for each other. Alert ones look for news for a while,
+  /// How a crew of one thread and its caller wait for each other. Alert ones spin for a while,
   /// which is faster where nobody else needs the processors; those asleep leave them to others, such as the
   /// views of a window. Crews of several threads are always alert.
   enum class Waiting { kAlert, kAsleep };
@@ -42,19 +42,19 @@ class TurnCrew {
   std::vector<std::size_t> run(std::span<const std::size_t> members, const ModulePatience& patience);
   /// Whether a turn of a member is in progress. Any thread.
   bool isBusy(std::size_t member) const;
-  /// Waits for it so long; whether it has ended.
+  /// Waits for the turn of a member, at most for `limit`. Returns whether it has ended.
   bool waitFor(std::size_t member, std::chrono::milliseconds limit);
 
  private:
   struct Worker {
-    /// Whose turn is in progress, and since when.
+    /// The member whose turn this thread is running, and when the turn began; unset: idle.
     std::optional<std::size_t> member = std::nullopt;
     ModulePatience::Clock::time_point begin = {};
     /// The turn was given up: the thread ends with it.
     bool isLost = false;
     std::thread thread = {};
   };
-  /// The hand-over of a crew of one that sleeps: who asks and the thread work in turn.
+  /// The hand-over between the caller and the only thread of a sleeping crew, which run alternately.
   struct Handover {
     robotlink::HandoverSignal wanted, done;
   };

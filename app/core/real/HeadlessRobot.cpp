@@ -51,7 +51,7 @@ std::vector<PlatformField> headlessRobotFields(const std::string& robot) {
 
 namespace {
 
-/// Nothing unless a port was chosen.
+/// Returns the options of the team link; disabled unless a port was chosen.
 TeamLinkOptions teamOf(const FormValues& values) {
   TeamLinkOptions team{.team = textOf(values, kTeamField)};
   const double port = numberOf(values, kTeamPortField);

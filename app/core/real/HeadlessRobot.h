@@ -10,7 +10,7 @@
 #include "app/core/real/RealTimeProgram.h"
 #include "app/core/spread/OtherProgram.h"
 
-// What all robots that are not simulated have in common where they are run without a window: `robotctl run`.
+// Functions shared by all real robots that run without a window (`robotctl run`).
 namespace app {
 
 /// The names of the options in headlessRobotFields().

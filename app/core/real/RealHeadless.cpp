@@ -132,7 +132,7 @@ tl::expected<HeadlessSummary, robotlink::Errors> runOtherOfReal(const RealRobotO
   if (!layout) return tl::unexpected(layout.error());
   auto robot = hostedRobot(options);
   if (!robot) return tl::unexpected(robot.error());
-  // Whose address is no address says so here, before anything is opened.
+  // An invalid address is reported here, before anything is opened.
   const robotlink::SteadyClock probe;
   if (const auto platform = options.platform(probe, options.robot, *robot->description); !platform)
     return tl::unexpected(robotlink::Errors{platform.error()});

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// What an adapter of real robots declares of how they run without a window. A plain value.
+/// An adapter's declaration of how its real robots run without a window. A plain value.
 struct RealHeadless {
   // As in HeadlessPlatform.
   const char* help;

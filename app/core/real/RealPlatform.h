@@ -11,7 +11,7 @@
 namespace app {
 
 /// The platform of a real robot, or of a device such as a camera. Its time is real time. The owner lets it
-/// run about a hundred frames per second; it connects by itself, again and again where that fails.
+/// run about a hundred frames per second; it connects by itself, repeatedly where that fails.
 class RealPlatform : public robotlink::Platform {
  public:
   /// A figure about the connection: its name in JSON, and its value.

@@ -75,7 +75,7 @@ class RealTimeProgram {
 
   /// Says whether the layout has the tasks and solutions of the options, before a platform is made.
   robotlink::Errors checkSolutions() const;
-  /// Starts the program on its platform; to be called once, before all of the following.
+  /// Starts the program on its platform; call this once, before all of the following.
   robotlink::Errors start(std::unique_ptr<robotlink::Platform> platform);
   /// Ends the program and shuts the platform down. Nothing else but hasEnded() may be called then.
   void end();

@@ -13,7 +13,7 @@
 
 namespace app {
 
-/// What a person does with the recordings at a robot, in threads that wait for the robot: fetching in one,
+/// Executes a user's jobs on the recordings of a robot, in threads that wait for the robot: fetching in one,
 /// everything else in another, so that a recording can be stopped while another one is fetched. Results wait
 /// here until they are looked at. One thread uses it; what `call` uses must outlive it.
 class RecordingJobs {

@@ -8,7 +8,7 @@ namespace app {
 
 // Images on links, for SessionServer and SessionClient::Options::convert. Any thread.
 
-/// Those of JPEG and PNG.
+/// Returns the encoders for JPEG and PNG.
 robotlink::websocket::SessionServer::ImageEncoders imageEncoders();
 /// A compressed image decoded, as views know images; anything else, or what cannot be decoded, as it is.
 robotlink::PackagePtr decodedImage(const robotlink::PackagePtr& package);

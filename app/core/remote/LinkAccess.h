@@ -15,9 +15,10 @@ namespace app {
 
 /// Decides whether a robot that was never seen is the one that is meant, see Connector::Options::isTrusted.
 using TrustRule = std::function<bool(const std::string& server, const std::string& fingerprint)>;
-/// Nobody is believed: a person is asked, as LinkQuestion says.
+/// Returns the rule that trusts no unknown robot: the user is asked, see LinkQuestion.
 TrustRule askWhomToTrust();
-/// A new robot is believed, and its fingerprint is printed: for commands, which have nobody to ask.
+/// Returns the rule that trusts each unknown robot and prints its fingerprint; for commands, which cannot ask
+/// a user.
 TrustRule trustAndPrint(std::ostream& out);
 
 /// The options of a connection, in the name of this user. Without a token, neither here nor in the URL, the

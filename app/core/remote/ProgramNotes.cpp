@@ -29,7 +29,7 @@ void addFile(ProgramSetup::File& to, const std::filesystem::path& file) {
 void publishPrograms(robotlink::Session& session, const LoadedPlatform& platform) {
   for (const auto& [name, description] : platform.robots) {
     const std::string path = name + "/" + robotlink::streams::kProgram;
-    // That of a log is published with it.
+    // The setup of a logged program is published with the log.
     if (session.store().find(path) != nullptr && platform.isLogged()) continue;
     auto setup = std::make_shared<ProgramSetup>();
     setup->set_robot(name);

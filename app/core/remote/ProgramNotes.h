@@ -19,7 +19,7 @@ namespace app {
 
 struct LoadedPlatform;
 
-/// What views need to know of a robot beside its streams. A plain value; null: not known.
+/// The properties of a robot that views need in addition to its streams. A plain value; null: not known.
 struct KnownRobot {
   std::shared_ptr<const robotlink::RobotDescription> description;
   std::shared_ptr<const robotlink::FieldDescription> field;

@@ -50,7 +50,7 @@ struct RemoteRobots::Line {
   std::string url, token;
   /// Whether the token is to be remembered once it was accepted.
   bool remembersToken = false;
-  /// Those that the client has.
+  /// The limits that the client uses now.
   LinkLimits limits = {};
   std::unique_ptr<SessionClient> client;
   /// These use the client; null until they were asked for.
@@ -281,7 +281,7 @@ void RemoteRobots::tick() {
 }
 
 /// The first that was heard, but foreign servers, which have no simulation, after the others; if none was
-/// heard, the first. When another one leads, the session's time goes on.
+/// heard, the first. When another one leads, the session's time continues.
 void RemoteRobots::findLeader() {
   const auto isHeard = [](const Line& line) { return line.client && line.client->newest().has_value(); };
   const auto hasWorld = [&](const Line& line) { return isHeard(line) && line.client->hasSession(); };

@@ -101,13 +101,13 @@ class RemoteRobots {
   RecordingJobs* recordings(const std::string& url);
   /// What is deployed to the robots of a connection; null if there is no such connection. Valid as long.
   DeployJobs* deployment(const std::string& url);
-  /// Steers a robot from now on, whoever did before; or gives it up. Fails if it is none of these; what the
-  /// robot objects to is among the notes.
+  /// Takes control of a robot, even if another client has it, or gives control up. Fails if it is not one of
+  /// these; what the robot objects to is among the notes.
   robotlink::Result<void> steer(const std::string& robot, bool giveUp);
 
   /// Removes and returns what users have to know: what robots object to, and what could not be saved.
   robotlink::Errors takeNotes() { return notes_->drain(); }
-  /// Does what came since the last time; to be called before Session::tick().
+  /// Does what came since the last time; call this before Session::tick().
   void tick();
   /// Sends a request to the connection to which it belongs; returns false if it belongs to none.
   bool take(const robotcontrol::Request& request);

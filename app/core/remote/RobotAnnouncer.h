@@ -41,7 +41,7 @@ class RobotAnnouncer {
 
   const std::string address_;
   const Nodes nodes_;
-  /// Those that were announced last.
+  /// The robots of the last announcement.
   Robots announced_;
   /// The following two are used in the thread only.
   robotlink::dds::AnnouncedRobots what_;

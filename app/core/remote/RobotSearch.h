@@ -25,7 +25,7 @@ class RobotSearch {
   class Source {
    public:
     virtual ~Source() = default;
-    /// Those that are announced now.
+    /// Returns the robots that are being announced now.
     virtual std::vector<robotlink::dds::AnnouncedRobots> robots() = 0;
     /// Why nothing can be heard: a sentence that says what to do. Empty: something can.
     virtual std::string problem() const { return {}; }

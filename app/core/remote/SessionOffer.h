@@ -25,7 +25,7 @@ namespace app {
 /// user wants that. One thread, that of Session::tick(); the session must outlive it.
 class SessionOffer {
  public:
-  /// Somebody who is connected.
+  /// A connected client.
   struct Client {
     /// "192.168.1.7:51324", and what it calls itself; the latter may be empty.
     std::string address, name;
@@ -49,8 +49,8 @@ class SessionOffer {
   robotlink::Result<void> begin(const std::string& address);
   /// Ends all connections.
   void end();
-  /// The person here steers a robot from now on, whoever did before; or gives it up. Fails if nothing is
-  /// offered.
+  /// The local user takes control of a robot, even if a client has it, or gives control up. Fails if nothing
+  /// is offered.
   robotlink::Result<void> steer(const std::string& robot, bool giveUp);
   bool isOffered() const { return listener_ != nullptr; }
   /// What others connect to, "ws://127.0.0.1:8765": one for each network of this machine; none if nothing is
@@ -72,9 +72,9 @@ class SessionOffer {
   /// Announces on other nodes from the next begin() on.
   void announceOn(RobotAnnouncer::Nodes nodes) { nodes_ = std::move(nodes); }
 
-  /// Serves clients; to be called after Session::tick().
+  /// Serves clients; call this after Session::tick().
   void tick();
-  /// As of the last second.
+  /// The rates of the last second.
   const std::vector<Client>& clients() const { return clients_; }
   /// Sentences about who was refused, newest last.
   const std::deque<std::string>& reports() const { return reports_; }
@@ -102,7 +102,7 @@ class SessionOffer {
   /// Null if nothing is offered.
   std::unique_ptr<RobotAnnouncer> announcer_;
   robotlink::Instant announced_;
-  /// Those of this machine when the offer began.
+  /// The addresses of this machine when the offer began.
   std::vector<std::string> localAddresses_;
 };
 

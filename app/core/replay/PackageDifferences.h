@@ -75,7 +75,7 @@ class PackageDifferences {
     /// The instants that differ.
     std::map<robotlink::Instant, Largest> differing_;
     std::uint64_t compared_ = 0, different_ = 0, onlyLogged_ = 0, onlyRecomputed_ = 0;
-    /// That of all instants; its difference is 0 if there is none.
+    /// The largest difference of all instants; 0 if there was none.
     Largest largest_;
   };
   /// Compares the values of a package in one instant.

@@ -18,17 +18,17 @@ class Playback {
   /// The least real time from one loop to the next, however short the range is.
   static constexpr std::chrono::milliseconds kShortestLoop{100};
 
-  /// Where the logs are, in times of their common time line.
+  /// Where the logs are, in times of their common timeline.
   struct Place {
     robotlink::Instant now, begin, end;
     /// The time of the next step; unset at the end.
     std::optional<robotlink::Instant> next;
   };
-  /// A selected part of the time line, both ends included.
+  /// A selected part of the timeline, both ends included.
   struct Range {
     robotlink::Instant from, to;
   };
-  /// What is to be done next, and when.
+  /// The next action of the playback, and its time.
   struct Next {
     /// A step to the next instant, a jump back to the start of a loop, or a pause at the end.
     enum class What { kStep, kJump, kPause };
@@ -58,11 +58,11 @@ class Playback {
   /// Selects the range that is played in a loop; nothing: everything.
   void setRange(std::optional<Range> range) { range_ = range; }
 
-  /// What is to be done next; nothing while it is paused.
+  /// Returns the next action; nothing while the playback is paused.
   std::optional<Next> next(const Place& place) const;
-  /// To be called before a step is made.
+  /// Call this before a step is made.
   void stepping(RealTime real, const Place& place);
-  /// To be called after each jump, also those that the user requests.
+  /// Call this after each jump, also those that the user requests.
   void jumped(RealTime real, const Place& place);
   /// The instant that is reached between two steps; during a pause or a skipped gap, that of the last step.
   robotlink::Instant reached(RealTime real, const Place& place) const;
@@ -77,7 +77,7 @@ class Playback {
   bool loop_ = false;
   bool skipsGaps_ = false;
   std::optional<Range> range_;
-  /// Relates the time line to real time while it plays.
+  /// Relates the timeline to real time while it plays.
   Pace pace_;
   /// For kShortestLoop.
   RealTime lastJump_;

@@ -54,7 +54,7 @@ class ReplayFeed final : public PlatformFeed {
 
   /// Whether there is a handler for requests of this kind, other than those to robots.
   static bool fulfills(const robotcontrol::Request& request);
-  /// The present instant of the time line.
+  /// The present instant of the timeline.
   robotlink::Instant now() const { return run_->now(); }
   /// The options with which it was created, updated by what the user chose since.
   ReplayOptions options() const;

@@ -414,7 +414,7 @@ Result<HeadlessPlatform::Run> prepareReplay(const HeadlessChoices& choices) {
   options->publishAllPackages = errors || !choices.record.file.empty();
   const double patience = numberOf(choices.options.values, kPatience, kUsualPatience);
   options->patience = std::chrono::milliseconds(std::llround(1000 * patience));
-  // Somebody may look at a program in a process of its own with a debugger for any time.
+  // A program in its own process may be halted in a debugger for any time.
   options->own.patience = patience > 0 ? options->patience : kNoEnd;
   const HeadlessAims aims{choices.record, choices.shadows, errors};
   return [options = std::move(*options), aims](const HeadlessConsole& console) {

@@ -15,8 +15,8 @@
 
 namespace app {
 
-/// The logs of a replay on their common time line, with their robots: finds instants, robots, streams and
-/// frames. Instants are those of the time line unless they are called log times; a source and its robots work
+/// The logs of a replay on their common timeline, with their robots: finds instants, robots, streams and
+/// frames. Instants are those of the timeline unless they are called log times; a source and its robots work
 /// with the times of their log. One thread.
 class ReplayLogs {
  public:
@@ -31,9 +31,9 @@ class ReplayLogs {
     /// The same robots by their names in the log.
     std::map<std::string, ReplayRobot*> byLogName = {};
 
-    /// Converts an instant of the time line to one of the log.
+    /// Converts an instant of the timeline to one of the log.
     robotlink::Instant inLog(robotlink::Instant time) const { return time - log.offset; }
-    /// Converts an instant of the log to one of the time line.
+    /// Converts an instant of the log to one of the timeline.
     robotlink::Instant onLine(robotlink::Instant time) const { return time + log.offset; }
   };
 

@@ -12,7 +12,7 @@
 
 namespace app {
 
-/// What should run on a log, the input of planReplay(). A plain value.
+/// The user's selection of what to run on a log, the input of planReplay(). A plain value.
 struct ReplaySelection {
   /// The whole layout, with the solutions that are requested.
   robotlink::Layout layout;

@@ -51,7 +51,7 @@ struct ReplayChoices {
 
 /// One robot of a log: chooses what runs for it on the logged data, passes that data to the platform of its
 /// host, and compares what is computed with what was logged. All times are those of the log, so that an
-/// offset on the time line changes no bytes. One thread; listeners are called in it.
+/// offset on the timeline changes no bytes. One thread; listeners are called in it.
 class ReplayRobot {
  public:
   /// A program that has not run yet, with all that it was made from, for begin().

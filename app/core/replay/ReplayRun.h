@@ -18,7 +18,7 @@
 
 namespace app {
 
-/// Robot programs on logged data. The caller moves them along the logs' common time line: by steps to the
+/// Robot programs on logged data. The caller moves them along the logs' common timeline: by steps to the
 /// next instant at which a log has messages, or by jumps. They run in lockstep, so the same logs, choices and
 /// programs give the same bytes.
 ///
@@ -29,7 +29,7 @@ namespace app {
 /// One thread at a time; listeners are called in that thread.
 class ReplayRun {
  public:
-  /// Functions that are called with what is published, in times of the time line; each may be empty.
+  /// Functions that are called with what is published, in times of the timeline; each may be empty.
   struct Listeners {
     /// Called with the messages of the logs at each step. After a jump, called once with the newest message
     /// of every stream, including those of the programs.
@@ -45,7 +45,7 @@ class ReplayRun {
                        const robotcontrol::HostingStatus& status)>
         hosting = {};
   };
-  /// Opens the logs at the beginning of the time line. Fails with all reasons if a file cannot be read or a
+  /// Opens the logs at the beginning of the timeline. Fails with all reasons if a file cannot be read or a
   /// program cannot be made.
   static tl::expected<std::unique_ptr<ReplayRun>, robotlink::Errors> create(ReplayOptions options,
                                                                             Listeners listeners);
@@ -100,7 +100,7 @@ class ReplayRun {
   /// Chooses where the program of a robot runs, or of all if the name is empty, and starts all programs again
   /// at now(). If that is impossible, those that run continue.
   robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
-  /// Shifts logs on the time line, by their files; jumps to now(), or to the nearer end. If that is
+  /// Shifts logs on the timeline, by their files; jumps to now(), or to the nearer end. If that is
   /// impossible, the previous offsets stay.
   robotlink::Errors setOffsets(const std::map<std::filesystem::path, robotlink::Duration>& offsets);
   /// Passes a request to a robot's program; overrides are kept over jumps. Call jump(now()) to see its effect
@@ -138,7 +138,7 @@ class ReplayRun {
   using Change = std::function<void(const std::string& robot, ReplayChoices&)>;
 
   ReplayRun(ReplayOptions options, Listeners listeners);
-  /// Opens all logs and makes their robots; to be called once.
+  /// Opens all logs and makes their robots; call this once.
   robotlink::Errors open();
   /// The offset of a log that is opened after the present ones.
   robotlink::Duration offsetOf(const ReplayLog& log, const logplayer::LogFile& file) const;
@@ -181,7 +181,7 @@ class ReplayRun {
 
   ReplayOptions options_;
   const Listeners listeners_;
-  /// That of the options; null if they have none.
+  /// The color table of the options; null if they have none.
   std::shared_ptr<const robotcontrol::ColorTable> colorTable_;
   ReplayLogs logs_;
   robotlink::Instant now_;

@@ -12,8 +12,8 @@
 
 namespace app {
 
-/// What a logged robot is and what program should run for it: as the log has it, or as shipped where it does
-/// not. A plain value.
+/// The description of a logged robot and of the program to run for it: from the log, or from the resources
+/// where it does not. A plain value.
 struct ReplaySetup {
   /// If it is the log's, with the solutions that were active in the recording.
   robotlink::Layout layout;
@@ -23,7 +23,7 @@ struct ReplaySetup {
   robotcontrol::ProgramSetup files;
   /// Named as in the log, with the team that the log says or else that its kind has by its name; without map.
   HostedRobot robot;
-  /// Those of the log.
+  /// The parameter values that the log holds.
   std::vector<robotcontrol::ParameterValues> parameters;
   /// A sentence for each part of the log that cannot be used, with what is used instead.
   std::vector<std::string> notes;

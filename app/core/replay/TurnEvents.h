@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What a program does in a turn that is made in another thread: kept until the turn has returned, so that
+/// Buffers the events of a program whose turn runs in another thread until the turn has returned, so that
 /// the owner's thread handles it in order, also when the turn returns late. Outside of turns it is handled at
 /// once. add() may be called from any thread.
 class TurnEvents {

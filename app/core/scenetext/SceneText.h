@@ -10,8 +10,8 @@
 
 namespace app {
 
-// What the simulator says about scene files that are being edited. All functions may be called from any
-// thread; those that load a scene take some 100 ms, for large ones seconds.
+// Functions for the scene editor that need the simulator: checking texts, listing models. All may be called
+// from any thread; those that load a scene take some 100 ms, for large ones seconds.
 
 /// What is to be said about the text of a scene.
 struct SceneTextFinding {

@@ -16,7 +16,7 @@ using TeamSolutions = std::map<std::string, std::map<std::string, std::string>>;
 /// The solutions that users have chosen while programs run. Any thread.
 class ChosenSolutions {
  public:
-  /// To be called with each request that a program has fulfilled.
+  /// Call this with each request that a program has fulfilled.
   void note(const robotcontrol::Request& request) {
     if (!request.has_select_solution()) return;
     const std::lock_guard lock(mutex_);

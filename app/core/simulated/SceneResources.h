@@ -12,7 +12,8 @@ struct SceneRobot;
 
 namespace app {
 
-// What a scene names and is not among the resources, with the place where it does; empty if all is there.
+// Find resources that a scene names and that do not exist. Each returns errors with file positions; empty if
+// all exist.
 
 /// The description of a robot's kind.
 robotlink::Errors missingKind(const simcore::Scene& scene, const simcore::SceneRobot& robot);

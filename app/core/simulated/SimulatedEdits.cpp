@@ -71,7 +71,7 @@ std::shared_ptr<const simcore::Scene> SimulatedRun::withEdits(
   }
   for (const auto& model : present.world().models) {
     if (findModel(*read_, model.name) != nullptr) continue;
-    // It may be in the file meanwhile.
+    // Fails if the edited file has a model of this name by now; that one counts.
     if (auto with = scene->with(model, scene->world().models.size())) scene = std::move(*with);
   }
   return scene;

@@ -42,7 +42,7 @@ robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, Run
   std::error_code ignored;
   for (const std::string& text : texts) {
     const auto choice = assignmentOf(text);
-    // A file may be called so.
+    // A file may have this name.
     if (!choice || std::filesystem::exists(text, ignored)) {
       if (text.find('=') == text.size() - 1 || text.starts_with('='))
         return robotlink::failure("usage", "--layout takes LAYOUT or NAME=LAYOUT, not '" + text + "'");
@@ -204,7 +204,7 @@ ProgramOverrides SimulatedRun::overridesOf(const HostedRobot& robot) const {
     break;
   }
   for (const auto& [task, solution] : keptSolutionsOf(robot)) overrides.chooseSolution(task, solution);
-  // A robot that was removed and put back goes on with what was chosen for it.
+  // A robot that was removed and put back continues with what was chosen for it.
   for (const auto& [task, solution] : solutionsFor(chosenSolutions_->all(), robot))
     overrides.chooseSolution(task, solution);
   return overrides;
@@ -226,7 +226,7 @@ RunOptions SimulatedRun::optionsToKeep() const {
     kept.keptSolutions.erase(robot->name());
   }
   TeamSolutions chosen = chosenSolutions_->all();
-  // Those for all robots would win over what one of them has chosen, so each gets its own.
+  // Solutions for all robots would override those of a single robot, so each robot gets an entry of its own.
   std::set<std::string> tasks;
   for (const auto& [robot, solutions] : chosen)
     for (const auto& [task, solution] : solutions) tasks.insert(task);
@@ -336,7 +336,7 @@ Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
   if (changed.empty()) return errors;
   Layouts layouts = options_.layouts;
   for (const std::string& kind : changed) layouts[kind] = file;
-  // It is chosen for each of them, also for those that had one of their own or their team's.
+  // The layout is set for each robot, including those that had their own or their team's.
   const auto own = options_.robotLayouts;
   for (const auto& robot : robots_) {
     if (!changed.contains(robot->description().name)) continue;
@@ -368,7 +368,7 @@ Errors SimulatedRun::setLayoutOf(const std::string& name, const std::filesystem:
   for (const auto& robot : robots_) {
     if (robot->name() != name && robot->robot().team != name) continue;
     meant.push_back(robot.get());
-    // It may have had one of its own in a team that gets another one now.
+    // The robot may have had a layout of its own; its team's new one replaces it.
     options_.robotLayouts.erase(robot->name());
   }
   options_.robotLayouts[name] = file;

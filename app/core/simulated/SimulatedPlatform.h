@@ -37,7 +37,7 @@ class SimulatedPlatform : public robotlink::Platform {
   /// have other numbers. False if they are others than before, so that the robot needs another platform.
   virtual bool rebind() { return true; }
 
-  /// Lets the robot play: from now on it offers and takes the packages of games. To be called before its
+  /// Lets the robot play: from now on it offers and takes the packages of games. Call this before its
   /// program is made.
   void joinGame(std::shared_ptr<GameMail> mail) { game_.emplace(*this, std::move(mail)); }
 
@@ -57,7 +57,7 @@ class SimulatedPlatform : public robotlink::Platform {
   SimulatedPlatform(SimulatedWorld& world, std::string robot);
   SimulatedWorld& world() const { return world_; }
   const std::string& robot() const { return robot_; }
-  /// Exchanges what concerns the game, if the robot plays. To be called in each frame.
+  /// Exchanges what concerns the game, if the robot plays. Call this in each frame.
   void exchangeGame() {
     if (game_) game_->exchange();
   }

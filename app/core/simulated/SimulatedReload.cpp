@@ -68,7 +68,7 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOnIn(std::shared_pt
   if (!fresh) return tl::unexpected(std::move(fresh.error()));
   const bool isSame = fresh->empty() && scene->robots().size() == robots_.size();
   if (isSame && options_.executor() == ExecutorKind::kLockstep) {
-    // Nothing runs now, so programs need not notice.
+    // No program runs now, so none has to be notified.
     auto change = world_->continueIn(scene, how);
     if (!change) return tl::unexpected(Errors{change.error()});
     if (change->hasSamePorts) {

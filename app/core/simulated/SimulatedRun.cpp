@@ -96,7 +96,7 @@ Errors SimulatedRun::load() {
         inside->end();
         own->end();
       });
-  // They may have been chosen in another scene.
+  // Robots of this list may belong to another scene.
   std::erase_if(options_.hosting.otherwise,
                 [this](const std::string& name) { return find(name) == nullptr; });
   if (Errors errors = makeGame(); !errors.empty()) return errors;
@@ -311,7 +311,7 @@ void SimulatedRun::recordStep() {
   const auto now = world_->clock().now();
   if (tap_->wants(robotlink::streams::kTransforms))
     tap_->world({robotlink::streams::kTransforms, now, transformsMessage(world_->simulation(), now)});
-  // They are measured from the step on after which somebody wants them.
+  // Forces are measured only after they were requested.
   if (recordsForces_)
     tap_->world({robotlink::streams::kForces, now, forcesMessage(world_->simulation(), now)});
   recordsForces_ = tap_->wants(robotlink::streams::kForces);

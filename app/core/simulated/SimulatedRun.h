@@ -52,7 +52,7 @@ namespace app {
 
 class RecordingTap;
 
-/// What a simulated run consists of. Paths are files; defaults come from the resources.
+/// The options of a simulated run. Paths are files; defaults come from the resources.
 struct RunOptions {
   /// An SDFormat file or a map (.map).
   std::filesystem::path scene;
@@ -123,7 +123,7 @@ robotlink::Result<void> chooseLayouts(const std::vector<std::string>& texts, Run
 /// Applies TASK=SOLUTION for all robots, or NAME/TASK=SOLUTION for one robot or team. Fails if a text is
 /// neither.
 robotlink::Result<void> chooseSolutions(const std::vector<std::string>& texts, RunOptions& options);
-/// The same for solutions that are to run in the shadow; also fails if there is no such solution.
+/// The same for solutions that are to run in shadow mode; also fails if there is no such solution.
 robotlink::Result<void> chooseShadows(const std::vector<std::string>& texts, RunOptions& options);
 
 /// A simulated world with the programs of all its robots, stepped by the caller. It is made as a whole or
@@ -176,7 +176,7 @@ class SimulatedRun {
 
   /// Makes one step of the world, its platforms, and all processes that can run then.
   void step();
-  /// To be called while the simulation is paused, in lockstep: passes the results of open requests, which the
+  /// Call this while the simulation is paused, in lockstep: passes the results of open requests, which the
   /// programs will give in their next frames, to the listener of queues, together with the tables and
   /// parameters that follow from them. Neither the programs nor the recording are affected, so a run does not
   /// depend on how long it is paused.
@@ -220,7 +220,7 @@ class SimulatedRun {
     /// Models that could not keep their state, see simcore::SceneChange.
     std::vector<std::string> putBack = {};
   };
-  /// Reads the scene's files again, with texts that count instead of them, and goes on in it: time, poses,
+  /// Reads the scene's files again, with texts that count instead of them, and continues in it: time, poses,
   /// joint angles and velocities of models that have not changed stay, and so do the programs with all that
   /// they know. What was added, removed or duplicated since it was opened is so in it, too. A model that was
   /// in it before stands and moves again as it did. Fails with all errors of the file, and if something does
@@ -228,8 +228,8 @@ class SimulatedRun {
   tl::expected<Reloaded, robotlink::Errors> reload(simcore::SceneTexts texts = {}, bool mustFit = false);
 
   // Changes of the models that there are, between two steps; the file of the scene stays as it is. The
-  // program of a robot starts and ends with it, all others go on. The same change at the same step gives the
-  // same bytes. Each returns a sentence about what was done, or fails with all reasons; then everything
+  // program of a robot starts and ends with it, all others continue. The same change at the same step gives
+  // the same bytes. Each returns a sentence about what was done, or fails with all reasons; then everything
   // continues as before.
   tl::expected<std::string, robotlink::Errors> addModel(const simcore::ModelToAdd& model);
   tl::expected<std::string, robotlink::Errors> removeModel(const std::string& model);
@@ -283,7 +283,7 @@ class SimulatedRun {
   const TeamRadio& radio() const { return radio_; }
   /// The layout file of a robot's program; empty if there is no such robot.
   std::filesystem::path layoutOf(const std::string& robot) const;
-  /// That of the first robot; empty without robots.
+  /// The layout of the first robot; empty if there are no robots.
   std::filesystem::path layout() const;
 
   /// Opens the ports of the options if they are not open. Fails if that is impossible.
@@ -302,7 +302,7 @@ class SimulatedRun {
 
  private:
   SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
-  /// Makes and starts everything; to be called once.
+  /// Makes and starts everything; call this once.
   robotlink::Errors load();
   /// Makes referee and radio. Fails if the rules cannot be read.
   robotlink::Errors makeGame();
@@ -319,7 +319,7 @@ class SimulatedRun {
   tl::expected<Hosts, robotlink::Errors> newHosts(const simcore::Scene& scene) const;
   /// Distributes the layout that was chosen for all to those kinds that can be run in it.
   robotlink::Errors distributeLayout();
-  /// Checks the solutions of the options, also those in the shadow, against the layouts.
+  /// Checks the solutions of the options, also those in shadow mode, against the layouts.
   robotlink::Errors checkChosenSolutions() const;
   /// Layout files by kind of robot.
   using Layouts = std::map<std::string, std::filesystem::path>;
@@ -369,7 +369,7 @@ class SimulatedRun {
   /// The robots whose programs are exchanged by hostProgram(); adapts the options.
   std::vector<RobotHost*> applyHosting(const std::string& robot, const robotcontrol::HostProgram& choice);
   robotlink::Errors checkHosting(const std::string& robot) const;
-  /// Makes new programs for robots, and exchanges theirs. If that is impossible, all go on as they are.
+  /// Makes new programs for robots, and exchanges theirs. If that is impossible, all continue as they are.
   robotlink::Errors exchangePrograms(const std::vector<RobotHost*>& robots);
   /// Reads the scene of the options, with the robots that are added to it.
   tl::expected<std::shared_ptr<const simcore::Scene>, robotlink::Errors> readScene();

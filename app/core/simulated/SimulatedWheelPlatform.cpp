@@ -164,7 +164,7 @@ void SimulatedWheelPlatform::execute() {
   exchangeGame();
 }
 
-// As encoders count: slip is not noticed.
+// Like encoders, this does not notice slip.
 void SimulatedWheelPlatform::followOdometry() {
   const simcore::WheelState& wheels = world().simulation().wheelState(drive_);
   const double left = wheels.leftTravel - std::exchange(leftTravel_, wheels.leftTravel);

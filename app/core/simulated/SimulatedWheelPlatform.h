@@ -57,7 +57,7 @@ class SimulatedWheelPlatform final : public SimulatedPlatform {
   robotlink::Error lacks(const std::string& what) const;
   /// A range sensor that measures at once.
   Ranger rangerAt(std::size_t port) const;
-  /// Changes forward_ and rotation_ towards these speeds by one step, within the accelerations of the
+  /// Changes forward_ and rotation_ toward these speeds by one step, within the accelerations of the
   /// description.
   void approach(double forward, double rotation);
   /// Adds the motion of the last step to odometry_.

@@ -14,8 +14,9 @@ namespace app {
 
 class SimulatedWorld;
 
-/// Whether a request changes a simulated world only, whatever shows it: it places, turns, throws, pins, drags
-/// or pushes objects, moves doors, sets actuators, or changes light or the errors of sensors.
+/// Whether a request only changes a simulated world, independent of its robots' programs: it places, turns,
+/// throws, pins, drags or pushes objects, moves doors, sets actuators, or changes light or the errors of
+/// sensors.
 bool changesWorld(const robotcontrol::Request& request);
 
 /// Fulfills such a request; `stopped` are the robots that must not move. Fails with the reason, changing

@@ -11,8 +11,8 @@
 
 namespace app {
 
-/// What was asked of a simulated run and its programs since its start, so that it can be run again to the
-/// same state: in lockstep, nothing else decides what happens. A plain value; one thread at a time.
+/// The journal of all requests to a simulated run and its programs since its start, so that it can be re-run
+/// to the same state: in lockstep, nothing else decides what happens. A plain value; one thread at a time.
 class RunJournal {
  public:
   /// The requests of a longer run are not kept.

@@ -24,7 +24,7 @@ class RobotProgram;
 namespace app {
 
 /// One of the programs that run the processes of a robot's layout, but not the one with the debug process and
-/// the platform: each of its processes runs in a thread, by the clock of that program. It goes on whatever
+/// the platform: each of its processes runs in a thread, by the clock of that program. It continues whatever
 /// the others do; what they send is missing while they do not run. A module that does not return is named
 /// here, and in the program with the platform, whose robot stands meanwhile.
 class OtherProgram {
@@ -47,7 +47,7 @@ class OtherProgram {
   static tl::expected<std::unique_ptr<OtherProgram>, robotlink::Errors> create(Parts parts);
   ~OtherProgram();
 
-  /// To be called again and again: starts the processes when the program with the platform is heard for the
+  /// Call this repeatedly: starts the processes when the program with the platform is heard for the
   /// first time, since there is no time before, and looks whether their modules return. Returns whether they
   /// were started.
   bool look();

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// Which of the programs of a layout is run here, and how it meets the others. A plain value.
+/// Selects the program of a layout that runs here, and how it finds the others over DDS. A plain value.
 struct SpreadOptions {
   /// Its name in the layout; empty: the layout's processes all run in this program.
   std::string program = {};

@@ -20,7 +20,7 @@ class GameEnds {
  public:
   /// The owner, a platform, must outlive it.
   GameEnds(robotlink::EndOwner& owner, std::shared_ptr<GameMail> mail);
-  /// To be called in each frame of the platform.
+  /// Call this in each frame of the platform.
   void exchange();
 
  private:

@@ -11,9 +11,9 @@ class TeamMessages;
 
 namespace app {
 
-/// What goes between a robot's platform and the game between two steps: the platform sends its program what
-/// others have put here, and puts here what its program has sent. It outlives platforms, which are replaced.
-/// One thread at a time.
+/// The messages exchanged between a robot's platform and the game in a step: the platform sends its program
+/// what others have put here, and puts here what its program has sent. It outlives platforms, which are
+/// replaced. One thread at a time.
 struct GameMail {
   /// Null: there is no referee.
   std::shared_ptr<const robotcontrol::GameState> state = nullptr;

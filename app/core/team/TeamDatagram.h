@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What robots of a team send each other over UDP: one message in each datagram.
+// Encodes and decodes the UDP datagrams that robots of a team exchange: one message in each datagram.
 //
 //     4 bytes  "RCTM"
 //     2 bytes  version: 1

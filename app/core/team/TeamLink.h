@@ -38,10 +38,10 @@ class TeamLink {
   static robotlink::Result<std::unique_ptr<TeamLink>> open(const TeamLinkOptions& options,
                                                            const std::string& robot, const std::string& team);
 
-  /// Gives the platform of the robot the ends of packages; to be called once, before its program is made.
+  /// Gives the platform of the robot the ends of packages; call this once, before its program is made.
   /// Fails if it has them itself. This object must outlive the platform.
   robotlink::Result<void> attach(robotlink::Platform& platform);
-  /// To be called after each step of the platform.
+  /// Call this after each step of the platform.
   void step(robotlink::Instant now);
 
   std::uint16_t port() const { return socket_->port(); }

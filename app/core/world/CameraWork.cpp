@@ -34,7 +34,7 @@ struct CameraWork::Studio {
   const TrueClasses classes;
   const bool shadows;
   std::mutex mutex;
-  /// Those that nobody uses; protected by the mutex.
+  /// Idle renderers; protected by the mutex.
   std::vector<std::unique_ptr<simcore::CameraRenderer>> renderers;
 
   Studio(std::shared_ptr<const simcore::RenderScene> ofScene, bool withShadows)
@@ -89,7 +89,7 @@ struct CameraWork::Ahead {
     make();
     for (State now = state; now != State::kDone; now = state) state.wait(now);
   }
-  /// Nobody needs it any more; who has begun it goes on.
+  /// Cancels the job unless a thread has begun it; that thread then finishes it.
   void giveUp() {
     State expected = State::kWaits;
     state.compare_exchange_strong(expected, State::kDone);

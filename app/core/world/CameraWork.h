@@ -20,7 +20,7 @@ namespace app {
 /// Makes the images of a simulation's cameras, those of one instant in several threads: when one is asked
 /// for, all that are due are made, as far as their cameras were asked at the last time, too. Images that a
 /// delay puts into the past are begun as soon as nothing can change them any more, by threads that have
-/// nothing else to do while the simulation goes on. An image does not depend on which others are made, in
+/// nothing else to do while the simulation continues. An image does not depend on which others are made, in
 /// which order, when, or by how many threads. One thread at a time.
 class CameraWork {
  public:
@@ -42,14 +42,14 @@ class CameraWork {
              bool shadows);
   ~CameraWork();
 
-  /// To be called when the simulation has another scene, or is reset.
+  /// Call this when the simulation has another scene, or is reset.
   void restart();
-  /// To be called when what images are to be like has changed.
+  /// Call this when what images are to be like has changed.
   void forgetImages();
-  /// To be called when the simulation has gone to another instant.
+  /// Call this when the simulation has gone to another instant.
   void forgetPast();
 
-  /// To be called after each step of the simulation, and before something changes what images are to be like:
+  /// Call this after each step of the simulation, and before something changes what images are to be like:
   /// has images be begun that will be asked for.
   void renderAhead(const Orders& orders, const IsDue& isDue);
   /// How many images were asked for that had been begun before.
@@ -76,11 +76,11 @@ class CameraWork {
     std::uint64_t step = kNever;
     bool hasClasses = false;
   };
-  /// What threads share that make images while the simulation goes on, and longer than this lives.
+  /// What threads share that make images while the simulation continues, and longer than this lives.
   struct Studio;
   /// An image that is made before it is asked for.
   struct Ahead;
-  /// What is known of a camera.
+  /// The state of a camera.
   struct Camera {
     Shot shot = {};
     simcore::CameraOptics optics = {};

@@ -33,7 +33,7 @@ class HeldActuators {
   /// Forgets those that do not exist any more.
   void forgetMissing(const simcore::Simulation& simulation);
 
-  /// Sets the actuators again; to be called before each step of the simulation.
+  /// Sets the actuators again; call this before each step of the simulation.
   void apply(simcore::Simulation& simulation) const;
 
   /// The values of a held actuator.

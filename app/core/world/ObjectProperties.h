@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How properties are added to the objects of a simulated world.
+// Adds properties (mass, size, friction, ...) to the messages about objects of a simulated world.
 #pragma once
 
 #include <string>

@@ -46,13 +46,13 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   /// numbers. False, changing nothing, if they are others than before.
   bool rebind();
 
-  /// To be called after each step of the physics; sets the wheels' speeds for the next one.
+  /// Call this after each step of the physics; sets the wheels' speeds for the next one.
   void step(robotlink::Instant now);
-  /// To be called after a reset of the simulation and its time. A client stays connected; the robot stops,
+  /// Call this after a reset of the simulation and its time. A client stays connected; the robot stops,
   /// and its odometry is 0.
   void reset(std::uint64_t seed);
 
-  /// To be called when the simulation was put back or on to another instant, while the time goes on: the
+  /// Call this when the simulation was put back or on to another instant, while the time continues: the
   /// robot was carried there, which its odometry does not notice.
   void worldJumped();
 

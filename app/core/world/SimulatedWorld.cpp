@@ -139,7 +139,7 @@ robotlink::Result<simcore::SceneChange> SimulatedWorld::continueIn(
 void SimulatedWorld::goBack() {
   simulation_->goBack();
   findCameras();
-  // They exist, so none has to be made.
+  // The microcontrollers exist already, so this creates none.
   static_cast<void>(makePioneers());
 }
 

@@ -23,8 +23,8 @@
 
 namespace app {
 
-/// What the platforms of all robots of a simulation share: the simulation, its clock, the rendering of its
-/// cameras, and the microcontrollers of its Pioneers.
+/// The part of a simulation that the platforms of all its robots share: the physics, its clock, the rendering
+/// of its cameras, and the microcontrollers of its Pioneers.
 ///
 /// It moves in steps of kStep, each of two steps of the physics. One thread at a time; the clock may be read
 /// by any.
@@ -90,7 +90,7 @@ class SimulatedWorld {
   simcore::Snapshot snapshot() const;
   /// The digest() at that instant; 0 if the snapshot does not say it.
   static std::uint64_t digestOf(const simcore::Snapshot& snapshot);
-  /// Goes back (or on) to a snapshot. Its clock goes on, and so do microcontrollers with their odometry:
+  /// Goes back (or on) to a snapshot. Its clock continues, and so do microcontrollers with their odometry:
   /// whoever reads a clock must not see it jump. From before the first step, the clock is that of the
   /// snapshot. Fails, changing nothing, if the snapshot is of another scene or is not possible. Returns the
   /// models that an edited scene has where its file puts them.
@@ -98,7 +98,7 @@ class SimulatedWorld {
   /// How far it can go back.
   robotlink::Duration rewindable() const;
   /// Goes back in the simulation by at least a step of kStep, to the nearest one, as restore() does; digest()
-  /// goes on. Fails, changing nothing, if that is too long ago.
+  /// continues. Fails, changing nothing, if that is too long ago.
   robotlink::Result<void> rewind(robotlink::Duration back);
 
   const robotlink::Clock& clock() const { return clock_; }
@@ -172,7 +172,7 @@ class SimulatedWorld {
   bool imageDue(std::size_t camera, std::uint64_t step) const;
   CameraWork::Orders orders() const;
   CameraWork::IsDue dues() const;
-  /// Makes the microcontrollers, or goes on with those that there are.
+  /// Makes the microcontrollers, or continues with those that there are.
   robotlink::Result<void> makePioneers();
   /// Settings of a microcontroller.
   SimulatedPioneer::Options pioneerOptions(const std::string& robot) const;
@@ -180,7 +180,7 @@ class SimulatedWorld {
   void keepCameras();
   void findCameras();
   void mixIntoDigest(std::uint64_t value);
-  /// What was measured or rendered of the world before a jump does not count, and the clock goes on.
+  /// What was measured or rendered of the world before a jump does not count, and the clock continues.
   void settleAfterJump();
   struct Kept;
 
@@ -191,14 +191,14 @@ class SimulatedWorld {
   robotlink::Duration clockAhead_{};
   std::unique_ptr<simcore::Simulation> simulation_;
   std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
-  /// Those of robots that are gone.
+  /// The microcontrollers of robots that were removed.
   std::vector<std::unique_ptr<SimulatedPioneer>> gone_;
   HeldActuators held_;
   CameraWork cameraWork_;
   PortCommands* commands_ = nullptr;
   std::vector<simcore::ViewEvent> events_;
   std::vector<CameraSetting> cameraSettings_;
-  /// What was set for a camera.
+  /// The settings of a camera.
   struct KeptCamera {
     CameraSetting setting;
     bool errorsChosen = false;

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// What the workbench does with a file that is opened or dropped.
+/// The kinds of files, by the action of the workbench when one is opened or dropped.
 enum class FileKind {
   kScene,       ///< a world or the map of a building: simulate it
   kLayout,      ///< a process layout: run it

@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// What users entered last in the forms of platforms, as it is kept in the window's file: each field says at
+/// Remembers the last input in the forms of platforms, in the window's file: each field says at
 /// which place. GUI thread.
 class FormMemory {
  public:

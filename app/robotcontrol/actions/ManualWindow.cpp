@@ -70,7 +70,7 @@ void ManualWindow::readPages(const QString& folder) {
 
 void ManualWindow::createWidgets(const QString& folder) {
   search_ = widgets::makeSearchField(
-      this, {"manualSearch", tr("Search"), tr("Lists only pages that have these words")});
+      this, {"manualSearch", tr("Search"), tr("Lists only pages that contain these words")});
   list_ = new QListWidget(this);
   widgets::describe(*list_, {"manualPages", tr("Pages"), {}});
   browser_ = new QTextBrowser(this);

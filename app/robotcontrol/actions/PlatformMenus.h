@@ -35,7 +35,7 @@ class PlatformMenus final : public QObject {
 
   /// What users entered last.
   FormMemory& memory() { return memory_; }
-  /// To be called in each tick of the session.
+  /// Call this in each tick of the session.
   void tick();
   /// Shows in the dialog of a robot that is being connected why that failed.
   void fail(const QString& reason);
@@ -53,7 +53,7 @@ class PlatformMenus final : public QObject {
   robotlink::CommandTable& commands_;
   QWidget* window_;
   FormMemory memory_;
-  /// Those that were shown and are not modal.
+  /// The modeless dialogs that have been shown.
   QList<PlatformDialog*> dialogs_;
 };
 

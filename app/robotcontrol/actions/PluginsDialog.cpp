@@ -32,9 +32,9 @@ PluginsDialog::PluginsDialog(QWidget* parent) : QDialog(parent) {
   fillTable();
   const QString folder = QString::fromStdString(pluginFolder().string());
   auto* note = widgets::makeNote(this, "pluginsFolder", tr("Where plug-ins are"));
-  note->setText(
-      (loadedPlugins().empty() ? tr("There are no plug-ins. ") : QString()) +
-      tr("Those in the folder %1 are loaded at the next start; others by --plugin FILE.").arg(folder));
+  note->setText((loadedPlugins().empty() ? tr("There are no plug-ins. ") : QString()) +
+                tr("Plug-ins in the folder %1 are loaded at the next start; load others with --plugin FILE.")
+                    .arg(folder));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   auto* open = buttons->addButton(tr("&Open folder"), QDialogButtonBox::ActionRole);
   open->setObjectName(QStringLiteral("pluginsOpenFolder"));

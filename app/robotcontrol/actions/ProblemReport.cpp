@@ -157,7 +157,7 @@ void ProblemDialog::createWidgets() {
   layout->addWidget(question);
   layout->addWidget(story_, 1);
   auto* note = new QLabel(
-      tr("The report also has what follows. It is saved or copied, and sent nowhere; it has names of "
+      tr("The report also contains the following. It is only saved or copied, never sent; it has names of "
          "files and robots, so read it before you pass it on."),
       this);
   note->setWordWrap(true);

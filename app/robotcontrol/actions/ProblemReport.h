@@ -15,7 +15,7 @@ namespace app {
 
 class Workbench;
 
-/// What helps to find out what went wrong, as one text (Markdown): versions, what is open with its layout,
+/// Returns a problem report as Markdown: versions, the open platform with its layout,
 /// the last messages, what was typed, and how the window is arranged. The user's home folder is written as ~.
 QString problemReport(Workbench& workbench, const widgets::CommandLog& log, const QJsonObject& window);
 

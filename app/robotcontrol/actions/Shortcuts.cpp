@@ -23,7 +23,7 @@ using robotlink::Result;
 
 /// The property of an action that has the key as it is shipped, once it has another one.
 constexpr char kShippedKey[] = "shippedShortcut";
-/// That of an action whose tooltip ended with the key that was removed.
+/// The property of an action whose tooltip ended with a shortcut that was removed.
 constexpr char kTipHadKey[] = "toolTipHadShortcut";
 
 const robotlink::VersionedFormat& shortcutFormat() {

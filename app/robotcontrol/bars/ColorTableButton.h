@@ -29,7 +29,7 @@ class ColorTableButton final : public QToolButton {
   static QString shortName(const QString& source);
 
  private:
-  /// Updates text and tool tip if the table has changed.
+  /// Updates text and tooltip if the table has changed.
   void show(const robotcontrol::ColorTable& table);
 
   /// Source and time of the table that is shown.

@@ -89,7 +89,7 @@ void HistoryLine::refresh() {
   button_->setText(text);
   button_->setIcon(widgets::icon(live ? "pause" : "play"));
   button_->setAccessibleName(live ? tr("What is shown: live") : tr("What is shown: %1").arg(text));
-  button_->setToolTip(live ? tr("Pauses what all views show, while the robots continue (Ctrl+Space)")
+  button_->setToolTip(live ? tr("Pauses all views, while the robots continue (Ctrl+Space)")
                            : tr("Returns to what happens now (Ctrl+Space).\nThe robots continue: what you "
                                 "switch, tune or steer acts on them as they are now."));
 }

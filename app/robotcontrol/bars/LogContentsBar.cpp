@@ -71,7 +71,7 @@ QString LogContentsBar::textOf(const widgets::LogOverview& overview) const {
     }
   }
   if (overview.streams.empty()) return tr("%1 holds no messages.").arg(name);
-  QString text = tr("%1 has no robot known here, so no program runs on it.").arg(name);
+  QString text = tr("%1 contains no known robot, so no program runs on it.").arg(name);
   if (!shown.isEmpty()) text += QLatin1Char(' ') + tr("It holds %1.").arg(named(shown));
   if (!undecoded.isEmpty()) text += QLatin1Char(' ') + tr("Not decoded: %1.").arg(named(undecoded));
   return text;

@@ -167,7 +167,7 @@ void LogToolBar::createFields() {
                     {"logProcess", tr("Process"), tr("The process whose frames are stepped and counted")});
   process_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   speed_ = new QComboBox(this);
-  widgets::describe(*speed_, {"logSpeed", tr("Speed"), tr("How many times real time the log is played")});
+  widgets::describe(*speed_, {"logSpeed", tr("Speed"), tr("Playback speed, relative to real time")});
   for (const double speed : speeds()) speed_->addItem(SimulationToolBar::speedText(speed), speed);
   connect(time_, &QLineEdit::returnPressed, this, &LogToolBar::jumpToTypedTime);
   connect(frame_, &QLineEdit::returnPressed, this, &LogToolBar::jumpToTypedFrame);

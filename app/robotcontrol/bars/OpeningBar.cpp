@@ -30,7 +30,7 @@ OpeningBar::OpeningBar(Workbench& workbench, CommandActions& actions, QWidget* p
   text_->setTextFormat(Qt::PlainText);
   cancel_->setObjectName(QStringLiteral("openingCancel"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Cancels opening it; what was open before continues"));
+  cancel_->setToolTip(tr("Cancels opening; what was open before stays open"));
   connect(cancel_, &QToolButton::clicked, this, [&actions] { actions.run(QStringLiteral("log.cancel")); });
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 2, 6, 2);

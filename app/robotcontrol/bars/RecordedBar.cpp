@@ -116,7 +116,7 @@ void RecordedBar::open() {
 void RecordedBar::showFolder() {
   const QString folder = QFileInfo(file_).absolutePath();
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
-    Q_EMIT actions_.refused(tr("No program on this computer shows folders. The recording is %1").arg(file_));
+    Q_EMIT actions_.refused(tr("No file manager was found on this computer. The recording is %1").arg(file_));
   }
 }
 

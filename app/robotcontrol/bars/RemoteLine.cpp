@@ -18,7 +18,7 @@ using widgets::Meaning;
 using Who = widgets::SteeringState::Who;
 using Phase = robotlink::websocket::ConnectionState::Phase;
 
-/// Longer texts are for the tool tip. All connections together have at least this room, and more where the
+/// Longer texts are for the tooltip. All connections together have at least this room, and more where the
 /// bar has it.
 constexpr int kStateCharacters = 56, kMaxStateCharacters = 112;
 /// What a button keeps of its text when the window gets narrower.
@@ -112,7 +112,7 @@ void RemoteLine::refresh() {
 
 QString RemoteLine::tipOf(const RemoteRobots::Connection& connection) {
   const QString tip =
-      tr("%1: %2\nA click shows all connections, and limits what they carry")
+      tr("%1: %2\nClick to see all connections and limit their data rates")
           .arg(QString::fromStdString(connection.url), QString::fromStdString(connection.text));
   if (!connection.state.isConnected() || !connection.state.roundTrip) return tip;
   return tip + QLatin1Char('\n') +
@@ -176,9 +176,8 @@ void RemoteLine::showSteering() {
   show(*steering_,
        isOther ? tr("%1 steers %2. Steer instead").arg(other, QString::fromStdString(robot)) : state->text,
        isOther ? Meaning::kWarning : Meaning::kGood, widthOf(*steering_, kStateCharacters));
-  steering_->setToolTip(isOther
-                            ? tr("%1 A click, and you steer it instead; STOP is anyone's.").arg(state->text)
-                            : tr("%1 A click lets others steer it.").arg(state->text));
+  steering_->setToolTip(isOther ? tr("%1 Click to take control; anyone can press STOP.").arg(state->text)
+                                : tr("%1 Click to release control to others.").arg(state->text));
   steering_->setAccessibleName(tr("Who steers"));
 }
 

@@ -98,8 +98,8 @@ void SimulationToolBar::createBoxes() {
       makeBox(this, "layoutBox", tr("Process layout"),
               tr("Which process of the selected robot's program does which tasks; another one is for all "
                  "robots, whose programs start again"));
-  robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot that views and toolbars show"));
-  speed_ = makeBox(this, "speedBox", tr("Speed"), tr("How many times real time the simulation runs"));
+  robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot shown in views and toolbars"));
+  speed_ = makeBox(this, "speedBox", tr("Speed"), tr("Speed of the simulation, relative to real time"));
   scene_->setPlaceholderText(tr("none"));
   layout_->setPlaceholderText(tr("none"));
   layout_->setMinimumContentsLength(10);  // "of the log"

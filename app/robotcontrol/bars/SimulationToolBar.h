@@ -22,10 +22,10 @@ class SimulationToolBar : public QToolBar {
 
   /// Shows the simulation's state; called after each tick.
   void refresh();
-  /// To be called when a scene, log or layout was loaded or refused: shows what is open now. The simulation's
+  /// Call this when a scene, log or layout was loaded or refused: shows what is open now. The simulation's
   /// buttons are hidden for logs and real robots.
   void showLoaded();
-  /// To be called when robots have come or gone.
+  /// Call this when robots have come or gone.
   void showRobots();
   /// Shows the layout that a robot runs.
   void showLayoutOf(const std::string& robot);

@@ -79,7 +79,7 @@ void SnapshotMenu::fill() {
   toFile->setToolTip(tr("Writes the present state of the world to a file"));
   QAction* fromFile = addAction(tr("&Go back to a file…"), this, &SnapshotMenu::restoreFile);
   fromFile->setObjectName(QStringLiteral("snapshot.restore-file"));
-  fromFile->setToolTip(tr("Puts the world to the state in a file; the robots' programs run on"));
+  fromFile->setToolTip(tr("Restores the state of the world from a file; the robots' programs keep running"));
   addSeparator();
   for (const auto& snapshot : status->snapshots()) {
     addSnapshot(
@@ -92,7 +92,7 @@ void SnapshotMenu::fill() {
       addAction(tr("&Cancel running the programs again (%1 %)").arg(qRound(100 * status->catching_up())),
                 this, [this] { actions_.run(QStringLiteral("simulation.cancel")); });
   cancel->setObjectName(QStringLiteral("snapshot.cancel"));
-  cancel->setToolTip(tr("Leaves world and programs where they have come to, and pauses"));
+  cancel->setToolTip(tr("Leaves world and programs in their current state, and pauses"));
 }
 
 void SnapshotMenu::addSnapshot(const std::string& name, const QString& title) {
@@ -105,7 +105,7 @@ void SnapshotMenu::addSnapshot(const std::string& name, const QString& title) {
     action->setToolTip(tip);
     return action;
   };
-  add(tr("&Go back"), tr("Puts the world to this state; the robots' programs run on"),
+  add(tr("&Go back"), tr("Restores this state of the world; the robots' programs keep running"),
       QStringLiteral("simulation.restore"), {name, false});
   add(tr("Go back with the &programs"),
       tr("Runs the programs again from their start, with all that was asked, until they are there, too"),
@@ -122,10 +122,10 @@ void SnapshotMenu::addRewinding(bool isPaused, double rewindable) {
     });
     action->setObjectName(QStringLiteral("rewind.%1").arg(seconds));
     action->setEnabled(isPaused && rewindable >= seconds - 1e-9);
-    action->setToolTip(isPaused
-                           ? tr("Goes back in the world; the robots' programs run on. The last %1 s are kept")
-                                 .arg(rewindable, 0, 'f', 1)
-                           : tr("Pause the simulation to rewind it"));
+    action->setToolTip(
+        isPaused ? tr("Rewinds the world; the robots' programs keep running. The last %1 s are kept")
+                       .arg(rewindable, 0, 'f', 1)
+                 : tr("Pause the simulation to rewind it"));
   }
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kShowMs = 500;
 
-/// Those of this thread so far.
+/// The number of page faults of this thread so far.
 std::int64_t pageFaults() {
 #ifdef RUSAGE_THREAD
   rusage usage{};
@@ -47,8 +47,8 @@ StallWatch::StallWatch(QObject* parent, QStatusBar* bar) : QObject(parent) {
   if (bar == nullptr) return;
   label_ = new QLabel;
   label_->setObjectName(QStringLiteral("stalls"));
-  toolTip_ = tr("How long the window did not answer: how often for more than %1 ms, and the longest time")
-                 .arg(kLimit.count());
+  toolTip_ =
+      tr("Stalls of the window: how many took more than %1 ms, and the longest one").arg(kLimit.count());
   bar->addPermanentWidget(label_);
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &StallWatch::show);

@@ -20,7 +20,7 @@ namespace app {
 class StallWatch final : public QObject {
   Q_OBJECT
  public:
-  /// What is longer is noticed.
+  /// Stalls that are longer than this are counted.
   static constexpr std::chrono::milliseconds kLimit{50};
 
   /// Begins to measure; shows nothing without a bar.

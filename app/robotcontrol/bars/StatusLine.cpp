@@ -46,8 +46,8 @@ StatusLine::StatusLine(Workbench& workbench, QStatusBar& bar)
       workbench_(workbench),
       state_(addLabel(bar, "statusState", tr("State of the simulation or the log"), 10)),
       time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the shown time and frame"), 12)),
-      speed_(addLabel(bar, "statusSpeed",
-                      tr("How many times real time the simulation runs or the log is played"), 10)),
+      speed_(
+          addLabel(bar, "statusSpeed", tr("Speed of the simulation or the log, relative to real time"), 10)),
       contacts_(addLabel(bar, "statusContacts", tr("How often a robot has touched the ball"), 16)),
       dropped_(addLabel(bar, "statusDropped", tr("Messages dropped because too many arrived"), 12)) {}
 

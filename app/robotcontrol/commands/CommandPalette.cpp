@@ -175,7 +175,7 @@ void CommandPalette::refresh() {
     all.insert(all.end(), entries_.begin(), entries_.end());
     model_.show(paletteMatches(all, input_->text(), recent_));
     list_->setCurrentIndex(model_.index(0));
-    if (model_.rowCount() == 0) showHint(tr("Nothing is called so. Shorter words find more."));
+    if (model_.rowCount() == 0) showHint(tr("No match. Try fewer or shorter words."));
   }
   place();
 }

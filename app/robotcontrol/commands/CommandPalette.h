@@ -22,7 +22,7 @@ namespace app {
 class CommandActions;
 
 /// A field over the window in which a person finds commands and menu entries by their words. Return runs the
-/// chosen one; a command that takes arguments goes on in the same line, with what each of them can be. What
+/// chosen one; a command that takes arguments continues in the same line, with what each of them can be. What
 /// goes wrong is shown below the line, which stays. Escape, or a click elsewhere, closes the palette, and the
 /// focus returns to where it was.
 ///

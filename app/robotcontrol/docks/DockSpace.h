@@ -28,7 +28,7 @@ class DockSpace : public ads::CDockManager, private QAbstractNativeEventFilter {
   /// Makes titles of tabs readable: where they would be cut, tabs have no icons, and that of the view in
   /// front is cut last. If there are too many to be read, they are scrolled.
   void fitTabs();
-  /// Hides the floating windows and shows them again; to be called when the main window is shown, since
+  /// Hides the floating windows and shows them again; call this when the main window is shown, since
   /// window managers associate them with it only then.
   void reopenFloats();
   /// Hides all floating windows.

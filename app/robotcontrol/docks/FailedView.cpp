@@ -9,7 +9,7 @@ namespace app {
 FailedView::FailedView(widgets::ViewContext& context, const QString& reason, QJsonObject state,
                        QWidget* parent)
     : View(context, parent), state_(std::move(state)) {
-  auto* text = new QLabel(tr("This view has failed: %1.\nClose it and open it again to try once more; if it "
+  auto* text = new QLabel(tr("This view has failed: %1.\nClose and reopen it to try again; if it "
                              "belongs to a plug-in, "
                              "report this to its author.")
                               .arg(reason),

@@ -17,12 +17,12 @@ class LayoutHistory : public QObject {
  public:
   LayoutHistory(ViewDocks& docks, QObject* parent);
 
-  /// Compares the current layout with the last known one and adds a step if they differ. To be called
+  /// Compares the current layout with the last known one and adds a step if they differ. Call this
   /// regularly, but not while a dock is being dragged.
   void look();
   /// Clears the history, for example because another perspective is shown.
   void forget();
-  /// Adds a step that also contains the state of the views; to be called before all docks are replaced.
+  /// Adds a step that also contains the state of the views; call this before all docks are replaced.
   void keepAll();
 
   /// Whether undo() or redo() has an effect.

@@ -109,7 +109,7 @@ void ViewDocks::replaceFailed(widgets::View& failed, const QString& reason) {
   try {
     state = failed.saveState();
   } catch (const std::exception&) {
-    // It has failed altogether.
+    // The view cannot even save its state; the new one starts with its defaults.
   }
   entry->dock->takeWidget();
   failed.hide();
@@ -234,7 +234,7 @@ void ViewDocks::tick() {
     try {
       hidden != nullptr ? hidden->tickHidden() : dock.view->tick();
     } catch (const std::exception& thrown) {
-      // The others go on.
+      // The others continue.
       if (dock.view) replaceFailed(*dock.view, QString::fromUtf8(thrown.what()));
     }
   }

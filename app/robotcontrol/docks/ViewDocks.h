@@ -49,7 +49,7 @@ class ViewDocks : public QObject {
   ads::CDockWidget* add(const QString& id, Place place, ads::CDockWidget* beside = nullptr);
   /// Removes all docks.
   void closeAll();
-  /// Removes all docks and deletes their views at once; to be called before objects that they use are
+  /// Removes all docks and deletes their views at once; call this before objects that they use are
   /// destroyed.
   void destroyAll();
   bool empty() const { return docks_.empty(); }

@@ -29,8 +29,7 @@ void LanguageMenu::setLanguage(Language language) {
   const bool isAnother = language != language_;
   language_ = language;
   checkEntry();
-  if (isAnother)
-    Q_EMIT chosen(tr("The window is in the chosen language from the next start of RobotControl on."));
+  if (isAnother) Q_EMIT chosen(tr("Restart RobotControl to see the window in the chosen language."));
 }
 
 void LanguageMenu::checkEntry() {

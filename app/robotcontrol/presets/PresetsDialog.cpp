@@ -38,7 +38,7 @@ void PresetsDialog::createWidgets() {
   list_ = new QListWidget(this);
   widgets::describe(*list_, {"presetsList", tr("Presets"), {}});
   differences_ = new QPlainTextEdit(this);
-  widgets::describe(*differences_, {"presetsDifferences", tr("What differs from what is chosen now"), {}});
+  widgets::describe(*differences_, {"presetsDifferences", tr("Differences from the current settings"), {}});
   differences_->setReadOnly(true);
   name_ = new QLineEdit(this);
   widgets::describe(*name_, {"presetsName", tr("Name"), tr("The name to save under, or the new name")});

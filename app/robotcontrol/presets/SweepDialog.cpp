@@ -56,7 +56,7 @@ void SweepDialog::createWidgets() {
   widgets::describe(*figure_,
                     {"sweepFigure", tr("Figure"), tr("An expression over streams, measured at each value")});
   widgets::describe(*seconds_,
-                    {"sweepSeconds", tr("Seconds"), tr("For how long it is measured at each value")});
+                    {"sweepSeconds", tr("Seconds"), tr("Duration of the measurement at each value")});
   values_->setPlaceholderText(QStringLiteral("0.1:0.5:0.1"));
   figure_->setPlaceholderText(QStringLiteral("models/ball.position.x"));
   seconds_->setRange(0.01, 3600);
@@ -143,7 +143,7 @@ void SweepDialog::showProgress() {
   const QString progress = sweep_.isRunning()
                                ? tr("Measuring %1 of %2…").arg(rows.size()).arg(sweep_.plan().values.size())
                            : rows.empty() ? QString()
-                                          : tr("Done; the parameter has its former value.");
+                                          : tr("Done; the parameter was set back to its previous value.");
   widgets::showOutcome(*state_, failed ? QString::fromStdString(failed->describe()) : progress,
                        failed.has_value());
 }

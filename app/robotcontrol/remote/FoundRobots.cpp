@@ -31,7 +31,7 @@ QString listed(const std::vector<robotlink::dds::AnnouncedRobot>& robots, TextOf
 }
 
 QString runsText(const robotlink::dds::AnnouncedRobot& robot) {
-  if (robot.isBody) return FoundRobots::tr("only the body: its program can run here");
+  if (robot.isBody) return FoundRobots::tr("body only: its program can run on this computer");
   return robot.layout.empty() ? QString()
                               : FoundRobots::tr("layout %1").arg(QString::fromStdString(robot.layout));
 }
@@ -143,10 +143,10 @@ void FoundRobots::showRow(int row, const RobotSearch::Found& found) {
   showCell(item, kFoundRuns, runs, runs);
   showCell(item, kFoundAddress, url,
            robots.isEncrypted
-               ? tr("Encrypted. It says that its fingerprint is %1; who connects is shown the real one")
+               ? tr("Encrypted. The announced fingerprint is %1; the real one is shown when you connect")
                      .arg(QString::fromStdString(robots.fingerprint))
                : tr("Not encrypted"));
-  showCell(item, kFoundAge, ageText(found.age), tr("Since it was first heard here"));
+  showCell(item, kFoundAge, ageText(found.age), tr("Time since the robot was first found"));
 }
 
 void FoundRobots::showHint(const RobotSearch::State& state) {

@@ -107,11 +107,10 @@ QLayout* OfferDialog::createTokens() {
     return button;
   };
   copyControl_ = add("offerCopyControl", tr("Copy the one to &control"),
-                     tr("Copies the token of those who may do everything to the clipboard"),
-                     &SessionOffer::controlToken);
-  copyWatch_ = add("offerCopyWatch", tr("Copy the one to &watch"),
-                   tr("Copies the token of those who may only watch, and engage STOP, to the clipboard"),
-                   &SessionOffer::watchToken);
+                     tr("Copies the token for full control to the clipboard"), &SessionOffer::controlToken);
+  copyWatch_ =
+      add("offerCopyWatch", tr("Copy the one to &watch"),
+          tr("Copies the token for watching and STOP only to the clipboard"), &SessionOffer::watchToken);
   row->addStretch(1);
   return row;
 }

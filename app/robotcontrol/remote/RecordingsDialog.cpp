@@ -70,7 +70,7 @@ void RecordingsDialog::createTop() {
   widgets::describe(*robot_, {"recordingsRobot", tr("Robot"), tr("Whose recordings are shown")});
   start_ = makePushButton(this,
                           {"recordingsStart", tr("&Start recording"),
-                           tr("The robot records into its own storage, whatever becomes of the connection")},
+                           tr("The robot records into its own storage, even if the connection is lost")},
                           "record");
   stop_ = makePushButton(
       this, {"recordingsStop", tr("S&top recording"), tr("Ends the recording at the robot")}, "record-end");
@@ -106,7 +106,7 @@ void RecordingsDialog::showHint() {
 void RecordingsDialog::createTarget() {
   auto* row = new QHBoxLayout;
   folder_ = new QLineEdit(QString::fromStdString(workbench_.recording().folder().string()), this);
-  widgets::describe(*folder_, {"recordingsFolder", tr("Folder"), tr("Where recordings are fetched to")});
+  widgets::describe(*folder_, {"recordingsFolder", tr("Folder"), tr("Folder for downloaded recordings")});
   browse_ = makePushButton(this, {"recordingsBrowse", tr("&Browse…"), tr("Chooses the folder")}, "open");
   addLabeled(row, tr("Fetch &into:"), folder_);
   row->addWidget(browse_);

@@ -27,7 +27,7 @@ class CommandActions;
 class Workbench;
 
 /// The recordings in the storage of robots elsewhere: begin and end one, fetch, open and delete them. A fetch
-/// survives cuts of the line, and goes on where it was after it was canceled. Not modal; its owner calls
+/// survives cuts of the line, and continues where it was after it was canceled. Not modal; its owner calls
 /// tick() in each tick of the session. GUI thread; workbench and actions must outlive it.
 class RecordingsDialog final : public QDialog {
   Q_OBJECT
@@ -49,7 +49,7 @@ class RecordingsDialog final : public QDialog {
   /// The robot that is chosen; null if none is connected.
   RecordingJobs* jobs() const;
   void listRobots();
-  /// Asks the robot for its recordings now and then, and shows what it has.
+  /// Asks the robot for its recordings from time to time, and shows what it has.
   void showRecordings(RecordingJobs& jobs);
   void showRecording(QTreeWidgetItem& row, const RecordingFetch::Entry& entry) const;
   void showOutcomes(RecordingJobs& jobs);

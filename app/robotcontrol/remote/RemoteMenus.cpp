@@ -29,8 +29,7 @@ void RemoteMenus::addConnect(QMenu& menu) {
   QAction* join = menu.addAction(widgets::icon("connect"), tr("C&onnect…"), this, &RemoteMenus::showConnect,
                                  QKeySequence(QStringLiteral("Ctrl+J")));
   join->setObjectName(QStringLiteral("remote.connect"));
-  join->setToolTip(
-      tr("Watches and steers robots whose programs run elsewhere, beside those that are open here"));
+  join->setToolTip(tr("Watches and controls remote robots, in addition to those that are open here"));
   again_ = menu.addMenu(tr("Connect &again"));
   again_->setObjectName(QStringLiteral("remoteAgain"));
   again_->setToolTipsVisible(true);

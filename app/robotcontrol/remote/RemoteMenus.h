@@ -36,9 +36,9 @@ class RemoteMenus final : public QObject {
   void addRecordings(QMenu& menu);
   void showConnect();
   void showOffer();
-  /// To be called in each tick of the session.
+  /// Call this in each tick of the session.
   void tick();
-  /// What was opened could not be.
+  /// Call this when a platform could not be opened.
   void fail(const QString& reason);
 
   /// What the user entered last, in the state of the window.

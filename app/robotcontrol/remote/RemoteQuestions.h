@@ -23,7 +23,7 @@ class RemoteQuestions final : public QObject {
   Q_OBJECT
  public:
   RemoteQuestions(Workbench& workbench, CommandActions& actions, QWidget* window);
-  /// To be called in each tick of the session.
+  /// Call this in each tick of the session.
   void tick();
 
  private:

@@ -154,7 +154,7 @@ void RobotsDialog::showStates() {
     const auto* connection = connectionTo(connections, row.text(kSetAddress).trimmed().toStdString());
     const QString text =
         connection == nullptr ? tr("not connected") : QString::fromStdString(connection->text);
-    // The figures of the line are for the tool tip, reasons are not.
+    // The figures of the line are for the tooltip, reasons are not.
     const bool isUp = connection != nullptr && connection->state.isConnected();
     showIn(row, kSetState, isUp ? text.section(QLatin1Char(','), 0, 0) : text, text);
   }

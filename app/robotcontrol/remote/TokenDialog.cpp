@@ -20,7 +20,7 @@ QString questionFor(const QString& url, TokenDialog::Shown shown) {
   switch (shown) {
     case TokenDialog::Shown::kNone:
       return TokenDialog::tr(
-                 "The robot at %1 lets in only who shows its token. It printed two when they were "
+                 "The robot at %1 only accepts clients with its token. It printed two when they were "
                  "made: one to control, and one to watch.")
           .arg(url);
     case TokenDialog::Shown::kEntered:
@@ -63,7 +63,7 @@ TokenDialog::TokenDialog(const std::string& url, Shown shown, QWidget* parent) :
   if (url.starts_with("ws://")) {
     auto* warning = widgets::makeNote(this, "tokenWarning", tr("Warning"));
     widgets::showOutcome(
-        *warning, tr("This connection is not encrypted: who listens in on the network sees the token."),
+        *warning, tr("This connection is not encrypted: anyone who monitors the network can read the token."),
         true);
     layout->addWidget(warning);
   }

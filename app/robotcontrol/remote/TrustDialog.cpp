@@ -27,9 +27,10 @@ TrustDialog::TrustDialog(const std::string& url, const ServerObjection& objectio
   setWindowIcon(widgets::icon(isNew ? "connect" : "warning"));
   new QVBoxLayout(this);
   if (isNew) {
-    addText("trustText", tr("The robot at %1 was never connected from here. It printed a fingerprint at its "
-                            "start: is it this one? If so it is remembered, and known again the next time.")
-                             .arg(where));
+    addText("trustText",
+            tr("This computer has never connected to the robot at %1. It printed a fingerprint at its "
+               "start: is it this one? If so it is remembered, and known again the next time.")
+                .arg(where));
   } else {
     addText(
         "trustText",
@@ -78,8 +79,8 @@ void TrustDialog::addButtons(bool isNew) {
   auto* no = buttons->addButton(tr("&Disconnect"), QDialogButtonBox::RejectRole);
   no->setObjectName(QStringLiteral("trustReject"));
   if (!isNew) {
-    auto* sure = new QCheckBox(
-        tr("The robot was set up again, and has &printed the fingerprint that it shows now"), this);
+    auto* sure =
+        new QCheckBox(tr("The robot was set up again, and &printed the fingerprint shown here"), this);
     sure->setObjectName(QStringLiteral("trustSure"));
     trust->setEnabled(false);
     connect(sure, &QCheckBox::toggled, trust, &QPushButton::setEnabled);

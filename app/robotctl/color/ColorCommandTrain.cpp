@@ -81,7 +81,7 @@ bool addStroke(Samples& samples, const DiscStroke& stroke, const colortool::Colo
                    {samples.classes.index(stroke.colorClass), false, 1, "point"}) != 0;
 }
 
-/// Those of the option, or else those that are named beside the labels.
+/// Returns the classes of the option, else those in the file beside the labels.
 tl::expected<colortool::ColorClasses, Errors> classesOf(const TrainArguments& arguments) {
   if (!arguments.labels.empty() && arguments.classes.empty()) {
     auto named = namedLabelClasses(arguments.labels);
@@ -215,7 +215,7 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
   number("--gamma", settings.supportVectors.gamma, "svm: gamma of its radial basis functions",
          positiveNumber());
   number("--reject-radius", settings.supportVectors.mostDistance,
-         "svm: how far from a sample a class reaches at most", positiveNumber());
+         "svm: maximum distance of a class from its samples", positiveNumber());
   command.add_flag("!--keep-unsupported", settings.cleanUp.removeUnsupported,
                    "Keeps cells that no sample supports");
   command.add_flag("!--keep-holes", settings.cleanUp.fillHoles, "Keeps holes inside a class");
@@ -248,7 +248,7 @@ void addColorTrainCommand(CLI::App& color, int& status) {
   images->excludes(samples);
   command->add_option("--out", arguments->out, "The color table (.c64)")->required();
   command->add_option("--save-samples", arguments->samplesOut,
-                      "Also writes the samples it learned from, for the workbench");
+                      "Also writes the training samples, for the workbench");
   addClassesOption(*command, arguments->classes,
                    "Names of the classes, in the order of their numbers; they are written beside the table");
   command

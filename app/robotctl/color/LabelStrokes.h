@@ -17,7 +17,7 @@ namespace app {
 std::vector<colortool::DiscStroke> strokesInside(const robotlink::Image& labels, const std::string& image,
                                                  const colortool::ColorClasses& classes, std::size_t count);
 
-/// Those of all images that have a PNG of the same name in a folder of labels; fails if none has.
+/// Makes strokes for all images that have a PNG of the same name in a folder of labels. Fails if none has.
 robotlink::Result<std::vector<colortool::DiscStroke>> strokesOfLabels(const ColorImages& images,
                                                                       const std::filesystem::path& labels,
                                                                       const colortool::ColorClasses& classes,

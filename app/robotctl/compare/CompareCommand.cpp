@@ -103,7 +103,7 @@ std::string noTruthNote(const CompareArguments& arguments, const std::vector<std
       arguments.task, joined(packages));
   if (arguments.task == "motion")
     text += " The options '-- --walk 1' measure how fast and how upright a robot walks.";
-  if (!arguments.logs.empty()) text += " A log goes on as it was, whatever the task does: use --scene.";
+  if (!arguments.logs.empty()) text += " In a log, nothing that the task does has an effect: use --scene.";
   return text;
 }
 
@@ -147,7 +147,7 @@ void addCompareCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "compare", "Compares solutions of a task with the truth, in a simulation with many seeds or on logs");
   command->add_option("--task", arguments->task, "The task, such as ball-model")->required();
-  command->add_option("--solutions", arguments->solutions, "Its solutions that are compared, two or more")
+  command->add_option("--solutions", arguments->solutions, "The solutions to compare, two or more")
       ->delimiter(',')
       ->required();
   command

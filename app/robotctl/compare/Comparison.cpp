@@ -135,7 +135,7 @@ std::vector<Difference> Comparison::differences() const {
   std::vector<Difference> all;
   std::vector<double> chances;
   for (const Row& row : rows_) {
-    // They would only make the correction for the number of figures stricter.
+    // Constant figures would only make the correction for multiple comparisons stricter.
     if (row.constant()) continue;
     for (std::size_t i = 0; i < variants_.size(); ++i) {
       for (std::size_t j = i + 1; j < variants_.size(); ++j) {

@@ -125,9 +125,11 @@ void RunExecution::addTo(CLI::App& command) {
           "The folder of results and report. Results that are there count as long as the program, its "
           "resources and the named files are the same")
       ->required();
-  command.add_option("--batch", batch, "Hands the runs to a batch system, as an array of jobs")
+  command.add_option("--batch", batch, "Submits the runs to a batch system as a job array")
       ->check(CLI::IsMember({"slurm"}));
-  command.add_option("--parallel", parallel, "How many run at once here (as many as there are cores)")
+  command
+      .add_option("--parallel", parallel,
+                  "Maximum number of concurrent local runs (default: number of cores)")
       ->check(numberFrom(1, 1024));
   command.add_option("--retries", retries, "How often a run that fails is tried again")
       ->check(numberFrom(0, 10))
@@ -217,7 +219,7 @@ robotlink::Result<RunExecution::Results> RunExecution::execute(std::vector<Plann
     if (!printed) return tl::unexpected(printed.error());
     results.results.emplace_back(run, std::move(*printed));
   }
-  if (Interrupt::noted()) std::cerr << "The same command goes on where this ended.\n";
+  if (Interrupt::noted()) std::cerr << "Run the same command again to continue.\n";
   return results;
 }
 

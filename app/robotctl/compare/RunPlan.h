@@ -35,7 +35,7 @@ class RunFiles {
 
   /// Whether there is a result of this very run.
   bool isDone(const PlannedRun& run) const;
-  /// To be called before it is started: removes an older result. Fails if it cannot be written.
+  /// Call this before it is started: removes an older result. Fails if it cannot be written.
   robotlink::Result<void> prepare(const PlannedRun& run) const;
   /// Makes what it has written its result.
   robotlink::Result<void> finish(const PlannedRun& run) const;

@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// Where runs stand, for a line of progress.
+/// The progress of a set of runs, for one line of output.
 struct RunProgress {
   std::size_t all = 0, done = 0, failed = 0, running = 0;
 };

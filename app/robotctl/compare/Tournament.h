@@ -15,7 +15,7 @@
 
 namespace app {
 
-/// What the robots of a team run, as a user writes it: "NAME:LAYOUT,TASK=SOLUTION,preset=PRESET". The name
+/// A team as a user writes it: "NAME:LAYOUT,TASK=SOLUTION,preset=PRESET". The name
 /// may be left out, as may each of the parts. A plain value.
 struct TeamChoice {
   std::string name;
@@ -34,7 +34,7 @@ struct TeamChoice {
 /// with the seed of the game before, so that neither side nor luck favors a team. A plain value.
 struct Tournament {
   std::array<TeamChoice, 2> teams = {};
-  /// Those of the scene.
+  /// The names of the two teams in the scene.
   std::array<std::string, 2> colors{"red", "blue"};
   std::string scene;
   int games = 10;

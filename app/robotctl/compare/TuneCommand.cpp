@@ -186,12 +186,13 @@ void addTuneCommand(CLI::App& app, int& status) {
                    "What is minimized, by its name in a report: 'models/ball position mean', 'walk forward'")
       ->required();
   command->add_flag("--maximize", tuning.maximize, "The figure is maximized");
-  command->add_option("--seeds", tuning.seeds, "With how many seeds each candidate is tried")
+  command->add_option("--seeds", tuning.seeds, "Number of seeds for each candidate")
       ->check(numberFrom(1, 10000))
       ->capture_default_str();
   command
-      ->add_option("--held-out", tuning.heldOut,
-                   "With how many further seeds the best is compared with today's")
+      ->add_option(
+          "--held-out", tuning.heldOut,
+          "Number of held-out seeds with which the best candidate is compared with the current values")
       ->check(numberFrom(2, 10000))
       ->capture_default_str();
   command

@@ -16,9 +16,9 @@
 
 namespace app {
 
-/// What the parameters of a solution are tuned by: simulations with some seeds, of which the mean of one
+/// The objective of tuning: simulations with some seeds, of which the mean of one
 /// figure counts. Each candidate is a preset in the folder of results, and its runs are kept as those of
-/// comparisons, so that the same tuning goes on where it ended.
+/// comparisons, so that the same tuning continues where it ended.
 struct TuningTask {
   std::string scene;
   /// As Figure::name.

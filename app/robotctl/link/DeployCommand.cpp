@@ -93,7 +93,7 @@ int runDeploy(const DeployArguments& arguments) {
   const auto robots = chosenFrom(*set, arguments.robots);
   if (!robots) return printErrors({robots.error()});
   const auto folder = std::filesystem::path(arguments.file).parent_path();
-  // Nothing is sent unless all of it is there.
+  // Reads all files first, so that nothing is sent if one of them is missing.
   std::vector<std::vector<DeployFile>> files;
   robotlink::Errors errors;
   for (const auto& robot : *robots) {

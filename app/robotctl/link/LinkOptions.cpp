@@ -9,10 +9,10 @@
 namespace app {
 
 void LinkOptions::addTo(CLI::App& command) {
-  command.add_option("url", url, "Where the robot is: ws://HOST:PORT, or wss:// if it encrypts")
+  command.add_option("url", url, "The robot's URL: ws://HOST:PORT, or wss:// for encryption")
       ->required()
       ->type_name("URL");
-  command.add_option("--token", token, "The robot's token, which it printed when it was made")
+  command.add_option("--token", token, "The robot's token, which was printed when it was created")
       ->envname("ROBOTCONTROL_TOKEN");
 }
 

@@ -11,7 +11,7 @@ class App;
 
 namespace app {
 
-/// What all commands need that connect with a robot: where it is, and its token.
+/// The options of all commands that connect to a robot: its URL and its token.
 struct LinkOptions {
   std::string url, token;
 

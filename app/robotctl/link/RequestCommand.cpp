@@ -135,14 +135,13 @@ int request(const RequestArguments& arguments) {
 
 void addRequestCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<RequestArguments>();
-  CLI::App* command = app.add_subcommand(
-      "request", "Asks a robot at the other end of a link for something: its services, called by name");
+  CLI::App* command = app.add_subcommand("request", "Calls a service of a remote robot by its name");
   arguments->link.addTo(*command);
   command->add_option("service", arguments->service,
-                      "What is asked for, such as red1/set_key; all services are listed if it is not given");
+                      "The service, such as red1/set_key; without it, all services are listed");
   command->add_option("argument", arguments->argument,
                       R"(Its argument as JSON: '{"name": "ball-percept/disc", "mode": {"kind": "ALWAYS"}}')");
-  command->add_option("--seconds", arguments->seconds, "How long to wait for the robot and its answer")
+  command->add_option("--seconds", arguments->seconds, "Time to wait for the connection and for the answer")
       ->check(numberFrom(0.1, 3600))
       ->capture_default_str();
   command->footer(

@@ -41,7 +41,7 @@ struct WatchArguments {
 
 constexpr std::chrono::milliseconds kWatchTick{10};
 constexpr std::chrono::seconds kWatchInterval{1};
-/// Nobody scrolls back here.
+/// This command never looks back, so it keeps little.
 constexpr robotlink::StreamStore::Limits kWatchHistory{std::chrono::seconds(1), 64U << 20U};
 
 /// What other programs read stays as it is; a terminal must not obey it.
@@ -222,7 +222,7 @@ int watch(const WatchArguments& arguments) {
 void addWatchCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<WatchArguments>();
   CLI::App* command = app.add_subcommand(
-      "watch", "Lists the streams of a robot at the other end of a link, with their rates; records them");
+      "watch", "Lists the streams of a remote robot with their rates; records or prints them");
   arguments->link.addTo(*command);
   arguments->record.addTo(*command);
   auto* csv =

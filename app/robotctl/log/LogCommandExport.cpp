@@ -106,7 +106,7 @@ int exportLog(const ExportArguments& arguments) {
 void addLogExportCommand(CLI::App& log, int& status) {
   auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command = log.add_subcommand("export", "Writes images as PNG, streams as tables or JSON, texts");
-  command->add_option("file", arguments->file, "A log file, of an older format, too; - is standard input")
+  command->add_option("file", arguments->file, "A log file (MCAP or an older format); - is standard input")
       ->required();
   command->add_option("--images", arguments->images,
                       "A folder for images, which are named by stream, time and frame");

@@ -125,10 +125,10 @@ int runFetch(const FetchArguments& arguments) {
 void addLogFetchCommand(CLI::App& log, int& status) {
   const auto arguments = std::make_shared<FetchArguments>();
   CLI::App* command = log.add_subcommand(
-      "fetch", "Lists the recordings of a robot, or copies one from there; continues after a cut");
+      "fetch", "Lists the recordings of a remote robot, or downloads one; resumes an interrupted download");
   arguments->link.addTo(*command);
-  command->add_option("name", arguments->name, "The recording; lists all of them if it is left out");
-  command->add_option("file", arguments->file, "Where to; the same name in this folder if it is left out");
+  command->add_option("name", arguments->name, "The recording; if omitted, all recordings are listed");
+  command->add_option("file", arguments->file, "The local file; by default the same name in this folder");
   command->add_flag("--force", arguments->force, "Replaces a file that exists");
   command->add_flag("--delete", arguments->removes, "Deletes the recording at the robot once it is here");
   command->add_flag("--json", arguments->asJson, "Prints JSON");

@@ -117,7 +117,7 @@ void addReader(CLI::App& log, int& status, const char* name, const char* help,
                Result<Findings> (*find)(const std::filesystem::path&)) {
   auto arguments = std::make_shared<ReadArguments>();
   CLI::App* command = log.add_subcommand(name, help);
-  command->add_option("files", arguments->files, "Log files, of older formats, too; - is standard input")
+  command->add_option("files", arguments->files, "Log files (MCAP or older formats); - is standard input")
       ->required();
   command->add_flag("--json", arguments->asJson, "Prints one JSON object");
   command->callback([arguments, find, &status] { status = forAll(*arguments, find); });

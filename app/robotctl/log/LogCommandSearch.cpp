@@ -164,7 +164,7 @@ void addLogSearchCommand(CLI::App& log, int& status) {
       "search",
       "Finds where a condition becomes true, without playing the log; what the log lacks, the "
       "programs of its robots compute");
-  command->add_option("file", arguments->file, "A log file, of an older format, too; - is standard input")
+  command->add_option("file", arguments->file, "A log file (MCAP or an older format); - is standard input")
       ->required();
   command
       ->add_option("expression", arguments->expression,

@@ -36,7 +36,7 @@ void ArcosOptions::addTo(CLI::App& command) {
                ->default_str("8101");
   command
       .add_option("--bind", address,
-                  "The address to open them at; others than loopback open them to the network")
+                  "The address of these ports; addresses other than loopback open them to the network")
       ->needs(arcos_)
       ->capture_default_str();
   command.add_flag("--kinematic", kinematic,

@@ -22,7 +22,7 @@ constexpr std::chrono::seconds kLaunchGrace{5};
 
 struct LaunchArguments {
   std::string layout;
-  /// Those of `robotctl run`.
+  /// The options that are passed to `robotctl run`.
   std::vector<std::string> others;
 };
 

@@ -68,7 +68,7 @@ void ListenOptions::addTo(CLI::App& command) {
       ->capture_default_str();
   command
       .add_option("--link-timeout", linkTimeout_,
-                  "A robot stops when nothing was heard from the client that steers it for this long, s")
+                  "A robot stops when the client that steers it has been silent for this long, s")
       ->needs(option_)
       ->check(numberFrom(0.1, 60))
       ->capture_default_str();

@@ -92,7 +92,7 @@ void addPlatformCommand(CLI::App& app, int& status) {
   arguments->listen.addTo(*command);
   command
       ->add_option("--watchdog", arguments->watchdog,
-                   "The robot stands when its commands are lost, or answer readings older than this, s")
+                   "The robot stops when its commands are lost, or are based on readings older than this, s")
       ->check(numberFrom(0.05, 60))
       ->capture_default_str();
   command->add_option("--robot", arguments->robot, "The name of a real robot")

@@ -139,7 +139,7 @@ void addRunCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("run",
                          "Runs robot programs on logs, as fast as possible, or on a real robot; with "
-                         "--listen for others to watch and steer, logs at the speed of life");
+                         "--listen for others to watch and steer, logs in real time");
   command->add_option("--platform", choices.platform, helpOnPlatforms())->required();
   command->add_option(
       "--layout", choices.layout,

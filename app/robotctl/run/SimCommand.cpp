@@ -358,7 +358,7 @@ void applyHosting(SimArguments& arguments, bool threads) {
   run.hosting.threads = threads;
   run.own.memoryLimit = arguments.programMemory << 20U;
   run.patience = std::chrono::milliseconds(std::llround(1000 * arguments.patience));
-  // Somebody may look at a program in a process of its own with a debugger for any time.
+  // A program in its own process may be halted in a debugger for any time.
   run.own.patience = run.patience.count() > 0 ? run.patience : kNoEnd;
 }
 

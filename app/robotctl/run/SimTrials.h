@@ -10,7 +10,7 @@ namespace app {
 
 class ProgramTroubles;
 
-/// What went wrong with programs, for the figures of a run.
+/// Returns the problems of programs as JSON, for the figures of a run.
 nlohmann::json troublesJson(const ProgramTroubles& troubles);
 /// The exit status of what ended with a status, whose programs may have been in trouble.
 int withTroubles(int status, const ProgramTroubles& troubles);

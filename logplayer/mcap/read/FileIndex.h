@@ -54,7 +54,7 @@ struct FileIndex {
 
 /// The reason why a file must be scanned.
 struct NoSummary {
-  /// What is wrong with the summary; empty if it is valid but does not cover all messages.
+  /// The damage of the summary; empty if it is valid but does not cover all messages.
   std::string damage;
 };
 

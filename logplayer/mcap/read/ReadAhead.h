@@ -33,7 +33,7 @@ class ReadAhead {
   /// `records`, whose memory is reused, and so is the list of its messages for `listing`, if it is not null
   /// and its channels are those listed. Empty if this section is not being loaded.
   std::optional<Outcome> take(std::size_t number, Buffer& records, Listing* listing = nullptr);
-  /// To be called when sections have got other numbers.
+  /// Call this when sections have got other numbers.
   void forget();
 
  private:

@@ -22,7 +22,7 @@ struct ReaderParts;
 /// out to lie, also later, is scanned, hopping from record to record without decompressing; after damage the
 /// next plausible chunk is looked for; as long as a reader of such a file exists, others know what it found.
 /// CRCs are checked where there are any. What could not be read is counted in damage(), also what is only
-/// found later; reading goes on behind it. Messages outside of chunks are read, too.
+/// found later; reading continues behind it. Messages outside of chunks are read, too.
 ///
 /// One thread at a time. See MessageData for the lifetime of message data.
 class Reader {

@@ -21,7 +21,7 @@ class SectionCache {
   /// called.
   SectionCache(const Source& source, FileIndex& index, const ReadOptions& options);
 
-  /// To be called when an iteration has left a section. Its buffer is reused for the next section: it is
+  /// Call this when an iteration has left a section. Its buffer is reused for the next section: it is
   /// still in the processor's caches, which makes reading twice as fast.
   void leave(std::size_t section);
   /// Begins to load a section in another thread, because it is the one that will be requested next, and to
@@ -45,7 +45,7 @@ class SectionCache {
   void compareIndexes(std::size_t section, const MessageList& found);
   /// Reports the message indexes of a section as wrong and ignores them from now on.
   void distrustIndexes(std::size_t section);
-  /// Clears the cache; to be called when the index was replaced.
+  /// Clears the cache; call this when the index was replaced.
   void reset();
   /// Notes the times of a section's first and last message, should its head lie about them.
   void correctTimes(std::size_t section, Instant first, Instant last);

@@ -25,7 +25,7 @@ class Verification {
   void checkSection(std::size_t number);
   /// The messages in the records of a section, with its message indexes checked.
   Counts countWhole(std::size_t number);
-  /// Those that can be found in one whose records break off before its end.
+  /// Counts the records that can be found in a chunk whose records end prematurely.
   Counts countBroken(std::size_t number);
   void checkStatistics();
   std::optional<std::uint32_t> dataCrc(std::uint64_t before);

@@ -68,7 +68,7 @@ class Writer {
   /// Groups cannot be nested.
   void beginGroup();
   robotlink::Result<void> endGroup();
-  /// Writes the open chunk if it is old enough; to be called regularly while no messages arrive.
+  /// Writes the open chunk if it is old enough; call this regularly while no messages arrive.
   robotlink::Result<void> tick();
   /// Writes the open chunk whatever its age; within a group at the end of the group.
   robotlink::Result<void> flush();

@@ -88,7 +88,7 @@ class FieldLocalization : public SelfLocalization {
     // The pose of the camera of a robot that lies or hangs is not known.
     if (fallen || frame.carried) return frame;
     for (const robotcontrol::LandmarkPercept& percept : percepts_->landmarks()) addLandmark(percept);
-    // Those of an older image would be combined with another pose.
+    // Percepts of an older image would be combined with the wrong pose.
     if (lines_ && robotlink::instant(lines_->timestamp()) == robotlink::instant(percepts_->timestamp())) {
       for (const auto& point : lines_->points())
         points_.push_back({robotlink::vector2(point.position_in_robot()), point.direction()});

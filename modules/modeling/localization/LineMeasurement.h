@@ -9,7 +9,7 @@ namespace modules {
 struct LineMeasurement {
   /// On the ground, in the robot's frame, m.
   robotlink::Vector2 inRobot = robotlink::Vector2::Zero();
-  /// That of the line in the robot's frame, rad; NaN if it is unknown.
+  /// The direction of the line in the robot's frame, rad; NaN if unknown.
   double direction = 0;
 };
 

@@ -46,7 +46,7 @@ class PlayerKalman {
     Eigen::Vector4d state = Eigen::Vector4d::Zero();
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
     double confidence = 0;
-    /// It was seen in the present image.
+    /// The player was seen in the current image.
     bool seen = false;
   };
   const std::vector<Track>& tracks() const { return tracks_; }

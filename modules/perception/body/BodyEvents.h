@@ -9,7 +9,7 @@
 
 namespace modules {
 
-/// What has happened to the body. A plain value.
+/// Detected events of the robot's body: picked up, fallen, collided. A plain value.
 struct BodyEvents {
   bool pickedUp = false;
   bool fallen = false;
@@ -32,7 +32,7 @@ struct BodyFrame {
   std::array<double, 4> kneeTorques{};
   /// The robot walks.
   bool walking = false;
-  /// It plays key frames or gets up, so that its legs do what they never do otherwise.
+  /// The robot is playing a key-frame motion or getting up, so its leg motion is unusual.
   bool shaken = false;
 };
 

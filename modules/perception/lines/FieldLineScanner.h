@@ -15,7 +15,8 @@ struct LinePoint {
   robotlink::Vector2 inImage = robotlink::Vector2::Zero();
   /// On the ground, m.
   robotlink::Vector2 inRobot = robotlink::Vector2::Zero();
-  /// That of the edge in the robot's frame, from -pi/2 to pi/2, rad; NaN if the image does not show it.
+  /// The direction of the edge in the robot's frame, from -pi/2 to pi/2, rad; NaN if the image does not show
+  /// it.
   double direction = 0;
 };
 

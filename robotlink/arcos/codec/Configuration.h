@@ -96,7 +96,7 @@ struct Configuration {
   std::uint16_t shutdownDecivolts = 0;
   /// Version of the firmware.
   std::string version;
-  /// Calibration of the gyroscope, clockwise and counter-clockwise.
+  /// Calibration of the gyroscope, clockwise and counterclockwise.
   std::uint16_t gyroCw = 0;
   std::uint16_t gyroCcw = 0;
   std::uint8_t kinematicsDelayMs = 0;

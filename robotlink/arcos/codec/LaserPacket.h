@@ -10,7 +10,7 @@
 namespace robotlink::arcos {
 
 /// A part of a scan of a simulator's laser: id 0x60 (plain) with the robot's pose, or 0x61 (extended) with
-/// reflectances. Reading 0 is at the right end of the field of view, the others follow counter-clockwise. A
+/// reflectances. Reading 0 is at the right end of the field of view, the others follow counterclockwise. A
 /// scan is complete when first + readings.size() >= total.
 struct LaserPacket {
   static constexpr std::uint8_t kPlainId = 0x60;

@@ -10,7 +10,7 @@
 namespace robotlink::arcos {
 
 /// A complete scan of a simulator's laser. Reading 0 is at the right end of the field of view; the others
-/// follow counter-clockwise.
+/// follow counterclockwise.
 struct LaserScan {
   std::vector<std::uint16_t> rangesMm;
   /// One per reading; all 0 if the packets are plain.

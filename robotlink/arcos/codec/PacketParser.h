@@ -10,7 +10,7 @@ namespace robotlink::arcos {
 
 /// Received bytes that are not a packet.
 struct DamagedBytes {
-  /// What is wrong with them.
+  /// The kind of damage.
   enum class Kind {
     /// Bytes between packets.
     kGarbage,

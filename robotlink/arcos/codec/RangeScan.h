@@ -9,7 +9,7 @@
 namespace robotlink::arcos {
 
 /// A sweep of a laser, in SI units and radians. Reading i is in the direction startAngle + i * angleStep in
-/// the laser's frame, counter-clockwise. A plain value.
+/// the laser's frame, counterclockwise. A plain value.
 struct RangeScan {
   /// When its first part arrived.
   Instant time;

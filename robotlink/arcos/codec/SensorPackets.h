@@ -35,7 +35,7 @@ struct IoPacket {
 struct GyroPacket {
   static constexpr std::uint8_t kId = 0x98;
   struct Reading {
-    /// 10 bits, about 512 at rest, less when turning counter-clockwise.
+    /// 10 bits, about 512 at rest, less when turning counterclockwise.
     std::uint16_t rate = 0;
     /// In units of the sensor.
     std::uint8_t temperature = 0;

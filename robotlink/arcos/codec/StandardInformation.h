@@ -53,7 +53,7 @@ struct StandardInformation {
   // Pose by odometry.
   std::int16_t xMm = 0;
   std::int16_t yMm = 0;
-  /// 4096 per turn, counter-clockwise.
+  /// 4096 per turn, counterclockwise.
   std::int16_t heading4096 = 0;
   std::int16_t leftSpeedMmS = 0;
   std::int16_t rightSpeedMmS = 0;

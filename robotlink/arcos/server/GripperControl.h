@@ -7,7 +7,7 @@
 
 namespace robotlink::arcos {
 
-/// What the switches of a gripper report. A plain value.
+/// The readings of a gripper's switches. A plain value.
 struct GripperSensing {
   // The paddles are at their outer end, or as close together as they can be.
   bool open = false, closed = false;

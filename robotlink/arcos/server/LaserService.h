@@ -30,7 +30,7 @@ class LaserService {
   bool isOn() const { return laser_ && mode_ != Mode::kOff; }
   /// The number of readings in a scan as the client configured it.
   int readings() const;
-  /// Splits a scan into packets. `ranges` are all readings of the device, m, counter-clockwise; the
+  /// Splits a scan into packets. `ranges` are all readings of the device, m, counterclockwise; the
   /// odometry's pose and `moved` go into the packets. Empty if the laser is off.
   std::vector<Packet> packets(std::span<const double> ranges, const Pose2& odometry, bool moved) const;
 

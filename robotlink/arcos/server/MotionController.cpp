@@ -29,11 +29,11 @@ double parameter(double asked, double before, double top) {
   return magnitude > 0 ? std::min(magnitude, top) : before;
 }
 
-/// One step of a trapezoidal profile from `speed` towards `target`.
+/// One step of a trapezoidal profile from `speed` toward `target`.
 double approached(double speed, double target, double acceleration, double deceleration, double passed) {
   const bool slower = speed != 0 && (speed * target <= 0 || std::abs(target) < std::abs(speed));
   const double change = (slower ? deceleration : acceleration) * passed;
-  // It reverses at a standstill.
+  // The robot stops before it reverses.
   const double goal = slower && speed * target < 0 ? 0 : target;
   return speed < goal ? std::min(goal, speed + change) : std::max(goal, speed - change);
 }

@@ -94,7 +94,7 @@ class MotionController {
   /// Switches the motors. A robot starts from rest, and commands are forgotten when the motors are switched
   /// off.
   void enable(bool motors);
-  /// While held, the robot brakes and stands; afterwards it resumes its command.
+  /// While held, the robot brakes and stands; afterward it resumes its command.
   void hold(bool held) { held_ = held; }
   /// Stops at once and sets the odometry to 0, for encoders that start again. Motors and parameters keep
   /// their state.

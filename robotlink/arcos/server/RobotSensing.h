@@ -27,7 +27,7 @@ struct RobotSensing {
   double battery = 12.8;
   /// State of charge, 0 to 1.
   double charge = 1;
-  /// Rate measured by the gyroscope, rad/s, counter-clockwise.
+  /// Rate measured by the gyroscope, rad/s, counterclockwise.
   double rotationRate = 0;
   double temperature = 25;  ///< degC
   /// Only of a robot that has a gripper.
@@ -50,7 +50,7 @@ class RangeFinders {
   virtual ~RangeFinders() = default;
   /// The range in m; without an echo, the sonars' maximum or more.
   virtual double sonar(int number) = 0;
-  /// All readings of the device, m, counter-clockwise; valid until the next call.
+  /// All readings of the device, m, counterclockwise; valid until the next call.
   virtual std::span<const double> laser() = 0;
 };
 

@@ -20,7 +20,7 @@ struct ServerSettings {
   enum class Gyroscope : std::uint8_t { kNone = 0, kClient = 1, kRobot = 2 };
   /// The laser that goes over the robot's own line.
   struct Laser {
-    /// The angles of the first and the last reading, rad, counter-clockwise.
+    /// The angles of the first and the last reading, rad, counterclockwise.
     double startAngle = radians(-90.0), endAngle = radians(90.0);
     /// Meters.
     double maximum = 32.0;

@@ -36,7 +36,7 @@ int knownBaud(int baud) {
 
 SickSession::SickSession(Options options) : options_(options) {
   options_.baud = knownBaud(options.baud);
-  // It may still be as it was left.
+  // The laser may still use the rate that an earlier session set.
   baud_ = options_.baud;
 }
 

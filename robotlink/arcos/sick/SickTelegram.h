@@ -67,7 +67,7 @@ class SickParser {
   Counters counters_;
 };
 
-/// A sweep of the laser. Reading i is at startAngle + i * angleStep in the laser's frame, counter-clockwise.
+/// A sweep of the laser. Reading i is at startAngle + i * angleStep in the laser's frame, counterclockwise.
 struct SickReadings {
   double startAngle = 0, angleStep = 0;  ///< rad
   /// m; 0 where the laser saw nothing or was dazzled.

@@ -26,7 +26,7 @@ bool waitBriefly(std::chrono::microseconds limit, Condition condition) {
   }
 }
 
-/// Waits of one thread, again and again: it looks for a condition before it sleeps, as long as the waits are
+/// Waits of one thread, repeatedly: it looks for a condition before it sleeps, as long as the waits are
 /// brief. Where they are long, as between the steps of a simulation in real time, it sleeps at once.
 class BriefWait {
  public:

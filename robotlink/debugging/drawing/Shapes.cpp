@@ -22,7 +22,7 @@ bool inside(const Vector2& point, const Vector2& a, const Vector2& b, const Vect
   return cross(b - a, point - a) >= 0 && cross(c - b, point - b) >= 0 && cross(a - c, point - c) >= 0;
 }
 
-// The remaining corners, counter-clockwise.
+// The remaining corners, counterclockwise.
 using Ring = std::vector<std::uint32_t>;
 
 bool isEar(std::span<const Vector2> corners, const Ring& ring, std::size_t i) {

@@ -12,7 +12,7 @@ namespace robotlink {
 // Geometry shared by drawings in images and in scenes: curves as points, arrow heads, fills as triangles.
 
 /// Returns 32 points of an ellipse, evenly spaced in its parameter. `angle` is that of the first axis to the
-/// x-axis, towards the y-axis, rad.
+/// x-axis, toward the y-axis, rad.
 std::vector<Vector2> ellipsePoints(const Vector2& center, const Vector2& radii, double angle);
 
 /// The ends of the two strokes of an arrow's head.

@@ -17,7 +17,7 @@ namespace robotlink {
 
 class ProcessChannel;
 
-/// What the debug process knows of the programs that run the other processes of its layout: whether they
+/// Tracks the programs that run the other processes of a layout, for the debug process: whether they
 /// run and their processes return, and what they were asked for, which a program gets again when it was
 /// started again. Used by the debug process; internal to this folder.
 class OtherPrograms {

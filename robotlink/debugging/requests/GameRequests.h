@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be wrong with a request to the referee of a simulated game, for the table of RequestKinds.cpp.
+// Validates requests to the referee of a simulated game, for the table of RequestKinds.cpp.
 #pragma once
 
 #include <string>

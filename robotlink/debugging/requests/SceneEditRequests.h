@@ -9,9 +9,9 @@ class Request;
 
 namespace robotlink {
 
-// What the table of kinds of requests knows of EditScene.
+// Validates EditScene requests and finds the files that they name, for the table of RequestKinds.cpp.
 
-/// What is wrong with such a request, whatever the scene is; empty: nothing.
+/// Returns the problem with such a request, independent of the scene; empty if it is valid.
 std::string wrongSceneEdit(const robotcontrol::Request& request);
 /// The model's file that it names; empty if the model is to be found by its name, on the search path that
 /// somebody here has chosen.

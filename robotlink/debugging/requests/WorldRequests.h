@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be wrong with requests that act by hand on a simulated world, for the table of RequestKinds.cpp.
+// Validates requests that manipulate a simulated world, for the table of RequestKinds.cpp.
 // Each function returns a sentence for users, or nothing; a request of another kind is not passed to it.
 #pragma once
 

@@ -16,7 +16,7 @@ namespace robotlink::websocket {
 inline constexpr char kServiceFailure[] = "foxglove.service";
 
 /// The client's end of the Foxglove WebSocket protocol, without a transport: what is asked of a server, what
-/// it offers, and what waits to be sent to it. A Connector connects it with TCP, again and again; what was
+/// it offers, and what waits to be sent to it. A Connector connects it with TCP, repeatedly; what was
 /// asked for is asked for again at each connection.
 ///
 /// The functions of the user's side may be called from any thread and never wait for the server.

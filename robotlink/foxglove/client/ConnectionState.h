@@ -9,18 +9,18 @@
 
 namespace robotlink::websocket {
 
-/// What a server objects to, if a person can do something about it. A plain value.
+/// An objection of a server that the user can resolve, such as a missing token. A plain value.
 struct ServerObjection {
   enum class Kind {
     kNone,
     kToken,             ///< it wants another token
-    kNewCertificate,    ///< it was never seen, and nobody has said yet that it is the one that is meant
+    kNewCertificate,    ///< unknown certificate, which the user has not confirmed yet
     kOtherCertificate,  ///< it does not show the certificate that it showed before
   };
   Kind kind = Kind::kNone;
   /// "HOST:PORT", as KnownServers has it; of certificates.
   std::string server = {};
-  /// Those of the certificate that it shows, and of the one that is known.
+  /// The fingerprints of the presented certificate and of the known one.
   std::string fingerprint = {}, knownFingerprint = {};
   bool operator==(const ServerObjection&) const = default;
 };
@@ -31,7 +31,7 @@ struct ConnectionState {
     kConnecting,  ///< for the first time, or again after the server ended the connection
     kConnected,
     kSilent,   ///< was connected; nothing has been heard since
-    kRefused,  ///< the server does not want this client; tried again now and then
+    kRefused,  ///< the server does not want this client; tried again from time to time
   };
   Phase phase = Phase::kConnecting;
   /// When the phase began, by the client's clock; silence begins with the last byte that was heard.

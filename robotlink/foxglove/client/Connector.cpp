@@ -79,7 +79,7 @@ class ConnectorThread {
   void drop();
 
   asio::steady_timer timer_{context};
-  /// The one that is under way, however many tries it takes.
+  /// The connection in progress, over all its attempts.
   std::shared_ptr<HostLookup> lookup_;
   /// What the newest lookup that succeeded has found; a cut line may keep others from it.
   std::vector<std::string> addresses_;
@@ -193,7 +193,7 @@ void ServerConnection::onUpgraded(error_code error) {
 void ServerConnection::onRead(error_code error, std::size_t bytes) {
   if (hasEnded_) return;
   const Connector::Options& options = thread_.options;
-  // The next try would end in the same way.
+  // Another attempt would fail in the same way.
   if (error == websocket::error::message_too_big)
     return fail(Failure::kRefused, whyTooLong(options.messageBytes));
   // Whatever becomes of the connection when the server has said why it ends it.
@@ -307,7 +307,7 @@ void ConnectorThread::run() {
     try {
       context.run();
     } catch (const std::exception& problem) {
-      // Memory ran out, say. What the connection was doing is not continued, so it is made again.
+      // For example, out of memory. The connection's state is unknown, so it is replaced by a new one.
       asio::post(context, [this, what = std::string(problem.what())] {
         failed(Failure::kEnded, "a message of the robot could not be handled: " + what);
       });
@@ -329,7 +329,7 @@ void ConnectorThread::tickLater() {
 }
 
 void ConnectorThread::tick() {
-  tickLater();  // first: it goes on, whatever throws
+  tickLater();  // first, so that ticking continues even if something below throws
   if (isConnecting_) connectIfFound();
   switch (watch.next(now())) {
     case LinkWatch::Action::kConnect:
@@ -393,7 +393,7 @@ void ConnectorThread::failed(Failure failure, const std::string& reason, ServerO
 
 void ConnectorThread::drop() {
   isConnecting_ = false;
-  // It may be what calls this.
+  // The connection that is being ended may be the caller.
   if (const auto connection = std::exchange(connection_, nullptr)) connection->end();
   client->lost();
 }

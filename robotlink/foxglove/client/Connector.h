@@ -13,7 +13,7 @@ namespace robotlink::websocket {
 
 class ConnectorThread;
 
-/// Connects a client with a server by WebSocket, again and again until it is destroyed. One thread of its own
+/// Connects a client with a server by WebSocket, repeatedly until it is destroyed. One thread of its own
 /// does all input and output and calls the client's handlers; nothing blocks the user of the client. The
 /// destructor ends the connection and waits for the thread; it must not run in a handler. What went wrong is
 /// in Client::state().

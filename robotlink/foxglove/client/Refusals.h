@@ -6,29 +6,29 @@
 
 namespace robotlink::websocket {
 
-// Why there is no connection, as sentences that say what to do.
+// Sentences that tell the user why a connection failed and what to do.
 
-/// The token cannot be one of a robot; empty: it may be, or none was given.
+/// The sentence for a malformed token; empty if it is well-formed or not given.
 std::string whyNoToken(const std::string& token);
-/// TCP could not be connected.
+/// The sentence for a failed TCP connection.
 std::string whyNotReached(const boost::system::error_code& error);
-/// Encryption could not be agreed on.
+/// The sentence for a failed TLS handshake.
 std::string whyNotSecured(const boost::system::error_code& error);
-/// What listens did not answer as a WebSocket server does.
+/// The sentence for an address that is not served by a WebSocket server.
 std::string whyNoHandshake(const boost::system::error_code& error);
-/// Whether a token was shown to it.
+/// Whether the client presented a token to the server.
 enum class ShownToken : bool { kNone, kOne };
-/// It answered with another HTTP status than 101, and this text.
+/// The sentence for an HTTP status other than 101, with the server's text.
 std::string whyRefused(unsigned status, const std::string& text, ShownToken shown);
-/// It chose this sub-protocol.
+/// The sentence for a server that chose an unsupported subprotocol.
 std::string whyOtherProtocol(const std::string& protocol);
-/// It ended the connection with this reason, which may be empty.
+/// The sentence for a connection that the server closed with a reason, which may be empty.
 std::string whyClosed(const std::string& reason);
-/// It sent a message of more than `maxBytes`.
+/// The sentence for a message from the server that exceeds `maxBytes`.
 std::string whyTooLong(std::size_t maxBytes);
-/// It ended the connection because of a message that was sent to it.
+/// The sentence for a connection that the server closed because a message of this client was too large.
 std::string whyTooLongForThem();
-/// The connection broke.
+/// The sentence for a connection that was lost.
 std::string whyBroken(const boost::system::error_code& error);
 
 }  // namespace robotlink::websocket

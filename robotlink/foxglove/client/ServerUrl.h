@@ -9,7 +9,7 @@
 
 namespace robotlink::websocket {
 
-/// Where a server is: ws://HOST[:PORT][/TARGET], or wss:// with encryption.
+/// The URL of a server: ws://HOST[:PORT][/TARGET], or wss:// with encryption.
 struct ServerUrl {
   bool isEncrypted = false;
   /// A name or an IP address; one of IPv6 without its brackets.
@@ -24,7 +24,7 @@ struct ServerUrl {
 bool isServerUrl(std::string_view text);
 /// Reads a URL; without a port it is 8765. The error says how to write one.
 Result<ServerUrl> parseServerUrl(std::string_view text);
-/// As it is read, but without what is behind a question mark, which may be a token: for users and logs.
+/// The URL for users and logs: without its query, which may contain a token.
 std::string toString(const ServerUrl& url);
 
 }  // namespace robotlink::websocket

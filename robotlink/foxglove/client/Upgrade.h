@@ -19,14 +19,14 @@ namespace robotlink::websocket {
 
 using ClientSocket = boost::beast::websocket::stream<TransportStream>;
 
-/// What is asked for. A plain value.
+/// The HTTP upgrade request of a client. A plain value.
 struct UpgradeRequest {
   ServerUrl url;
   /// Shown as "Authorization: Bearer TOKEN"; empty: none.
   std::string token = {};
   /// What the client calls itself.
   std::string name = {};
-  /// The longest message that is taken afterwards.
+  /// The longest message that is taken afterward.
   std::size_t messageBytes = 0;
 };
 

@@ -6,7 +6,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/foxglove/protocol/Value.h"
 
-// What a client says to a server: as JSON if the message has a kOp, else binary. Members of type
+// The messages from a client to a server: JSON if the message has a kOp, else binary. Members of type
 // std::string_view are parts of the frame that was decoded, or of what the caller keeps until the message is
 // encoded.
 namespace robotlink::websocket {

@@ -6,8 +6,8 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/foxglove/protocol/Value.h"
 
-// What a server says to a client: as JSON if the message has a kOp, else binary. Schemas are bytes as they
-// are, also where the wire has base64. Members of type std::string_view are parts of the frame that was
+// The messages from a server to a client: JSON if the message has a kOp, else binary. Schemas are bytes as
+// they are, also where the wire has base64. Members of type std::string_view are parts of the frame that was
 // decoded, or of what the caller keeps until the message is encoded.
 namespace robotlink::websocket {
 

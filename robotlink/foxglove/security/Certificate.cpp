@@ -121,7 +121,7 @@ Result<Certificate> loadOrMakeCertificate(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, error)) {
     const auto made = makeCertificate(hostName());
     if (!made) return tl::unexpected(made.error());
-    // Somebody else may make it at the same time: then that one counts.
+    // Another process may create the file at the same time; then that file is used.
     if (const auto created = createSecret(file, made->pem); !created) return tl::unexpected(created.error());
   }
   auto text = readSecret(file);

@@ -21,7 +21,7 @@ class KnownServers {
  public:
   using Fingerprints = std::map<std::string, std::string>;
 
-  /// That of the user, in stateDirectory().
+  /// The path of the user's file, in stateDirectory().
   static std::filesystem::path defaultFile();
   explicit KnownServers(std::filesystem::path file = defaultFile()) : file_(std::move(file)) {}
 

@@ -21,7 +21,7 @@ error_code restrict(ssl::context& context) {
   error_code error;
   context.set_options(ssl::context::no_compression | ssl::context::default_workarounds, error);
   SSL_CTX_set_options(handle, SSL_OP_NO_RENEGOTIATION);
-  // Nothing is resumed: sessions would only be kept.
+  // No session tickets: sessions are never resumed.
   SSL_CTX_set_options(handle, SSL_OP_NO_TICKET);
   SSL_CTX_set_session_cache_mode(handle, SSL_SESS_CACHE_OFF);
   SSL_CTX_set_num_tickets(handle, 0);

@@ -9,7 +9,7 @@
 
 namespace robotlink::websocket {
 
-/// What clients show to be let in: one token for those who may do everything, one for those who may only
+/// The tokens that authorize clients: one for clients with full control, one for those that may only
 /// watch. An empty one lets nobody in.
 struct Tokens {
   std::string control, watch;

@@ -10,7 +10,7 @@
 
 namespace robotlink::websocket {
 
-/// What an HTTP request to the port says that matters here. Fields that are not there are empty.
+/// The fields of an HTTP upgrade request that matter for admission. Missing fields are empty.
 struct Knock {
   bool isWebSocket = false;
   /// The machine that asks, without its port.

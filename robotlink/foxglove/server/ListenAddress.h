@@ -9,7 +9,7 @@
 
 namespace robotlink::websocket {
 
-/// Where to listen: an address of this machine, or all of them (0.0.0.0, ::).
+/// An address to listen on: one of this machine, or all of them (0.0.0.0, ::).
 struct ListenAddress {
   std::string address = "127.0.0.1";
   /// 0: any that is free.

@@ -83,12 +83,12 @@ void ListenerPort::run() {
   }
 }
 
-/// Nothing may leave the thread by an exception.
+/// Reports a sentence without throwing; an exception would end the thread and the process.
 void ListenerPort::tryReport(const std::string& sentence) {
   try {
     report(sentence);
   } catch (const std::exception&) {
-    // There is nobody whom this could be said to.
+    // There is no one left to report this to.
   }
 }
 
@@ -153,7 +153,7 @@ void ListenerPort::tickLater() {
   timer_.async_wait([this](error_code) {
     isTicking_ = false;
     if (!isAccepting_) accept();
-    tickLater();                            // before the connections: it goes on, whatever one of them throws
+    tickLater();  // before the connections, so that it continues even if one of them throws
     const auto connections = connections_;  // some end meanwhile
     for (const auto& connection : connections) connection->tick(now());
   });

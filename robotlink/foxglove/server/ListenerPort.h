@@ -69,7 +69,7 @@ class ListenerPort {
     return {options.address.address, acceptor_.local_endpoint(ignored).port()};
   }
   Instant now() const { return options.clock->now(); }
-  /// Tells the robot's log. A page or program that tries again and again must not fill that: at most
+  /// Tells the robot's log. A page or program that tries repeatedly must not fill that: at most
   /// kMaxReports of kReportTime are reported, the others are counted.
   void report(const std::string& sentence);
   void add(const ConnectionPtr& connection);

@@ -118,7 +118,7 @@ std::optional<Outgoing> Outbox::next(Instant now) {
   return message;
 }
 
-/// Those of one stream are due together, so the one that is due is its first.
+/// Removes the first message of a stream: all messages of a stream are due together.
 Outgoing Outbox::takeFirst(Stream& stream) {
   Outgoing message = std::move(stream.waiting.front()->message);
   stream.line->sent += message.size();

@@ -48,7 +48,7 @@ struct Outgoing {
 /// What waits to be sent to one client. Control messages go first and without regard to the budget; messages
 /// of streams follow in the order in which their turns came: a message that replaces another takes its turn.
 /// Small and large ones have a line of turns each, and while both wait, both get the same number of bytes: on
-/// a narrow line many readings pass an image, which otherwise would each wait for one. A stream with a rate
+/// a slow link many readings pass an image, which otherwise would each wait for one. A stream with a rate
 /// keeps its newest message until that is due. Memory is bounded; payloads are shared. Not thread-safe.
 class Outbox {
  public:
@@ -141,7 +141,7 @@ class Outbox {
   Allowance budget_;
   std::deque<Outgoing> control_;
   std::size_t controlBytes_ = 0, streamBytes_ = 0;
-  /// Those of streamBytes_ that are in messages of up to Limits::calmBytes.
+  /// The part of streamBytes_ in messages of up to Limits::calmBytes.
   std::size_t smallBytes_ = 0;
   Line small_, large_;
   std::uint64_t turnCount_ = 0;

@@ -10,7 +10,7 @@
 
 namespace robotlink::websocket {
 
-/// What a server knows of a client. The server's mutex protects all but the information and what is atomic.
+/// A server's state for one client. The server's mutex protects all but the information and atomic members.
 struct ServedClient {
   const ClientInfo info;
   Outbox outbox;

@@ -284,7 +284,7 @@ ServerInfo Server::info(const ServedClient& client) const {
 
 std::vector<Server::SharedFrame> Server::offer() const {
   std::vector<SharedFrame> offer;
-  // Services first: STOP is one of them, and the channels with their schemas take a narrow line long.
+  // Services first: STOP is one of them, and the channels with their schemas take a slow link long.
   AdvertiseServices services;
   for (const auto& [id, offered] : services_) services.services.push_back(offered.service);
   if (!services.services.empty()) offer.push_back(sharedFrame(services));

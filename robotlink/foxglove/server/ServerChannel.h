@@ -12,7 +12,7 @@ class Server;
 struct ServedClient;
 using ClientPtr = std::shared_ptr<ServedClient>;
 
-/// What a channel is, but its id, which the server gives.
+/// The description of a channel, without its id, which the server assigns.
 struct ChannelSetup {
   std::string topic, encoding, schemaName, schema;
   /// Empty: that of the encoding.

@@ -203,7 +203,7 @@ void StreamConnection::upgrade(const std::string& protocol) {
   socket_.async_accept(parser_.get(), handler(&StreamConnection::onOpen));
 }
 
-/// A robot's messages repeat names, and its channels repeat schemas, so that narrow lines carry several times
+/// A robot's messages repeat names, and its channels repeat schemas, so that slow links carry several times
 /// as much.
 void StreamConnection::offerCompression() {
   error_code error;

@@ -15,7 +15,7 @@ class SolutionTable;
 
 namespace robotlink::websocket {
 
-// What clients publish to steer a robot, each newest message being what counts:
+// The topics on which clients publish commands for a robot; only the newest message of each counts:
 //   ROBOT/remote/motion  robotcontrol.RemoteMotion: how it moves, and its head
 //   ROBOT/remote/drive   robotcontrol.DriveRequest: only how fast; 0 is to stand
 //   ROBOT/remote/goal    robotcontrol.DriveGoal

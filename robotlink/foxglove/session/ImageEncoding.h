@@ -16,7 +16,7 @@ namespace robotlink::websocket {
 /// Makes a foxglove.CompressedImage of a foxglove.RawImage; null: it cannot. Any thread.
 using ImageEncoder = std::function<PackagePtr(const google::protobuf::Message& image)>;
 
-/// Encodes images for narrow lines, and publishes them, in a thread of its own: whoever has an image never
+/// Encodes images for slow links, and publishes them, in a thread of its own: whoever has an image never
 /// waits for that. Images of a channel keep their order. Where images come faster than they are encoded, the
 /// oldest of a channel are left out, and count as thinned for its subscribers. Functions may be called from
 /// any thread.

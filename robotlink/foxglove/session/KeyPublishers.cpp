@@ -8,7 +8,7 @@
 namespace robotlink::websocket {
 namespace {
 
-/// A server that goes on to invent processes.
+/// A server that continues to invent processes.
 constexpr std::size_t kMaxProcesses = 100;
 
 }  // namespace

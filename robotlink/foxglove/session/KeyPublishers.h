@@ -12,9 +12,9 @@ class ProcessTable;
 
 namespace robotlink::websocket {
 
-/// Which process of a robot elsewhere publishes what its debug keys switch on, as the tables of its processes
-/// say. A message of a hosted robot names its process; over a link it has to be known, since drawings belong
-/// to frames of their processes (FrameDrawings.h). One thread.
+/// Finds the process of a remote robot that publishes the output of a debug key, from the tables of its
+/// processes say. A message of a hosted robot names its process; over a link it has to be known, since
+/// drawings belong to frames of their processes (FrameDrawings.h). One thread.
 class KeyPublishers {
  public:
   /// The table of one process has come.

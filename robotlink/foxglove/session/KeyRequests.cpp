@@ -190,7 +190,7 @@ std::optional<KeyMode> KeyRequests::choose(const std::string& robot, const std::
   std::erase_if(found->second.choices, [&](const auto& choice) { return choice.first == client; });
   if (mode) found->second.choices.emplace_back(client, *mode);
   const auto wanted = wantedMode(found->second, known->second);
-  // It counts from zero, also if the same was asked for before.
+  // The count restarts from zero, even if the same mode was requested before.
   if (mode && mode->kind() == KeyMode::N_TIMES && wanted && isSame(*wanted, *mode))
     found->second.asked.Clear();
   known->second.hasChanged = true;

@@ -45,7 +45,7 @@ class KeyRequests {
   void forgetSubscribers(const std::string& robot);
   /// The newest table of a robot's keys.
   void setTable(const std::string& robot, const robotcontrol::KeyTable& table);
-  /// Somebody at this machine (a view, a script) sets a key explicitly. Ignored while this object itself
+  /// Call this when a local view or script sets a key explicitly. Ignored while this object itself
   /// does.
   void noteChosen(const std::string& robot, const std::string& key, const robotcontrol::KeyMode& mode);
 

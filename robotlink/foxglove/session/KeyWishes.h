@@ -20,7 +20,7 @@ class KeyWishes {
  public:
   /// What a request to set a key leads to.
   struct Outcome {
-    /// It goes to the robot, too, as a request, which is a choice there.
+    /// Whether the request is also forwarded to the robot, where it counts as this client's choice.
     bool isForwarded = false;
     /// The streams that are wanted have changed.
     bool hasChanged = false;
@@ -31,7 +31,7 @@ class KeyWishes {
   Outcome set(const robotcontrol::SetKey& request);
   /// The mode that a key has for this client, as long as it is connected; nothing if it has chosen none.
   std::optional<robotcontrol::KeyMode> choice(const std::string& key) const;
-  /// The robot does not know any more what was chosen.
+  /// Marks all choices as unsent, because the robot has forgotten them.
   void setUnsent();
   /// The keys whose modes have to be sent.
   std::vector<std::string> takeUnsent();

@@ -3,12 +3,12 @@
 
 namespace robotlink::websocket {
 
-// What SessionServer and SessionClient agree on, beside the protocol.
+// Names that SessionServer and SessionClient share in addition to the protocol.
 
 /// The key in the metadata of servers that offer a session.
 inline constexpr char kSessionKey[] = "robotcontrol/session";
 /// The group of parameters that exist while a debug key is on only because clients subscribe to what it
-/// publishes: "red1/on-demand/ball-percept/disc". Their values are who does.
+/// publishes: "red1/on-demand/ball-percept/disc". Their values are the names of these clients.
 inline constexpr char kOnDemandGroup[] = "on-demand";
 
 /// What is behind the path of a channel of images for the channels of the same images as JPEG and as PNG.

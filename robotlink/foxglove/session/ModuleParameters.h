@@ -77,7 +77,7 @@ class ModuleParameters {
 
   std::map<SolutionId, Known> solutions_;
   std::map<std::string, Place> places_;
-  /// Those of the newest tables, and whether they were asked for.
+  /// The solutions of the newest tables, each with whether its parameters were requested.
   std::map<SolutionId, bool> tables_;
 };
 

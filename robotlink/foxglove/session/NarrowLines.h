@@ -22,7 +22,7 @@ class NarrowLines {
     /// A sentence for the user.
     std::string text;
   };
-  /// To be called now and then; `topics` are those of raw images.
+  /// Call this from time to time; `topics` are those of raw images.
   std::vector<Finding> look(const std::vector<ClientState>& clients, const std::set<std::string>& topics,
                             Instant now);
 

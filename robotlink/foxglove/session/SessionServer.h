@@ -54,7 +54,7 @@ class SessionServer {
 
   /// Keyed by kJpegChannel and kPngChannel.
   using ImageEncoders = std::map<std::string, ImageEncoder>;
-  /// From now on each channel of images has others, "red1/camera/image/jpeg", for narrow lines. Images are
+  /// From now on each channel of images has others, "red1/camera/image/jpeg", for slow links. Images are
   /// encoded once for all clients, while somebody subscribes, in a thread of its own. Call it once.
   void setImageEncoders(ImageEncoders encoders);
   /// Blocks until all images that tick() has taken are encoded.
@@ -88,7 +88,7 @@ class SessionServer {
   /// For a Listener.
   const std::shared_ptr<Server>& server() const { return server_; }
 
-  /// The person at this machine steers a robot from now on, whoever did before; or gives it up.
+  /// The local user takes control of a robot, even if a client has it, or gives control up.
   void steer(const std::string& robot, bool giveUp);
   /// Does what clients asked for since the last time, and announces what is new. Call it after
   /// Session::tick().
@@ -190,7 +190,7 @@ class SessionServer {
   void command(const ClientInfo& client, const ClientChannel& channel, const std::string& payload);
   /// Null: the channel is for the programs.
   const ClientStream* clientStreamOf(const ClientChannel& channel) const;
-  /// What is wrong with a channel that a client has announced; empty if nothing is.
+  /// Returns the problem with a channel that a client has advertised; empty if it is valid.
   std::string problemOf(const ClientChannel& channel) const;
   /// Tells a client what is wrong with what it publishes, if that is news; empty: nothing is.
   void complain(const ClientInfo& client, const std::string& topic, const std::string& why);

@@ -344,7 +344,7 @@ void SessionServer::setKey(const ClientInfo& client, const Request& wanted,
 }
 
 std::optional<Request> SessionServer::chosenBy(const ClientInfo& client, Request request) {
-  // It may be gone already.
+  // The client may have disconnected already.
   if (!clients_.contains(client.id)) return std::nullopt;
   robotcontrol::SetKey& key = *request.mutable_set_key();
   const auto chosen = key.has_mode() ? std::optional(key.mode()) : std::nullopt;
@@ -369,7 +369,7 @@ void SessionServer::setMode(const std::string& robot, const std::string& key,
   });
 }
 
-/// That comes as it was recorded, whether the program that runs on the log can publish it or not.
+/// Whether a key is published as it was recorded, even if the program that runs on the log cannot publish it.
 bool SessionServer::isLogged(const std::string& robot, const std::string& key) const {
   const auto known = robots_.find(robot);
   if (known == robots_.end() || session_.store().find(streams::kReplay) == nullptr) return false;

@@ -100,7 +100,7 @@ void Steering::noteLocal(const Request& request, Instant now) {
     robot.silentSince.reset();
     publish(request.robot(), robot, robot.who + " steers");
   }
-  // Nobody watches these: there is no link that could be lost.
+  // Local control needs no watchdog: there is no link that could be lost.
   robot.motion.reset();
   robot.goal.reset();
   robot.toAsk.clear();
@@ -153,7 +153,7 @@ void Steering::note(Robot& robot, const Request& request, Instant now) {
   if (request.has_motion()) {
     const bool isMoving = request.motion().motion().kind() != MotionRequest::STAND;
     robot.motion = isMoving ? std::optional(request) : std::nullopt;
-    // It takes the place of what was asked here.
+    // The new motion replaces the pending local ones.
     std::erase_if(robot.toAsk, [](const Request& asked) { return asked.has_motion(); });
   }
   if (request.has_set_goal()) {
@@ -183,7 +183,7 @@ void Steering::stand(const std::string& name, Robot& robot) {
 void Steering::watchMotion(const std::string& name, Robot& robot, Instant now) {
   if (robot.client == 0 || !robot.motion || now - robot.commandedAt <= limits_.commandTime) return;
   stand(name, robot);
-  if (robot.goal) robot.toAsk.pop_back();  // the robot goes on to it
+  if (robot.goal) robot.toAsk.pop_back();  // the robot continues to it
   publish(
       name, robot,
       robot.who + " did not repeat its motion for " + inSeconds(limits_.commandTime) + ": the robot stands");

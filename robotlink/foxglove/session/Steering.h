@@ -61,21 +61,22 @@ class Steering {
   /// A client wants to steer. Returns why it may not, or nothing: then it steers, and the request is to be
   /// passed on. A motion that is only to stand is passed on, too, but who sends it does not steer for that.
   std::string admit(const ClientInfo& client, const robotcontrol::Request& request, Instant now);
-  /// A client steers from now on, whoever did before; the robot stands until it is commanded.
+  /// Gives control of a robot to a client, even if another one has it; the robot stays still until the next
+  /// command.
   void takeOver(const ClientInfo& client, const std::string& robot, Instant now);
   void giveUp(const ClientInfo& client, const std::string& robot, Instant now);
-  /// Somebody at the robot's own machine steers.
+  /// Call this when a local user (at the robot's own machine) sends a motion request.
   void noteLocal(const robotcontrol::Request& request, Instant now);
-  /// Somebody at the robot's own machine steers from now on, whoever did before; the robot stands until it is
+  /// Gives control of a robot to the local user, even if a client has it; the robot stays still until it is
   /// commanded.
   void takeOverHere(const std::string& robot, Instant now);
-  /// Nobody at the robot's own machine steers any more.
+  /// Releases the control that the local user has of a robot.
   void giveUpHere(const std::string& robot);
   /// A client came; perhaps one that steered before the line was lost.
   void joined(const ClientInfo& client);
   /// Lets all robots stand that clients steer, because the link ends.
   void end();
-  /// Looks at the times; to be called often.
+  /// Looks at the times; call this often.
   void tick(Instant now);
   /// Forgets a robot.
   void remove(const std::string& robot) { robots_.erase(robot); }
@@ -83,7 +84,7 @@ class Steering {
   const Limits& limits() const { return limits_; }
   /// The person or program that steers a robot.
   Status status(const std::string& robot) const;
-  /// Those whose links have to be watched closely.
+  /// The clients whose links must be monitored closely.
   std::set<std::uint64_t> clients() const;
 
  private:
@@ -113,7 +114,7 @@ class Steering {
   void watchMotion(const std::string& name, Robot& robot, Instant now);
   void watchLink(const std::string& name, Robot& robot, Instant now);
   void forgetIdle(const std::string& name, Robot& robot, Instant now);
-  /// Asks what is to be asked, again and again until it is accepted.
+  /// Asks what is to be asked, repeatedly until it is accepted.
   void ask(const std::string& name, Robot& robot, Instant now);
   void publish(const std::string& name, Robot& robot, const std::string& text);
   bool isFree(const Robot& robot, const ClientInfo& client, Instant now) const;

@@ -91,7 +91,7 @@ class TransportStream::State : public std::enable_shared_from_this<State> {
   }
 
   void writeAll() {
-    if (isWriting_) return;  // onWritten() goes on
+    if (isWriting_) return;  // onWritten() continues
     isWriting_ = true;
     writing_.swap(gathered_);
     gathered_.clear();
@@ -109,7 +109,7 @@ class TransportStream::State : public std::enable_shared_from_this<State> {
   void onWritten(error_code error, Write done) {
     isWriting_ = false;
     if (error) error_ = error;
-    // It may begin the next write.
+    // The handler may begin the next write.
     if (done.handler) done.handler(error_, error_ ? 0 : done.bytes);
     if (next_.handler || (!isGathering_ && !gathered_.empty())) writeAll();
   }

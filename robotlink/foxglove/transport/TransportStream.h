@@ -140,7 +140,7 @@ class TransportStream {
   void startWrite(asio::const_buffer large, std::size_t bytes, TransportHandler handler);
   void startTeardown(boost::beast::role_type role, TransportEnd handler);
 
-  /// What is under way holds it, too.
+  /// Operations in progress share ownership.
   const std::shared_ptr<State> state_;
 };
 

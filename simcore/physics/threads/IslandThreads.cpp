@@ -27,7 +27,7 @@ struct IslandThreads::Call {
 
 class IslandThreads::Job {
  public:
-  /// That of the calling thread.
+  /// The job that the calling thread executes.
   static Job& ofThread() {
     thread_local Job job;
     return job;

@@ -80,7 +80,7 @@ class ExportDialogTest : public QObject {
     log.type(QStringLiteral("  "));
     QVERIFY(!ok.isEnabled());
     QCOMPARE(child<QLabel>(*log.dialog, "exportSummary").text(),
-             QStringLiteral("Choose where it is written to."));
+             QStringLiteral("Choose the output file or folder."));
   }
 
   void aFileThatWouldBeReplacedIsMentioned() {

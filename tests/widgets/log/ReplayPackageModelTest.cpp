@@ -69,7 +69,7 @@ TEST_F(ReplayPackageModelTest, whereASourceIsNotPossibleItSaysWhy) {
   status.mutable_packages(1)->clear_why_not();
   status.mutable_packages(1)->set_logged(false);
   show();
-  EXPECT_EQ(model.reason(1, ControlReplay::RECOMPUTED).toStdString(), "no task of the program yields it");
+  EXPECT_EQ(model.reason(1, ControlReplay::RECOMPUTED).toStdString(), "no task of the program produces it");
   EXPECT_EQ(model.reason(1, ControlReplay::AS_LOGGED).toStdString(), "the log does not hold it");
   EXPECT_EQ(text(1, ReplayPackageModel::kSource), "not available");
 }

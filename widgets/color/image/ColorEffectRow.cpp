@@ -25,7 +25,7 @@ constexpr double kLargeLoss = 0.1;
 ColorEffectRow::ColorEffectRow(ColorBench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
   setObjectName(QStringLiteral("colorEffectRow"));
   text_ = new QLabel(this);
-  describe(*text_, {"colorEffect", tr("What the stroke takes from other classes"), {}});
+  describe(*text_, {"colorEffect", tr("Pixels that the stroke takes from other classes"), {}});
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   drop_ = new QToolButton(this);
   describe(*drop_, {"colorDropOutliers", tr("Drop outliers"),

@@ -17,7 +17,7 @@ namespace widgets {
 class ColorBench;
 
 /// One line that says what a stroke takes from other classes: while it is drawn in the current image,
-/// afterwards in the collected images as well. A button removes from the stroke the pixels that the table had
+/// afterward in the collected images as well. A button removes from the stroke the pixels that the table had
 /// in another class. Hidden while there is nothing to say. GUI thread.
 class ColorEffectRow final : public QWidget {
   Q_OBJECT

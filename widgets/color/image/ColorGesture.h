@@ -10,7 +10,7 @@
 
 namespace widgets {
 
-/// What the mouse does in an image of the color tool.
+/// The mouse tools of the color image.
 enum class ColorTool : std::uint8_t {
   /// The pixel that is clicked.
   kPoint,

@@ -60,7 +60,7 @@ ColorImageView::ColorImageView(ViewContext& context, QWidget* parent)
 ColorImageView::~ColorImageView() = default;
 
 void ColorImageView::createActions() {
-  fit_ = makeFit(tr("Shows the whole image, as large as it fits"));
+  fit_ = makeFit(tr("Fits the whole image into the view"));
   oneToOne_ =
       makeAction(this, "one-to-one", {"colorOneToOne", tr("1:1"), tr("Shows the image pixel by pixel")});
   freeze_ = makeFreeze();

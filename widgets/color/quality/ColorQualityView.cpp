@@ -211,8 +211,8 @@ QString ColorQualityView::referenceNote(const colortool::Evaluation& own,
   const QString better = recall >= 0 && wrong <= 0
                              ? (recall > 0 || wrong < 0 ? tr("yours is better") : tr("both are alike"))
                          : recall <= 0 && wrong >= 0 ? tr("that one is better")
-                         : recall > 0                ? tr("yours finds more, but has more false colors")
-                                                     : tr("yours finds less, but has fewer false colors");
+                         : recall > 0                ? tr("your table finds more, but has more false colors")
+                                      : tr("your table finds less, but has fewer false colors");
   return tr("%1: mean recall %2, false colors %3; %4.")
       .arg(bench_.referenceName(), figure(theirs.meanRecall()), figure(theirs.falseColors()), better);
 }

@@ -42,11 +42,11 @@ class HeatDelegate final : public QStyledItemDelegate {
 ConfusionPanel::ConfusionPanel(const char* name, const QString& title, QWidget* parent) : QWidget(parent) {
   const QByteArray prefix(name);
   auto* heading = new QLabel(QStringLiteral("<b>%1</b>").arg(title.toHtmlEscaped()), this);
-  // It wraps, so that it does not determine the dock's width.
+  // The text wraps, so that it does not determine the dock's width.
   summary_ = makeNote(this, (prefix + "Summary").constData(), title);
   summary_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   noteArea_ = new QScrollArea(this);
-  note_ = makeNote(noteArea_, (prefix + "Note").constData(), tr("What to know about these figures"));
+  note_ = makeNote(noteArea_, (prefix + "Note").constData(), tr("Notes on these figures"));
   note_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   // A long note must not take the room of other views.
   noteArea_->setWidget(note_);

@@ -25,7 +25,7 @@ class ConfusionPanel final : public QWidget {
   /// the figures; may be empty.
   void show(const colortool::ColorClasses& classes, const colortool::Evaluation& evaluation,
             const std::vector<std::uint8_t>& alone, const QString& note);
-  /// There are no figures: why, and what to do.
+  /// Shows why there are no figures, and what to do, instead of the table.
   void showNothing(const QString& why);
 
  private:

@@ -128,9 +128,9 @@ void TrainingPanel::createViews() {
   switches->addWidget(addSwitch("remove-unsupported", tr("Remove strays"),
                                 tr("Colors of a class that are far from all its samples lose it")),
                       0, 0);
-  switches->addWidget(
-      addSwitch("fill-holes", tr("Fill holes"), tr("Colors of no class that one class encloses get it")), 0,
-      1);
+  switches->addWidget(addSwitch("fill-holes", tr("Fill holes"),
+                                tr("Unclassified colors that one class encloses are assigned to it")),
+                      0, 1);
   switches->addWidget(addSwitch("correct-vignetting", tr("Correct vignetting"),
                                 tr("Removes the lens's darkening of the corners before the table is used")),
                       1, 0);

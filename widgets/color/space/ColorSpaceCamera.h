@@ -13,7 +13,7 @@ namespace widgets {
 struct ColorSpaceCamera {
   static constexpr double kMinZoom = 0.4, kMaxZoom = 30;
 
-  /// Direction of the viewer around z, from x towards y.
+  /// Direction of the viewer around z, from x toward y.
   double azimuth = 0.75;
   /// Elevation of the viewer, from -pi/2 (straight below) to pi/2 (straight above).
   double elevation = 0.35;
@@ -24,7 +24,7 @@ struct ColorSpaceCamera {
 
   bool operator==(const ColorSpaceCamera&) const = default;
 
-  /// From the space to the viewer. Rows: right, up, and towards the viewer.
+  /// From the space to the viewer. Rows: right, up, and toward the viewer.
   Eigen::Matrix3f rotation() const;
   /// Turns as for a drag by so many widget pixels.
   void turn(const QPointF& by);

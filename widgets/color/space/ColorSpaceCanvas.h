@@ -30,7 +30,7 @@ class ColorSpaceCanvas final : public QWidget {
   void setLook(const ColorSpaceLook& look);
   /// The cell of a color to which the cursor points in another view; its edges are drawn.
   void setMarkedCell(std::optional<std::size_t> cell);
-  /// To be called 30 times a second while the canvas is visible. After six ticks without a change a smooth
+  /// Call this 30 times a second while the canvas is visible. After six ticks without a change a smooth
   /// picture is requested.
   void tick();
 

@@ -9,7 +9,8 @@
 
 class QPainter;
 
-// What is painted behind and in front of a picture of a color space. Pure functions of their arguments.
+// Paints the box, cuts and cells of a color space behind and in front of its picture. Pure functions of their
+// arguments.
 namespace widgets {
 
 /// The solid that a color space fills, a cube or a cylinder, with the names of its channels.

@@ -34,7 +34,7 @@ struct SceneBox {
 struct SceneCamera {
   /// Limits of the distance.
   static constexpr double kMinDistance = 0.15, kMaxDistance = 200;
-  /// The whole vertical opening angle of a camera that orbits.
+  /// The whole vertical field of view of a camera that orbits.
   static constexpr double kVerticalAngle = robotlink::radians(36);
 
   /// The point that the camera looks at.
@@ -47,7 +47,7 @@ struct SceneCamera {
   /// The pose out of which it looks along x, with z up in the picture, as a homogeneous matrix; unset: it
   /// orbits. Then orbit(), pan(), zoom() and fit() change nothing.
   std::optional<Eigen::Matrix4d> eyeInField = {};
-  /// The whole vertical opening angle.
+  /// The whole vertical field of view.
   double verticalAngle = kVerticalAngle;
 
   bool operator==(const SceneCamera&) const = default;

@@ -7,7 +7,7 @@ class SimulationStatus;
 
 namespace widgets {
 
-/// What is left of red, green and blue in the light of a scene, times that of the scene's file. A plain
+/// Factors for red, green and blue of a scene's light, relative to the scene's file. A plain
 /// value.
 struct SceneLight {
   float red = 1, green = 1, blue = 1;

@@ -64,7 +64,7 @@ void paintAxes(QPainter& painter, const QSizeF& widget, const SceneCamera& camer
   const Eigen::Matrix3d toCamera = camera.view().block<3, 3>(0, 0);
   const std::array<QColor, 3> colors{QColor(222, 70, 60), QColor(70, 170, 80), QColor(80, 140, 235)};
   std::array<int, 3> order{0, 1, 2};
-  // The axis that points towards the viewer is painted last.
+  // The axis that points toward the viewer is painted last.
   std::ranges::sort(order, {}, [&](int axis) { return toCamera(2, axis); });
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

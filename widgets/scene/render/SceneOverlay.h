@@ -6,7 +6,7 @@
 
 class QPainter;
 
-// What is painted over a picture of a scene. Pure functions.
+// Paints labels and axes over a picture of a scene. Pure functions.
 namespace widgets {
 
 struct SceneCamera;

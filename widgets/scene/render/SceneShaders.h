@@ -82,7 +82,7 @@ void main() {
   color = vec4(mix(shaded, tint.rgb, tint.a), faceColor.a * opacity);
 })";
 
-/// Edges of meshes, without light; `nearer` moves them towards the eye, by a share of the distance.
+/// Edges of meshes, without light; `nearer` moves them toward the eye, by a share of the distance.
 inline constexpr char kEdgeVertex[] = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec4 color;

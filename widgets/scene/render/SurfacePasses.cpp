@@ -160,7 +160,7 @@ void RendererState::drawSeenThrough(const SceneFrame& frame) {
   std::ranges::stable_sort(bodies, std::ranges::greater(), [&](const SceneBody* body) {
     return (body->inField.translation() - eye).squaredNorm();
   });
-  // Each body shows the surface towards the eye; what is in it shows through, whichever is drawn first. The
+  // Each body shows the surface toward the eye; what is in it shows through, whichever is drawn first. The
   // picture is upside down here, so that the order of corners is reversed.
   glDepthMask(GL_FALSE);
   glEnable(GL_CULL_FACE);

@@ -119,7 +119,7 @@ Result<void> ExternalControllers::set(const robotcontrol::SetPorts& request,
   if (found == all_.end())
     return failure("simulation.controller", "the controller " + name + " is not attached", {}, {name});
   Attached& attached = found->second;
-  // It is waited for again; an answer to an earlier step comes too late for this one.
+  // The simulation waits for this controller again. An answer to an earlier step is too late for this one.
   attached.isLate = false;
   if (attached.owes && request.step() >= *attached.owes) attached.owes.reset();
   for (const auto& reading : request.outputs()) {

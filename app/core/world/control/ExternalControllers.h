@@ -64,9 +64,9 @@ class ExternalControllers {
   PortCommands& commands() { return commands_; }
   /// Until when the next step has to wait for answers; unset if for none.
   std::optional<RealTime> waitsUntil() const;
-  /// To be called before each step: gives up those who are late. Returns a sentence for each of them.
+  /// Call this before each step: gives up those who are late. Returns a sentence for each of them.
   std::vector<std::string> beforeStep(RealTime now, simcore::Simulation& simulation);
-  /// To be called after each step, with the events that entered at it.
+  /// Call this after each step, with the events that entered at it.
   void noteEvents(std::span<const simcore::ViewEvent> events);
   /// The inputs for the step that comes, on the streams of those for whom they are due, and before them the
   /// images of cameras that they named, each on a stream of its own (STREAM/CAMERA). Those in lockstep are
@@ -90,7 +90,7 @@ class ExternalControllers {
     /// The step that it has to answer; unset if it owes nothing.
     std::optional<std::uint64_t> owes;
     RealTime deadline{};
-    /// It was late, and has not answered since.
+    /// The controller missed its deadline and has not answered since.
     bool isLate = false;
     std::uint64_t late = 0;
     std::vector<simcore::ViewEvent> events;

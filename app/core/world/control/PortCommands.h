@@ -14,8 +14,8 @@ class Simulation;
 
 namespace app {
 
-/// What controllers elsewhere command: actuators of any kind by the paths of their ports. The programs of
-/// robots and the controllers of the scene command before them, a person who holds an actuator after them.
+/// The commands of external controllers to actuators of any kind, by the paths of their ports. The programs
+/// of robots and the controllers of the scene command before them, a person who holds an actuator after them.
 /// One thread at a time.
 class PortCommands {
  public:
@@ -29,7 +29,7 @@ class PortCommands {
   /// The robots that must not move: what they have is not commanded.
   void setStopped(std::vector<std::string> robots) { stopped_ = std::move(robots); }
 
-  /// Commands all actuators, in the order of the controllers' names; to be called before each step. A door
+  /// Commands all actuators, in the order of the controllers' names; call this before each step. A door
   /// gets each command once, since it closes by itself.
   void apply(simcore::Simulation& simulation);
 

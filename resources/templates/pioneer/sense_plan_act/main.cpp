@@ -10,14 +10,14 @@ using robotlink::arcos::PioneerRobot;
 
 struct Motion {
   double speed = 0;     // m/s
-  double rotation = 0;  // rad/s, counter-clockwise
+  double rotation = 0;  // rad/s, counterclockwise
 };
 
 Motion plan(const PioneerRobot& robot, Motion last) {
   const double ahead = robot.nearestEcho(-0.6, 0.6), left = robot.nearestEcho(0.6, 1.8),
                right = robot.nearestEcho(-1.8, -0.6);
   if (ahead > 1.2) return {0.3, 0};
-  if (last.rotation != 0) return last;  // once it turns it goes on that way, so that corners do not hold it
+  if (last.rotation != 0) return last;  // once it turns it continues that way, so that corners do not hold it
   return {0, left > right ? 0.5 : -0.5};
 }
 

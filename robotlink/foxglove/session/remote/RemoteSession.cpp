@@ -341,13 +341,13 @@ Instant RemoteSession::timeOf(const std::string& path, Instant remote, bool latc
   if (known != newestOf.end() && !latchedMessage && known->second.remote != Instant::min() &&
       remote < known->second.remote - disorder) {
     shift.reset();
-    // The history of a robot that leads is cut there; another one's goes on.
+    // The history of a robot that leads is cut there; another one's continues.
     if (!leading)
       newestOf.clear();
     else
       for (auto& [other, times] : newestOf) times.remote = Instant::min();
   }
-  // A server that goes on to invent names.
+  // A server that continues to invent names.
   if (newestOf.size() >= kMaxPaths && known == newestOf.end()) newestOf.clear();
   Instant mapped = latchedMessage ? shift.mapLatched(remote, leading) : shift.map(remote, leading);
   if (!latchedMessage && !hadTime && !leading && before && mapped < *before - kReset) setBack(mapped);

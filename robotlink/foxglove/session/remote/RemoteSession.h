@@ -16,7 +16,7 @@
 
 namespace robotlink::websocket {
 
-/// What is behind a SessionClient: what is known of the server, what is subscribed to, and how messages and
+/// The implementation of a SessionClient: the state of the server, the subscriptions, and how messages and
 /// requests become each other's. Everything is of the session's thread but the client and what its handlers
 /// use: the inbox.
 class RemoteSession {

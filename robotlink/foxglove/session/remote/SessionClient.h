@@ -69,8 +69,8 @@ class SessionClient {
   /// Session::pushResult(), at the latest when its time is over, and says so if the connection is lost.
   void request(const robotcontrol::Request& request);
 
-  /// Steers a robot from now on, whoever did before; or gives it up. The handler is called once, from any
-  /// thread; nothing if the server does not know that robot.
+  /// Takes control of a robot, even if another client has it, or gives control up. The handler is called
+  /// once, from any thread; nothing if the server does not know that robot.
   void steer(const std::string& robot, bool giveUp, std::function<void(Result<void>)> done);
 
   /// In order of time, the newest thousand.
@@ -79,7 +79,7 @@ class SessionClient {
   /// The newest time of its messages in the session.
   std::optional<Instant> newest() const;
 
-  /// To be called when what `alsoWanted` says has changed.
+  /// Call this when what `alsoWanted` says has changed.
   void updateSubscriptions();
   /// How images are sent; at first automatic.
   void setImages(Images images);
