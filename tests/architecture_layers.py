@@ -4,7 +4,8 @@
 
 The tables are those of ARCHITECTURE.md. TARGETS says which targets a target may include; ROOMS lists the
 folders of a target in their order: a folder may include those before it. A folder that is in neither table
-fails. What widgets/CMakeLists.txt lists as widgets_models knows no Qt Widgets and no view.
+fails. What widgets/CMakeLists.txt lists as widgets_models knows no Qt Widgets and no view. A test that is named
+after a unit is in the folder of tests/ that mirrors the unit's room, or in one beside it, not above it.
 Usage: architecture_layers.py SOURCE_DIR
 """
 import pathlib
@@ -145,6 +146,23 @@ def problems_of(source, relative, target, room, models):
                     yield f"{relative}:{number}: {target} may not use <{included}>"
 
 
+def mirror(folder):
+    """The folder of tests/ for a folder of the product."""
+    return re.sub(r"^app/robotcontrol\b", "app/window", re.sub(r"^app/core\b", "app", folder))
+
+
+def misplaced_tests(root):
+    units = {}
+    for top in ("app", "widgets", "robotlink", "simcore", "logplayer", "colortool", "modules"):
+        for header in (root / top).rglob("*.h"):
+            units.setdefault(header.stem, []).append(mirror(header.parent.relative_to(root).as_posix()))
+    for test in sorted((root / "tests").rglob("*Test.cpp")):
+        folder = test.parent.relative_to(root / "tests").as_posix()
+        rooms = units.get(test.stem.removesuffix("Test"), [])
+        if len(rooms) == 1 and rooms[0].startswith(folder + "/"):
+            yield f"{test.relative_to(root).as_posix()}:1: the test of a unit in {rooms[0]} belongs to tests/{rooms[0]}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     models = models_of(root)
@@ -160,6 +178,7 @@ def main():
                 problems.append(f"{relative}:1: this folder is not in the tables of {pathlib.Path(__file__).name}")
             else:
                 problems.extend(problems_of(source, relative, target, room, models))
+    problems.extend(misplaced_tests(root))
     print("\n".join(problems) or f"{files} files include only what they may")
     return 1 if problems or files == 0 else 0
 
