@@ -87,7 +87,7 @@ void Simulation::reset(std::uint64_t seed) {
   implementation_->options.seed = seed;
   implementation_->start();
   startControllers();
-  implementation_->beginRewindAnew();
+  implementation_->clearRewind();
 }
 
 const Scene& Simulation::scene() const {

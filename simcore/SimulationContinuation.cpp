@@ -278,7 +278,7 @@ robotlink::Result<SceneChange> Simulation::continueIn(std::shared_ptr<const Scen
   before_ = std::exchange(implementation_, std::move(next));
   startControllers();
   implementation_->takeOverControl(*before_);
-  implementation_->beginRewindAnew();
+  implementation_->clearRewind();
   for (const auto& [path, errors] : before_->errorsByPath()) {
     // A sensor that is gone has none.
     if (port(path) != nullptr) static_cast<void>(setSensorErrors(path, errors));
@@ -290,7 +290,7 @@ void Simulation::goBack() {
   if (!before_) return;
   before_->rewind = std::move(implementation_->rewind);
   implementation_ = std::move(before_);
-  implementation_->beginRewindAnew();
+  implementation_->clearRewind();
 }
 
 std::shared_ptr<const ModelMotion> Simulation::motionOf(const std::string& model) const {
@@ -305,7 +305,7 @@ std::shared_ptr<const ModelMotion> Simulation::motionOf(const std::string& model
 std::vector<std::string> Simulation::continueFrom(const Simulation& before) {
   std::vector<std::string> putBack = *implementation_->takeOver(*before.implementation_, {});
   implementation_->takeOverControl(*before.implementation_);
-  implementation_->beginRewindAnew();
+  implementation_->clearRewind();
   return putBack;
 }
 

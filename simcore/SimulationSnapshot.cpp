@@ -232,7 +232,7 @@ robotlink::Result<std::vector<std::string>> Simulation::restoreInEdited(const Sn
     return tl::unexpected(restored ? gone.error() : restored.error());
   }
   implementation_->rewind = std::move(present->rewind);
-  implementation_->beginRewindAnew();
+  implementation_->clearRewind();
   readForces(present->readsForces);
   return std::move(gone->putBack);
 }
@@ -267,7 +267,7 @@ robotlink::Result<std::vector<std::string>> Simulation::restore(const Snapshot& 
                               {snapshot.scene});
   }
   resumeControllers();
-  i.beginRewindAnew();
+  i.clearRewind();
   return std::vector<std::string>();
 }
 
@@ -279,7 +279,7 @@ void SimulationState::keepForRewind() {
   rewind->add(steps, std::move(state));
 }
 
-void SimulationState::beginRewindAnew() {
+void SimulationState::clearRewind() {
   if (!rewind) return;
   rewind->clear();
   keepForRewind();

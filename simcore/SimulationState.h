@@ -329,7 +329,7 @@ struct SimulationState {
   /// Keeps the present state for going back, if one is due.
   void keepForRewind();
   /// The past is that of another world.
-  void beginRewindAnew();
+  void clearRewind();
 
   /// Fails if a robot or a ball is inside another model at its start or, if it continues from `before`, where
   /// it is now; notes other overlaps. What was inside before may go on so.

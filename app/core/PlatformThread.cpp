@@ -197,8 +197,8 @@ void PlatformThread::stop(const robotcontrol::Request& request) {
   if (stopSwitch) stopSwitch->engage(request.robot(), robotlink::engagesStop(request));
   thread_.postUrgent([this, request] {
     // A scene with this robot may be about to be opened.
-    if (feed_ && feed_->describe().robots.contains(request.robot())) return fulfil(request, {request.id()});
-    postOther([this, request] { fulfil(request, {request.id()}); });
+    if (feed_ && feed_->describe().robots.contains(request.robot())) return fulfill(request, {request.id()});
+    postOther([this, request] { fulfill(request, {request.id()}); });
   });
 }
 
@@ -221,15 +221,15 @@ void PlatformThread::request(const robotcontrol::Request& request) {
       // This request is about to be fulfilled, so no later one may be merged with it.
       if (newest_ == asked) newest_.reset();
     }
-    fulfil(asked->request, asked->ids);
+    fulfill(asked->request, asked->ids);
   });
 }
 
-void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids) {
+void PlatformThread::fulfill(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids) {
   robotlink::Result<PlatformFeed::Answer> done = robotlink::failure(
       "platform.none",
       "nothing is running that can do this; open a scene or a log, or connect a robot first");
-  if (feed_) done = feed_->fulfil(request);
+  if (feed_) done = feed_->fulfill(request);
   if (done && *done == PlatformFeed::Answer::kByProgram) {
     forwarded_.insert(forwarded_.end(), ids.begin(), ids.end());
     while (forwarded_.size() > kMaxForwarded) forwarded_.pop_front();

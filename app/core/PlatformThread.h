@@ -93,7 +93,7 @@ class PlatformThread {
   /// Describes what runs now.
   LoadedPlatform describe() const;
   /// Fulfills a request and pushes the result for each of the ids, unless the program will answer.
-  void fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids);
+  void fulfill(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids);
   /// Refuses the requests that the platform's programs did not answer; the session ignores those that they
   /// did.
   void refuseForwarded();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The program robotcontrol: reads the command line, wires the workbench and opens its window.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>

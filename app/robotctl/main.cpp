@@ -38,7 +38,8 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   addPluginOptions(app);
   app.footer(
-      "Exit status: 0 done, 1 failed, 2 wrong usage, 3 done with losses.\nIf a signal ends it before it is "
+      "Exit status: 0 done, 1 failed, 2 wrong usage, 3 done, but some input was damaged.\nIf a signal ends "
+      "it before it is "
       "done, 128 and the signal's number (130 after Ctrl-C); files are then\ncomplete or absent.\n'robotctl "
       "COMMAND --help' shows its options.");
   int status = kDone;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readImage() and readJpegImage() of Payloads.h: images of the logs of 2009.
 #include "logplayer/bhuman/Payloads.h"
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/bytes/ByteReader.h"

@@ -25,7 +25,7 @@ using robotlink::Instant;
 using robotlink::Result;
 
 // The largest integer that is exact in JSON.
-constexpr std::int64_t kLargestId = (std::int64_t{1} << 53U) - 1;
+constexpr std::int64_t kMaxId = (std::int64_t{1} << 53U) - 1;
 const robotlink::VersionedFormat kFormat{"robotcontrol-bookmarks", 1, "bookmarks"};
 
 const std::string* metadata(const foxglove::Event& event, std::string_view key) {
@@ -43,7 +43,7 @@ void addMetadata(foxglove::Event& event, const char* key, const std::string& val
 
 std::uint64_t hashOf(mcap::Bytes data) {
   const std::string_view bytes(reinterpret_cast<const char*>(data.data()), data.size());
-  return robotlink::fnv1a(bytes) & static_cast<std::uint64_t>(kLargestId);
+  return robotlink::fnv1a(bytes) & static_cast<std::uint64_t>(kMaxId);
 }
 
 std::uint64_t eventIdOf(const foxglove::Event& event, mcap::Bytes data) {
@@ -120,7 +120,7 @@ const char* readEntry(const json& entry, BookmarkChanges& changes) {
   // The difference of two times must fit, too.
   constexpr std::int64_t kLatest = std::numeric_limits<std::int64_t>::max() / 2;
   if (!entry.is_object()) return "it is not an object in braces";
-  const auto id = wholeNumber(entry, "id", 0, kLargestId);
+  const auto id = wholeNumber(entry, "id", 0, kMaxId);
   if (!id) return "its \"id\" is missing, or no whole number from 0 to 2^53 - 1";
   const auto number = static_cast<std::uint64_t>(*id);
   const auto removed = entry.find("removed");

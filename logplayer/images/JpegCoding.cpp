@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The JPEG functions of ImageCoding.h, by libturbojpeg.
 #include <turbojpeg.h>
 
 #include <algorithm>

@@ -18,7 +18,7 @@ using robotlink::failure;
 using robotlink::Image;
 using robotlink::Result;
 
-constexpr std::size_t kLargestFile = 256U << 20U;
+constexpr std::size_t kMaxFileBytes = 256U << 20U;
 constexpr int kYuyvWidth = 320, kYuyvHeight = 240;
 constexpr std::size_t kYuyvBytes = std::size_t{kYuyvWidth} * kYuyvHeight * 4;
 
@@ -56,7 +56,7 @@ bool isPictureFile(const fs::path& file) {
 }
 
 Result<Image> readPicture(const fs::path& file, YuyvPixels yuyv) {
-  const auto bytes = robotlink::readFile(file, kLargestFile);
+  const auto bytes = robotlink::readFile(file, kMaxFileBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   if (robotlink::fileSuffix(file) == ".yuyv") return yuyvImage(*bytes, file, yuyv);
   const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The PNG functions of ImageCoding.h, by libpng.
 #include <png.h>
 
 #include "logplayer/images/ImageCoding.h"

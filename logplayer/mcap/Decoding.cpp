@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The decode functions of Codec.h: MCAP records from bytes.
 #include "logplayer/mcap/Codec.h"
 #include "logplayer/mcap/Crc.h"
 #include "logplayer/mcap/RecordBytes.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The encode functions of Codec.h: MCAP records to bytes.
 #include "logplayer/mcap/Codec.h"
 
 #include "logplayer/mcap/Crc.h"

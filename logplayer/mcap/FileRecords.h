@@ -20,7 +20,7 @@ inline constexpr std::size_t kFooterBytes = kRecordHeadBytes + 20;
 inline constexpr std::size_t kDataEndBytes = kRecordHeadBytes + 4;
 
 /// Maximum size of a record: offsets within a chunk are kept in 32 bits.
-inline constexpr std::size_t kLargestRecord = 1U << 31U;
+inline constexpr std::size_t kMaxReadableRecordBytes = 1U << 31U;
 
 /// The type of a record. 0 is invalid; values from 0x80 on are private, readers skip them.
 enum class Opcode : std::uint8_t {

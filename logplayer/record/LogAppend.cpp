@@ -18,7 +18,7 @@ using robotlink::Result;
 
 constexpr off_t kFooterBytes = 37;   // including the magic number behind it
 constexpr off_t kDataEndBytes = 13;  // the record before the summary
-constexpr off_t kLargestEnd = off_t{256} << 20;
+constexpr off_t kMaxEnd = off_t{256} << 20;
 
 bool readAll(int file, std::uint8_t* data, std::size_t size, off_t offset) {
   while (size > 0) {
@@ -38,7 +38,7 @@ class LogEnd {
     struct stat status {};
     if (file_ < 0 || ::fstat(file_, &status) != 0 || status.st_size < kFooterBytes + kDataEndBytes) return;
     begin_ = beginOfEnd(status.st_size);
-    if (begin_ < 0 || status.st_size - begin_ > kLargestEnd) return;
+    if (begin_ < 0 || status.st_size - begin_ > kMaxEnd) return;
     bytes_.resize(static_cast<std::size_t>(status.st_size - begin_));
     if (!readAll(file_, bytes_.data(), bytes_.size(), begin_)) bytes_.clear();
   }

@@ -46,7 +46,7 @@ class Session {
     std::size_t messages = 50'000;
     std::size_t bytes = 128U << 20U;
   };
-  /// Forwards requests to the platform or program that can fulfil them. Called in the thread that calls
+  /// Forwards requests to the platform or program that can fulfill them. Called in the thread that calls
   /// request(); must not block. Results come back through pushResult() or pushQueue().
   using RequestSink = std::function<void(const robotcontrol::Request&)>;
   /// Called once with the result of a request, from tick().

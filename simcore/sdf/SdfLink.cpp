@@ -15,8 +15,8 @@ constexpr Rgb kPlain{200, 200, 200};
 /// No moment of inertia is larger, kg m^2.
 constexpr double kMaxMoment = 1e12;
 /// A link without mass gets this, so that the solver can move it.
-constexpr double kLeastMass = 1e-6, kReplacementMass = 0.01;  // kg
-constexpr double kReplacementInertia = 1e-5;                  // kg m^2
+constexpr double kMinMass = 1e-6, kReplacementMass = 0.01;  // kg
+constexpr double kReplacementInertia = 1e-5;                // kg m^2
 
 /// Converts a channel of SDFormat's colors, 0 to 1, to a byte.
 std::uint8_t channel(float value) {
@@ -98,7 +98,7 @@ double numberIn(const sdf::ElementPtr& element, const char* name, double otherwi
 
 /// Masses and moments that the solver cannot use are raised.
 void repairInertia(const sdf::ElementPtr& element, LinkDescription& result, const SdfContext& context) {
-  if (result.mass < kLeastMass) {
+  if (result.mass < kMinMass) {
     if (!context.isStatic) context.omit(element, "mass 0", "the solver needs one: it is 0.01 kg");
     result.mass = kReplacementMass;
     result.inertia = Eigen::Matrix3d::Identity() * kReplacementInertia;

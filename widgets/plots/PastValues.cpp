@@ -10,7 +10,7 @@ using robotlink::Series;
 namespace {
 
 /// So many more, and half as many again as before, are a good deal more.
-constexpr std::size_t kLeastMore = 1000;
+constexpr std::size_t kMinIncrease = 1000;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ bool PastValues::mergeInto(Series& live, robotlink::PointFilter& filter) {
   if (!values_ || !begin_) return false;
   const Series& past = values_->series;
   const bool isComplete = values_->isComplete;
-  if (!isComplete && past.size() < merged_ + merged_ / 2 + kLeastMore) return false;
+  if (!isComplete && past.size() < merged_ + merged_ / 2 + kMinIncrease) return false;
   robotlink::PointFilter again = filter;
   again.restart();
   Series all;

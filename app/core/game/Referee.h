@@ -48,7 +48,7 @@ class Referee final : public Umpire {
   std::vector<std::string> step() override;
   void restart() override;
   /// As it was at the start: the referee decides by itself, too.
-  void beginAnew() {
+  void startOver() {
     isAutomatic_ = true;
     restart();
   }

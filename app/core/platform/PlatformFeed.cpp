@@ -20,7 +20,7 @@ std::string whyForNoRobot(const robotcontrol::Request& request, RequestDoer doer
 
 }  // namespace
 
-Result<PlatformFeed::Answer> PlatformFeed::fulfil(const robotcontrol::Request& request) {
+Result<PlatformFeed::Answer> PlatformFeed::fulfill(const robotcontrol::Request& request) {
   const RequestDoer doer = robotlink::kindOf(request).doer;
   const bool ofProgram = doer == RequestDoer::kTask || doer == RequestDoer::kDebugProcess;
   if (const std::string wrong = robotlink::wrongWith(request); !ofProgram && !wrong.empty())

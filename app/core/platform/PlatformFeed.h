@@ -75,7 +75,7 @@ struct LoadedPlatform {
 /// exceptions are noted. Derived classes are registered as PlatformAdapters.
 class PlatformFeed {
  public:
-  /// How an accepted request is answered: by the caller of fulfil(), or by the robot's program in its debug
+  /// How an accepted request is answered: by the caller of fulfill(), or by the robot's program in its debug
   /// queue.
   enum class Answer { kHere, kByProgram };
   /// The state of playback that a platform inherits from the one that it replaces.
@@ -115,7 +115,7 @@ class PlatformFeed {
   /// Fulfills a request or passes it to the program; the table of requests
   /// (robotlink/debugging/RequestKinds.h) says who is responsible. Fails with the reason if the request is
   /// refused.
-  robotlink::Result<Answer> fulfil(const robotcontrol::Request& request);
+  robotlink::Result<Answer> fulfill(const robotcontrol::Request& request);
   /// Restarts the programs in another layout. If that is impossible, the errors say why, and the programs
   /// that run continue.
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;

@@ -53,7 +53,7 @@ void ProgramRequests::choose(const std::vector<Request>& overrides) {
   }
 }
 
-void ProgramRequests::chooseAnew(const std::vector<Request>& overrides) {
+void ProgramRequests::replaceChoices(const std::vector<Request>& overrides) {
   const std::lock_guard lock(mutex_);
   for (const Request& request : overrides) overrides_.note(request);
 }
@@ -79,12 +79,12 @@ bool ProgramRequests::takeBack(const Request& request) {
          }) > 0;
 }
 
-void ProgramRequests::beginAnew() {
+void ProgramRequests::startOver() {
   const std::lock_guard lock(mutex_);
   continued_.clear();
 }
 
-void ProgramRequests::beginAnewWith(ProgramOverrides overrides) {
+void ProgramRequests::startOverWith(ProgramOverrides overrides) {
   const std::lock_guard lock(mutex_);
   continued_.clear();
   open_.clear();

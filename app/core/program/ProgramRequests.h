@@ -44,7 +44,7 @@ class ProgramRequests {
   /// Keeps overrides as if the user had made them before; those that were made win. Before begin().
   void choose(const std::vector<robotcontrol::Request>& overrides);
   /// The same, but the overrides replace what was chosen before.
-  void chooseAnew(const std::vector<robotcontrol::Request>& overrides);
+  void replaceChoices(const std::vector<robotcontrol::Request>& overrides);
   /// Enqueues a request of the user. Returns false if too many are waiting already. In a pause, a request
   /// replaces the previous one if both set the same thing.
   bool ask(const robotcontrol::Request& request);
@@ -52,9 +52,9 @@ class ProgramRequests {
   /// does not continue with what it takes back. Returns whether it takes something back.
   bool takeBack(const robotcontrol::Request& request);
   /// Call this when the robot is put back to its start: the next program continues with nothing.
-  void beginAnew();
+  void startOver();
   /// The same; what the user chose is replaced by these overrides, and what is not answered is dropped.
-  void beginAnewWith(ProgramOverrides overrides);
+  void startOverWith(ProgramOverrides overrides);
   /// Passes the requests that the program has not got yet to `give`, in order, until that returns false; the
   /// others wait for the next call. `give` must not call this object.
   void hand(const std::function<bool(const robotcontrol::Request&)>& give);

@@ -128,7 +128,7 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
     if (isFirst)
       requests_.choose(chosen);
     else
-      requests_.chooseAnew(chosen);
+      requests_.replaceChoices(chosen);
   }
   if (overridden_) {
     requests_.beginOverridden();

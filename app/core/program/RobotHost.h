@@ -140,9 +140,9 @@ class RobotHost {
   /// platform refuses or if too many requests are waiting.
   robotlink::Result<void> request(const robotcontrol::Request& request);
   /// Call this when the robot is put back to its start: its next program does not continue to its goal.
-  void beginAnew() { requests_.beginAnew(); }
+  void startOver() { requests_.startOver(); }
   /// The same, and its next program starts with these overrides instead of what the user chose since.
-  void beginAnewWith(ProgramOverrides overrides) { requests_.beginAnewWith(std::move(overrides)); }
+  void startOverWith(ProgramOverrides overrides) { requests_.startOverWith(std::move(overrides)); }
   /// Call this before each step: passes the requests since the last step to the program.
   void enqueueRequests();
   /// Has a program in a process of its own compute from what the platform has sent. Call this in lockstep

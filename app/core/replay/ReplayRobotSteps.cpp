@@ -51,11 +51,11 @@ std::vector<std::string> ReplayRobot::neededStreams() const {
 
 void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) {
   clock_.set(now);
-  bool startedAnew = false;
+  bool startedOver = false;
   for (const StreamMessage& message : messages) {
     const auto* setup = dynamic_cast<const ProgramSetup*>(message.value.get());
     const bool isSetup = setup != nullptr && below(message.path) == streams::kProgram;
-    if (isSetup && takeSetup(*setup, now)) startedAnew = true;
+    if (isSetup && takeSetup(*setup, now)) startedOver = true;
   }
   // Meanwhile the module may return at any time, and use what is given to it.
   if (host_.isStuck()) return;
@@ -63,7 +63,7 @@ void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) 
   for (const StreamMessage& message : messages) {
     const std::string path = below(message.path);
     // Packages of the instant of a restart belong to the previous program.
-    if (logged_.contains(path) && !startedAnew) takePackage(path, message);
+    if (logged_.contains(path) && !startedOver) takePackage(path, message);
     const auto* request = dynamic_cast<const Request*>(message.value.get());
     if (request != nullptr && path == streams::kRequests) takeRequest(*request);
     if (!hasRequests() && robotlink::isDebugPackage(path)) takeRequest(*message.value);

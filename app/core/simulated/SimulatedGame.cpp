@@ -68,7 +68,7 @@ void SimulatedRun::makeUmpire() {
 }
 
 void SimulatedRun::restartGame() {
-  if (referee_ != nullptr) referee_->beginAnew();
+  if (referee_ != nullptr) referee_->startOver();
   if (umpire_ && referee_ == nullptr) umpire_->restart();
   radio_.restart(options_.world.seed);
   radio_.setSettings(rules_ ? rules_->radio : RadioSettings());

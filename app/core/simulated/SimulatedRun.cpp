@@ -368,9 +368,9 @@ Errors SimulatedRun::restart(std::uint64_t seed, const std::map<std::string, Pro
   programTime_ = {};
   for (const auto& robot : robots_) {
     if (overrides != nullptr && overrides->contains(robot->name())) {
-      robot->beginAnewWith(overrides->at(robot->name()));
+      robot->startOverWith(overrides->at(robot->name()));
     } else {
-      robot->beginAnew();
+      robot->startOver();
     }
   }
   endedControllers_.clear();

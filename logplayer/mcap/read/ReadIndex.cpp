@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readIndex() of Resync.h: the index of a file, from its summary or by a scan.
 #include <algorithm>
 #include <set>
 

@@ -38,7 +38,7 @@ std::unique_ptr<Reader> Reader::of(Source source, Options options, FileIndex ind
 Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, Options options) {
   Result<Source> source = Source::open(file);
   if (!source) return tl::unexpected(source.error());
-  options.maxRecordBytes = std::min(options.maxRecordBytes, kLargestRecord);
+  options.maxRecordBytes = std::min(options.maxRecordBytes, kMaxReadableRecordBytes);
   // A file of which others look through the same bytes is looked through once.
   std::shared_ptr<const FileIndex> known = KnownIndexes::all().find(*source, options.maxRecordBytes);
   if (known == nullptr) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// ReaderParts: adapts the index to chunks that turn out to differ from it.
 #include <algorithm>
 
 #include "logplayer/mcap/read/ReaderParts.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reader::verify(): reads a whole file and compares it with its index.
 #include "logplayer/mcap/Crc.h"
 #include "logplayer/mcap/read/Reader.h"
 #include "logplayer/mcap/read/ReaderParts.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the readable content of a damaged file to a new one.
 #include <algorithm>
 
 #include "logplayer/mcap/Crc.h"

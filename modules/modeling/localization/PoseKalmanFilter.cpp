@@ -19,7 +19,7 @@ constexpr double kGoalFactor = 2;
 /// Two hypotheses nearer than this are one, m and rad.
 constexpr double kSamePlace = 0.3, kSameHeading = 0.35;
 /// Landmarks nearer to each other than this do not determine a pose, m.
-constexpr double kLeastApart = 0.8;
+constexpr double kMinSeparation = 0.8;
 /// The deviation of an unknown pose, m and rad.
 constexpr double kUnknown = 2;
 
@@ -121,7 +121,7 @@ void PoseKalmanFilter::addHypotheses(const Pose2& robotInOdometry) {
   const Pose2 odometryInRobot = robotInOdometry.inverse();
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = i + 1; j < all.size(); ++j) {
-      if ((all[i].position - all[j].position).norm() < kLeastApart) continue;
+      if ((all[i].position - all[j].position).norm() < kMinSeparation) continue;
       const Vector2 a = odometryInRobot * all[i].inOdometry, b = odometryInRobot * all[j].inOdometry;
       // Distances that contradict each other are those of landmarks seen before and after a kidnapping.
       const double apart = (all[i].position - all[j].position).norm();

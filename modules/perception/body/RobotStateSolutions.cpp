@@ -39,7 +39,7 @@ const robotlink::PlotKey kLoadKey{
 
 constexpr std::array<const char*, 4> kLegNames{"front left", "front right", "hind left", "hind right"};
 /// Slower walks do not count, because their steps are too small, m/s and rad/s.
-constexpr double kLeastSpeed = 0.02, kLeastRotation = 0.1;
+constexpr double kMinSpeed = 0.02, kMinRotation = 0.1;
 /// A later frame counts as long as this, s.
 constexpr double kLongestFrame = 0.1;
 
@@ -127,7 +127,7 @@ class RobotStateEstimator : public robotlink::Solution {
     const auto& speed = motion_->velocity();
     frame.walking =
         kind == robotcontrol::MotionRequest::WALK &&
-        (std::hypot(speed.x(), speed.y()) > kLeastSpeed || std::abs(speed.rotation()) > kLeastRotation);
+        (std::hypot(speed.x(), speed.y()) > kMinSpeed || std::abs(speed.rotation()) > kMinRotation);
     frame.shaken = kind != robotcontrol::MotionRequest::WALK && kind != robotcontrol::MotionRequest::STAND;
     return frame;
   }

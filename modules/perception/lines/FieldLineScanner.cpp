@@ -17,7 +17,7 @@ namespace {
 /// How far below the horizon scan lines begin, pixels: ground farther away is of no use.
 constexpr int kBelowHorizon = 4;
 /// The smallest gradient of Y that has a direction, for each pixel.
-constexpr double kLeastGradient = 12;
+constexpr double kMinGradient = 12;
 
 int lumaAt(const ImageView& image, int x, int y) {
   return image.row(y)[2 * x];
@@ -42,7 +42,7 @@ double FieldLineScanner::direction(const ImageView& image, const CameraView& vie
   const int right = luma(1, -1) + 2 * luma(1, 0) + luma(1, 1) - luma(-1, -1) - 2 * luma(-1, 0) - luma(-1, 1);
   const int down = luma(-1, 1) + 2 * luma(0, 1) + luma(1, 1) - luma(-1, -1) - 2 * luma(0, -1) - luma(1, -1);
   const Vector2 gradient(right / 8.0, down / 8.0);
-  if (gradient.norm() < kLeastGradient) return kUnknown;
+  if (gradient.norm() < kMinGradient) return kUnknown;
   const Vector2 along = Vector2(-gradient.y(), gradient.x()).normalized();
   const auto before = view.onPlane(at - along, 0), after = view.onPlane(at + along, 0);
   if (!before || !after) return kUnknown;

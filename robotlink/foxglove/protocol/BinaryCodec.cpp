@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The binary half of MessageCodec.h: messages of the WebSocket protocol as bytes.
 #include <cmath>
 
 #include "robotlink/base/bytes/ByteReader.h"

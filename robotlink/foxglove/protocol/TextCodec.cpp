@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The JSON half of MessageCodec.h: messages of the WebSocket protocol as text.
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Waits for the first byte of a connection, which distinguishes TLS from plain HTTP.
 #include <sys/socket.h>
 
 #include <cerrno>

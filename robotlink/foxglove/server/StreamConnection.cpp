@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A WebSocket connection of a server, over TCP or TLS.
 #include <algorithm>
 #include <array>
 #include <boost/asio/post.hpp>

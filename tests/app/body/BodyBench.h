@@ -71,7 +71,7 @@ class BodyDesk {
   }
   void ask(robotcontrol::Request request) {
     request.set_robot(feed_->describe().robots.begin()->first);
-    const auto done = feed_->fulfil(request);
+    const auto done = feed_->fulfill(request);
     EXPECT_TRUE(done) << done.error().text;
   }
   /// Makes a package of the program visible.

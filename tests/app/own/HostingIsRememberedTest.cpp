@@ -49,7 +49,7 @@ class RunOfTheWorkbench {
     robotcontrol::Request request;
     request.set_robot(robot);
     request.mutable_host_program()->set_where(where);
-    const auto done = feed_->fulfil(request);
+    const auto done = feed_->fulfill(request);
     EXPECT_TRUE(done) << done.error().text;
   }
 

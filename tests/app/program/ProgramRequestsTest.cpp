@@ -182,7 +182,7 @@ TEST_F(ProgramRequestsTest, aGoalThatWasCanceledByTheProgramIsOver) {
 TEST_F(ProgramRequestsTest, aRobotAtItsStartHasItsChoicesButNoGoal) {
   choose(goal(1, 2));
   choose(key(2, "drawings"));
-  requests_.beginAnew();
+  requests_.startOver();
   requests_.begin(next_);
   EXPECT_THAT(handedChoices(), ElementsAre("key drawings"));
 }
@@ -193,7 +193,7 @@ TEST_F(ProgramRequestsTest, otherChoicesReplaceAllThatWasChosenAndAsked) {
   ASSERT_TRUE(requests_.ask(key(3, "open")));
   ProgramOverrides others;
   others.note(key(0, "other"));
-  requests_.beginAnewWith(others);
+  requests_.startOverWith(others);
   requests_.begin(next_);
   EXPECT_THAT(handedChoices(), ElementsAre("key other"));
 }
@@ -203,7 +203,7 @@ TEST_F(ProgramRequestsTest, whatTheUserChoseWinsAgainstFilesUnlessTheyAreNew) {
   requests_.choose({solution(0, "disc"), key(0, "drawings")});
   EXPECT_EQ(requests_.overrides().solutions().at("ball-percept"), "scan");
   EXPECT_TRUE(requests_.overrides().keys().contains("drawings"));
-  requests_.chooseAnew({solution(0, "disc")});
+  requests_.replaceChoices({solution(0, "disc")});
   EXPECT_EQ(requests_.overrides().solutions().at("ball-percept"), "disc");
 }
 

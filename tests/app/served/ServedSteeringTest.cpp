@@ -27,7 +27,7 @@ class SteeredRun {
     listeners.queue = [this](const std::string& name, auto queue) { session_.pushQueue(name, queue); };
     run_ = std::move(SimulatedRun::create(std::move(options), listeners).value());
     session_.setRobots(run_->robots());
-    session_.setRequestSink([this](const Request& request) { fulfil(request); });
+    session_.setRequestSink([this](const Request& request) { fulfill(request); });
     link::ServerOptions serving;
     serving.clock = clock_;
     server_ = std::make_unique<link::SessionServer>(session_, serving);
@@ -65,7 +65,7 @@ class SteeredRun {
     const link::Frame frame = link::encode(message);
     server_->server()->received(client_, frame.kind, frame.bytes);
   }
-  void fulfil(const Request& request) {
+  void fulfill(const Request& request) {
     const auto done = run_->request(request);
     if (done && robotlink::kindOf(request).isOfProgram()) return;
     robotcontrol::RequestResult result;

@@ -43,7 +43,7 @@ class OpenedScenes {
     request.set_robot(robot);
     request.mutable_select_solution()->set_task(kPlace);
     request.mutable_select_solution()->set_solution(solution);
-    const auto done = feed_->fulfil(request);
+    const auto done = feed_->fulfill(request);
     EXPECT_TRUE(done) << done.error().text;
     for (int i = 0; i < 20; ++i) feed_->step();
     session_.tick();

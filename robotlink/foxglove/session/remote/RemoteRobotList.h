@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robotlink/foxglove/session/KeyPublishers.h"
-#include "robotlink/foxglove/session/KeyWishes.h"
+#include "robotlink/foxglove/session/RemoteKeys.h"
 
 namespace robotlink::websocket {
 
@@ -21,7 +21,7 @@ class RemoteRobotList {
     std::string remote;
     /// Its name in the session.
     std::string local;
-    KeyWishes keys;
+    RemoteKeys keys;
     KeyPublishers publishers;
     /// Not mentioned by the server since it was reconnected.
     bool isStale = false;

@@ -376,7 +376,7 @@ bool RemoteSession::wants(const RemoteChannel& channel) {
   if (options.alsoWanted && options.alsoWanted(place.path())) return true;
   if (options.wantsNothingElse) return false;
   if (place.robot == nullptr) return leads();
-  const KeyWishes& keys = place.robot->keys;
+  const RemoteKeys& keys = place.robot->keys;
   if (!isOurs) return !channel.isHeavy() || keys.wants(place.stream);
   if (keys.isOfKey(place.stream)) return keys.wants(place.stream);
   return keys.hasTable() || isAlways(place.stream);

@@ -26,8 +26,8 @@ void RemoteSession::answer(std::uint64_t id, bool isAccepted, const std::string&
 }
 
 void RemoteSession::setKey(RemoteRobotList::Robot& robot, const Request& request) {
-  const KeyWishes before = robot.keys;
-  const KeyWishes::Outcome outcome = robot.keys.set(request.set_key());
+  const RemoteKeys before = robot.keys;
+  const RemoteKeys::Outcome outcome = robot.keys.set(request.set_key());
   if (client->state().isConnected()) {
     const bool isChoice = outcome.isChoice || (outcome.isForwarded && isOurs);
     if (isChoice && !client->state().takesMessages) {

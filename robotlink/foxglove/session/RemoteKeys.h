@@ -16,7 +16,7 @@ namespace robotlink::websocket {
 /// the mode of a key without a stream, and that a key which the robot has on is off, are chosen beside that.
 /// They end with the connection, too, and are chosen again in the next one. The robot's tables have the modes
 /// without both: what is on only because of clients is off in them. One thread.
-class KeyWishes {
+class RemoteKeys {
  public:
   /// What a request to set a key leads to.
   struct Outcome {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/foxglove/session/KeyWishes.h"
+#include "robotlink/foxglove/session/RemoteKeys.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,7 +9,7 @@ namespace robotlink::websocket {
 using robotcontrol::KeyMode;
 using robotcontrol::KeyTable;
 
-KeyWishes::Outcome KeyWishes::set(const robotcontrol::SetKey& request) {
+RemoteKeys::Outcome RemoteKeys::set(const robotcontrol::SetKey& request) {
   const Key* key = find(request.name());
   if (key == nullptr) {
     if (hasTable() || request.mode().kind() != KeyMode::ALWAYS) return {true, false};
@@ -45,36 +45,36 @@ KeyWishes::Outcome KeyWishes::set(const robotcontrol::SetKey& request) {
 }
 
 /// What is counted ends by itself, and is not sent again.
-void KeyWishes::choose(const robotcontrol::SetKey& request) {
+void RemoteKeys::choose(const robotcontrol::SetKey& request) {
   if (request.mode().kind() == KeyMode::N_TIMES)
     counted_.insert(request.name());
   else
     choices_[request.name()] = request.mode();
 }
 
-void KeyWishes::setUnsent() {
+void RemoteKeys::setUnsent() {
   areUnsent_ = true;
   counted_.clear();
 }
 
-std::optional<KeyMode> KeyWishes::choice(const std::string& key) const {
+std::optional<KeyMode> RemoteKeys::choice(const std::string& key) const {
   const auto found = choices_.find(key);
   return found == choices_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::vector<std::string> KeyWishes::takeUnsent() {
+std::vector<std::string> RemoteKeys::takeUnsent() {
   std::vector<std::string> names;
   if (!std::exchange(areUnsent_, false)) return names;
   for (const auto& [name, mode] : choices_) names.push_back(name);
   return names;
 }
 
-void KeyWishes::setChannelKeys(const KeyTable& table) {
+void RemoteKeys::setChannelKeys(const KeyTable& table) {
   table_ = table;
   areChannels_ = true;
 }
 
-KeyTable KeyWishes::shown(KeyTable table) const {
+KeyTable RemoteKeys::shown(KeyTable table) const {
   for (Key& key : *table.mutable_keys()) {
     if (!isOn(key.mode()) && wanted_.contains(key.name())) key.mutable_mode()->set_kind(KeyMode::ALWAYS);
     if (const auto chosen = choice(key.name())) *key.mutable_mode() = *chosen;
@@ -82,20 +82,20 @@ KeyTable KeyWishes::shown(KeyTable table) const {
   return table;
 }
 
-bool KeyWishes::wants(const std::string& stream) const {
+bool RemoteKeys::wants(const std::string& stream) const {
   const Key* key = keyOf(stream);
   if (key == nullptr) return false;
   const auto chosen = choice(key->name());
   return chosen ? isOn(*chosen) : wanted_.contains(key->name()) || isOn(key->mode());
 }
 
-const KeyWishes::Key* KeyWishes::find(const std::string& name) const {
+const RemoteKeys::Key* RemoteKeys::find(const std::string& name) const {
   const auto found = std::ranges::find(table_.keys(), name, [](const Key& key) { return key.name(); });
   return found == table_.keys().end() ? nullptr : &*found;
 }
 
 /// A plot's curves, and the stopwatches of the processes, have streams below that of their key.
-const KeyWishes::Key* KeyWishes::keyOf(const std::string& stream) const {
+const RemoteKeys::Key* RemoteKeys::keyOf(const std::string& stream) const {
   const auto found = std::ranges::find_if(table_.keys(), [&](const Key& key) {
     const std::string& own = key.stream();
     return !own.empty() && stream.starts_with(own) &&
@@ -104,7 +104,7 @@ const KeyWishes::Key* KeyWishes::keyOf(const std::string& stream) const {
   return found == table_.keys().end() ? nullptr : &*found;
 }
 
-bool KeyWishes::isOn(const KeyMode& mode) {
+bool RemoteKeys::isOn(const KeyMode& mode) {
   return mode.kind() != KeyMode::OFF;
 }
 

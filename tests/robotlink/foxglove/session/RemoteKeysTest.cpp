@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/foxglove/session/KeyWishes.h"
+#include "robotlink/foxglove/session/RemoteKeys.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@ SetKey keyRequest(const std::string& name, KeyMode::Kind kind) {
   return request;
 }
 
-class KeyWishesTest : public testing::Test {
+class RemoteKeysTest : public testing::Test {
  protected:
-  KeyWishesTest() {
+  RemoteKeysTest() {
     for (const char* name : {"disc", "circle"}) {
       auto& key = *table_.add_keys();
       key.set_name(name);
@@ -32,11 +32,11 @@ class KeyWishesTest : public testing::Test {
     keys_.setTable(table_);
   }
   robotcontrol::KeyTable table_;
-  KeyWishes keys_;
+  RemoteKeys keys_;
 };
 
-TEST_F(KeyWishesTest, aKeyThatIsSwitchedOnBeforeTheTableComesIsASubscriptionThen) {
-  KeyWishes early;
+TEST_F(RemoteKeysTest, aKeyThatIsSwitchedOnBeforeTheTableComesIsASubscriptionThen) {
+  RemoteKeys early;
   const auto on = early.set(keyRequest("disc", KeyMode::ALWAYS));
   EXPECT_TRUE(on.isForwarded) << "the robot says whether it has this key";
   EXPECT_TRUE(on.hasChanged);
@@ -49,7 +49,7 @@ TEST_F(KeyWishesTest, aKeyThatIsSwitchedOnBeforeTheTableComesIsASubscriptionThen
   EXPECT_FALSE(early.wants("drawings/disc"));
 }
 
-TEST_F(KeyWishesTest, aKeyThatIsSwitchedOnHereIsASubscription) {
+TEST_F(RemoteKeysTest, aKeyThatIsSwitchedOnHereIsASubscription) {
   EXPECT_FALSE(keys_.wants("drawings/disc"));
   const auto on = keys_.set(keyRequest("disc", KeyMode::ALWAYS));
   EXPECT_FALSE(on.isForwarded);
@@ -63,7 +63,7 @@ TEST_F(KeyWishesTest, aKeyThatIsSwitchedOnHereIsASubscription) {
   EXPECT_FALSE(keys_.wants("drawings/disc"));
 }
 
-TEST_F(KeyWishesTest, aKeyThatIsOnForThisClientAloneIsShownAsOn) {
+TEST_F(RemoteKeysTest, aKeyThatIsOnForThisClientAloneIsShownAsOn) {
   EXPECT_EQ(keys_.shown(table_).keys(1).mode().kind(), KeyMode::OFF);
   keys_.set(keyRequest("circle", KeyMode::ALWAYS));
   EXPECT_EQ(keys_.shown(table_).keys(1).mode().kind(), KeyMode::ALWAYS);
@@ -71,7 +71,7 @@ TEST_F(KeyWishesTest, aKeyThatIsOnForThisClientAloneIsShownAsOn) {
   EXPECT_EQ(keys_.shown(table_).keys(1).mode().kind(), KeyMode::EVERY_N);
 }
 
-TEST_F(KeyWishesTest, whatTheRobotSwitchedOnItselfIsWantedAndSwitchedOffThere) {
+TEST_F(RemoteKeysTest, whatTheRobotSwitchedOnItselfIsWantedAndSwitchedOffThere) {
   setMode(0, KeyMode::EVERY_N);
   EXPECT_TRUE(keys_.wants("drawings/disc"));
   EXPECT_TRUE(keys_.set(keyRequest("disc", KeyMode::OFF)).isForwarded);
@@ -85,7 +85,7 @@ TEST_F(KeyWishesTest, whatTheRobotSwitchedOnItselfIsWantedAndSwitchedOffThere) {
   EXPECT_FALSE(keys_.choice("disc"));
 }
 
-TEST_F(KeyWishesTest, otherModesAndKeysWithoutAStreamAreTheRobots) {
+TEST_F(RemoteKeysTest, otherModesAndKeysWithoutAStreamAreTheRobots) {
   EXPECT_TRUE(keys_.set(keyRequest("disc", KeyMode::N_TIMES)).isForwarded);
   EXPECT_TRUE(keys_.wants("drawings/disc"));
   EXPECT_TRUE(keys_.set(keyRequest("no-stream", KeyMode::ALWAYS)).isForwarded);
@@ -95,14 +95,14 @@ TEST_F(KeyWishesTest, otherModesAndKeysWithoutAStreamAreTheRobots) {
   EXPECT_EQ(keys_.takeUnsent(), std::vector<std::string>{"no-stream"});
 }
 
-TEST_F(KeyWishesTest, afterANumberOfTimesAKeyIsSwitchedOnForGood) {
+TEST_F(RemoteKeysTest, afterANumberOfTimesAKeyIsSwitchedOnForGood) {
   keys_.set(keyRequest("disc", KeyMode::N_TIMES));
   const auto on = keys_.set(keyRequest("disc", KeyMode::ALWAYS));
   EXPECT_TRUE(on.isChoice);
   EXPECT_FALSE(keys_.choice("disc"));
 }
 
-TEST_F(KeyWishesTest, aModeIsChosenForThisClientAloneAndToldAgainAfterACut) {
+TEST_F(RemoteKeysTest, aModeIsChosenForThisClientAloneAndToldAgainAfterACut) {
   SetKey every = keyRequest("disc", KeyMode::EVERY_N);
   every.mutable_mode()->set_n(3);
   const auto outcome = keys_.set(every);
@@ -117,8 +117,8 @@ TEST_F(KeyWishesTest, aModeIsChosenForThisClientAloneAndToldAgainAfterACut) {
   EXPECT_FALSE(keys_.choice("disc"));
 }
 
-TEST_F(KeyWishesTest, keysOfChannelsAreNeverForwarded) {
-  KeyWishes keys;
+TEST_F(RemoteKeysTest, keysOfChannelsAreNeverForwarded) {
+  RemoteKeys keys;
   keys.setChannelKeys(table_);
   EXPECT_FALSE(keys.set(keyRequest("disc", KeyMode::EVERY_N)).isForwarded);
   EXPECT_EQ(keys.shown().keys(0).mode().kind(), KeyMode::ALWAYS);
