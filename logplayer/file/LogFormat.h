@@ -14,17 +14,14 @@ namespace logplayer {
 /// A format of logs that are not MCAP files. They are converted when they are opened, and by
 /// `robotctl log import`. A plain value.
 struct LogFormat {
-  /// The robot in such logs, and the program that replays them. Files are resources.
+  /// The robot in such logs.
   struct Robot {
     /// Its name where the user gives it none.
     const char* name = nullptr;
-    /// "robots/nao.yaml"; null: nothing is known of the robot, and no program runs on such logs.
+    /// The resource that describes it, "robots/nao.yaml": the layout of the program that replays such logs,
+    /// the packages in them, the field and the teams. Null: the robot is unknown, and no program runs on such
+    /// logs.
     const char* description = nullptr;
-    /// "layouts/perception.yaml", "fields/2009.yaml"; only with a description.
-    const char* layout = nullptr;
-    const char* field = nullptr;
-    /// The packages that such logs hold.
-    std::vector<const char*> offers = {};
   };
 
   /// "B-Human message queue".

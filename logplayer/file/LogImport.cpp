@@ -5,6 +5,7 @@
 #include <cctype>
 #include <exception>
 #include <optional>
+#include <utility>
 
 #include "logplayer/base/LogWriter.h"
 #include "logplayer/bhuman/MessageQueueReader.h"
@@ -18,6 +19,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 
@@ -30,20 +32,11 @@ using robotlink::StreamMessage;
 namespace {
 
 LogFormat::Robot naoOf2009() {
-  return {"nao",
-          "robots/nao.yaml",
-          "layouts/perception.yaml",
-          "fields/2009.yaml",
-          {robotlink::kCameraImage.name, robotlink::kCameraPose.name, robotlink::kJointStates.name,
-           robotlink::kBodySensors.name, robotlink::kBodyReadings.name, robotlink::kMotionStatus.name}};
+  return {"nao", "robots/nao.yaml"};
 }
 
 LogFormat::Robot camera() {
-  return {"camera",
-          "robots/camera.yaml",
-          "layouts/perception.yaml",
-          "fields/2002.yaml",
-          {robotlink::kCameraImage.name, robotlink::kCameraPose.name}};
+  return {"camera", "robots/camera.yaml"};
 }
 
 Result<void> readResource(const std::string& name, ProgramSetup::File& to) {
@@ -54,18 +47,25 @@ Result<void> readResource(const std::string& name, ProgramSetup::File& to) {
   return {};
 }
 
-/// The setup of the program that replays such a log.
+/// The setup of the program that replays such a log, after the description of its robot.
 Result<std::shared_ptr<ProgramSetup>> setupOf(const LogFormat::Robot& robot, const ImportOptions& options) {
+  const auto file = robotlink::resource(robot.description);
+  const auto description = robotlink::readRobotDescription(file);
+  if (!description) return tl::unexpected(description.error().front());
+  const auto use = robotlink::readRobotUse(file);
+  if (!use) return tl::unexpected(use.error().front());
   auto setup = std::make_shared<ProgramSetup>();
   setup->set_robot(options.robot);
-  setup->set_team("red");
+  setup->set_team(use->teamOf(options.robot));
   setup->set_executor("lockstep");
-  for (const auto& [name, file] : {std::pair{robot.layout, setup->mutable_layout()},
-                                   {robot.description, setup->mutable_description()},
-                                   {robot.field, setup->mutable_field()}}) {
-    if (auto read = readResource(name, *file); !read) return tl::unexpected(std::move(read.error()));
+  std::vector<std::pair<std::string, ProgramSetup::File*>> files{
+      {"layouts/" + description->layout + ".yaml", setup->mutable_layout()},
+      {robot.description, setup->mutable_description()}};
+  if (!use->field.empty()) files.emplace_back("fields/" + use->field + ".yaml", setup->mutable_field());
+  for (const auto& [name, to] : files) {
+    if (auto read = readResource(name, *to); !read) return tl::unexpected(std::move(read.error()));
   }
-  for (const char* package : robot.offers) setup->add_offered(package);
+  for (const std::string& package : description->offers) setup->add_offered(package);
   if (options.colorTable) setup->add_offered(robotlink::kColorTable.name);
   return setup;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/file/LogImport.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -104,6 +105,19 @@ TEST_F(LogImport, aLogBeginsWithTheSetUpOfAProgramThatSuitsIt) {
   ASSERT_TRUE(field) << describe(field.error());
   EXPECT_EQ(field->boundaryLength, 6);
   EXPECT_FALSE(setup.description().text().empty());
+}
+
+TEST_F(LogImport, fieldAndTeamAreThoseOfTheRobotAndItsName) {
+  for (const auto& [robot, team] : {std::pair{"nao", "red"}, std::pair{"blue3", "blue"}}) {
+    ImportOptions options;
+    options.robot = robot;
+    ASSERT_TRUE(importLog(written(someLog().file()), target(), options));
+    robotcontrol::ProgramSetup setup;
+    ASSERT_TRUE(setup.ParseFromString(messagesOf(target())[0].data));
+    EXPECT_EQ(setup.team(), team);
+    EXPECT_EQ(setup.field().name(), "fields/2009.yaml");
+    EXPECT_THAT(setup.offered(), testing::Contains("joints/states"));
+  }
 }
 
 TEST_F(LogImport, aColorTableGoesIntoTheLog) {
