@@ -14,7 +14,7 @@ namespace arcos = robotlink::arcos;
 
 /// The one packet that the bytes are, or what is wrong with them.
 arcos::PacketParser::Found parsed(const std::string& bytes) {
-  arcos::Damage whole;
+  arcos::DamagedBytes whole;
   whole.bytes.assign(bytes.begin(), bytes.end());
   arcos::PacketParser parser;
   parser.push(whole.bytes);
@@ -28,7 +28,7 @@ arcos::PacketParser::Found parsed(const std::string& bytes) {
     if (packet->count() + 3 == bytes.size()) return *packet;
     return whole;  // more than one packet, or trailing bytes
   }
-  whole.kind = std::get<arcos::Damage>(*found).kind;
+  whole.kind = std::get<arcos::DamagedBytes>(*found).kind;
   return whole;
 }
 
@@ -59,7 +59,7 @@ PacketEntry packetEntry(robotlink::Instant time, bool fromRobot, std::string byt
     entry.damaged = damaged || !description.problem.empty();
   } else {
     entry.damaged = true;
-    entry.name = QString::fromLatin1(arcos::describe(std::get<arcos::Damage>(found).kind));
+    entry.name = QString::fromLatin1(arcos::describe(std::get<arcos::DamagedBytes>(found).kind));
     entry.summary = counted(bytes.size(), QObject::tr("1 byte"), QObject::tr("%1 bytes"));
   }
   entry.bytes = std::move(bytes);
@@ -72,7 +72,7 @@ arcos::PacketDescription describePacket(const PacketEntry& entry) {
     return arcos::describe(*packet, directionOf(entry.fromRobot));
   arcos::PacketDescription description;
   description.name = entry.name.toStdString();
-  description.problem = arcos::describe(std::get<arcos::Damage>(found).kind);
+  description.problem = arcos::describe(std::get<arcos::DamagedBytes>(found).kind);
   return description;
 }
 
