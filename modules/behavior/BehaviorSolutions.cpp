@@ -68,7 +68,7 @@ class GoToBallAndKick final : public Behavior {
 
  private:
   static Vector2 opponentGoal(const robotlink::RobotSetup& robot) {
-    const double direction = robot.team == "blue" ? -1 : 1;
+    const double direction = robot.field->playingDirection(robot.team);
     for (const auto& goal : robot.field->goals)
       if (goal.x * direction > 0) return {goal.x, 0};
     return {direction * 0.5 * robot.field->length, 0};

@@ -47,7 +47,7 @@ SituationReader::SituationReader(robotlink::SolutionContext& context)
       landmarks_(context.input(robotlink::kLandmarkPercepts)) {}
 
 Pose2 SituationReader::teamInField() const {
-  bool isTurned = team_ == "blue";
+  bool isTurned = field_ && field_->playingDirection(team_) < 0;
   if (game_ && field_) {
     for (const auto& team : game_->teams()) {
       const auto goal =

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "modules/modeling/PlayerTracker.h"
 #include "robotcontrol/Modeling.pb.h"
+#include "robotlink/config/FieldDescription.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
 
@@ -22,7 +24,9 @@ inline const robotlink::PlotKey kPlayerCountKey{"players-model/count", "How many
 class PlayersModeler : public robotlink::Solution {
  public:
   explicit PlayersModeler(robotlink::SolutionContext& context)
-      : debug_(context.debug()), model_(context.output(robotlink::kPlayersModel)) {}
+      : debug_(context.debug()),
+        model_(context.output(robotlink::kPlayersModel)),
+        field_(context.robot().field) {}
 
  protected:
   void publish(const std::vector<TrackedPlayer>& players, const google::protobuf::Timestamp& time) {
@@ -39,9 +43,12 @@ class PlayersModeler : public robotlink::Solution {
     if (!debug_.on(kPlayersKey)) return;
     auto drawing = debug_.fieldDrawing(kPlayersKey);
     for (const TrackedPlayer& player : players)
-      drawing.circle(player.positionInField, 0.15,
-                     player.team == "red" ? robotlink::colors::kRed : robotlink::colors::kBlue,
-                     1 + 2 * player.confidence);
+      drawing.circle(player.positionInField, 0.15, teamColor(player.team, 1), 1 + 2 * player.confidence);
+  }
+
+  /// The color in which players of a team are drawn.
+  robotlink::Color teamColor(const std::string& team, double alpha) const {
+    return {field_ ? field_->teamColor(team) : robotlink::colors::kBlue.rgb, alpha};
   }
 
   /// For drawings of the derived classes.
@@ -49,6 +56,7 @@ class PlayersModeler : public robotlink::Solution {
 
  private:
   robotlink::Output<robotcontrol::PlayersModel> model_;
+  std::shared_ptr<const robotlink::FieldDescription> field_;
 };
 
 }  // namespace modules

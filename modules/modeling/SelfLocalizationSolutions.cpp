@@ -16,10 +16,12 @@ namespace {
 
 using robotlink::Pose2;
 
-/// Start poses are those of the red team; for the blue team the field is rotated by half a turn.
-Pose2 startPose(const robotcontrol::Pose2& start, const std::string& team) {
-  const Pose2 red = robotlink::pose2(start);
-  return team == "blue" ? Pose2{0, 0, robotlink::kPi} * red : red;
+/// Start poses are those of a team that plays toward +x; for the other one the field is rotated by half a
+/// turn.
+Pose2 startPose(const robotcontrol::Pose2& start, const robotlink::RobotSetup& robot) {
+  const Pose2 pose = robotlink::pose2(start);
+  return robot.field && robot.field->playingDirection(robot.team) < 0 ? Pose2{0, 0, robotlink::kPi} * pose
+                                                                      : pose;
 }
 
 class OdometryLocalization final : public SelfLocalization {
@@ -27,7 +29,7 @@ class OdometryLocalization final : public SelfLocalization {
   explicit OdometryLocalization(robotlink::SolutionContext& context)
       : SelfLocalization(context),
         parameters_(context.parameters<robotcontrol::OdometryLocalisationParameters>()),
-        team_(context.robot().team),
+        robot_(context.robot()),
         motion_(context.input(robotlink::kMotionStatus)) {}
 
   void execute() override {
@@ -38,7 +40,7 @@ class OdometryLocalization final : public SelfLocalization {
     way_ += std::hypot(step.x, step.y);
     turn_ += std::abs(step.heading);
     PoseEstimate estimate;
-    estimate.robotInField = startPose(parameters_.start(), team_) * now;
+    estimate.robotInField = startPose(parameters_.start(), robot_) * now;
     estimate.headingDeviation = parameters_.drift_per_radian() * turn_;
     estimate.positionDeviation =
         parameters_.drift_per_metre() * way_ + 0.5 * way_ * estimate.headingDeviation;
@@ -47,7 +49,7 @@ class OdometryLocalization final : public SelfLocalization {
 
  private:
   const robotcontrol::OdometryLocalisationParameters& parameters_;
-  std::string team_;
+  const robotlink::RobotSetup& robot_;
   robotlink::Input<robotcontrol::MotionStatus> motion_;
   Pose2 last_;
   double way_ = 0, turn_ = 0;
@@ -70,7 +72,7 @@ class LandmarkLocalization final : public SelfLocalization {
         percepts_(context.input(robotlink::kLandmarkPercepts)),
         motion_(context.input(robotlink::kMotionStatus)),
         parameters_(context.parameters<robotcontrol::LandmarkLocalisationParameters>()),
-        localizer_(options(), startPose(parameters_.start(), context.robot().team),
+        localizer_(options(), startPose(parameters_.start(), context.robot()),
                    parameters_.start_deviation()) {}
 
   void execute() override {

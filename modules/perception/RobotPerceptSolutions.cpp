@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions of the task "robot-percepts": other robots, found by the patches in their team's color.
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "PerceptionParameters.pb.h"
 #include "modules/perception/FieldLandmarks.h"
 #include "modules/perception/PatchFinder.h"
 #include "modules/perception/PerceptPackages.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/config/FieldDescription.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
 
@@ -26,6 +31,7 @@ class RobotPerceptor : public robotlink::Solution {
       : debug_(context.debug()),
         parameters_(context.parameters<robotcontrol::PatchParameters>()),
         classes_(fieldClasses(*context.robot().field)),
+        teams_(context.robot().field->teams),
         regions_(context.input(robotlink::kColorRegions)),
         pose_(context.input(robotlink::kCameraPose)),
         percepts_(context.output(robotlink::kRobotPercepts)) {}
@@ -36,14 +42,15 @@ class RobotPerceptor : public robotlink::Solution {
     const PatchFinder finder({parameters_.minimum_area(), parameters_.patch_height(),
                               parameters_.minimum_distance(), parameters_.maximum_distance(),
                               parameters_.robot_length()});
-    const std::array<int, 2> teams{classes_.index("red"), classes_.index("blue")};
+    std::vector<int> teams;
+    for (const auto& team : teams_) teams.push_back(classes_.index(team.color));
     const std::vector<RobotObservation> seen = find(finder, teams, cameraView(*pose_));
     draw(seen);
     auto package = std::make_shared<robotcontrol::RobotPercepts>();
     *package->mutable_timestamp() = regions_->timestamp();
     for (const RobotObservation& robot : seen) {
       robotcontrol::RobotPercept& added = *package->add_robots();
-      added.set_team(classes_.name(robot.teamClass));
+      added.set_team(teamOf(robot.teamClass));
       robotlink::assign(*added.mutable_position_in_robot(), robot.positionInRobot);
       added.set_confidence(robot.confidence);
     }
@@ -56,6 +63,10 @@ class RobotPerceptor : public robotlink::Solution {
   const std::vector<colortool::Region>& regions() const { return known_; }
 
  private:
+  const std::string& teamOf(int color) const {
+    return std::ranges::find(teams_, classes_.name(color), &robotlink::FieldDescription::Team::color)->name;
+  }
+
   void draw(const std::vector<RobotObservation>& seen) {
     if (debug_.on(kRobotCountKey)) debug_.plot(kRobotCountKey, static_cast<double>(seen.size()));
     if (!debug_.on(kRobotPlacesKey)) return;
@@ -67,6 +78,7 @@ class RobotPerceptor : public robotlink::Solution {
   robotlink::DebugContext& debug_;
   const robotcontrol::PatchParameters& parameters_;
   colortool::ColorClasses classes_;
+  std::vector<robotlink::FieldDescription::Team> teams_;
   robotlink::Input<robotcontrol::ColorRegions> regions_;
   robotlink::Input<robotcontrol::CameraPose> pose_;
   robotlink::Output<robotcontrol::RobotPercepts> percepts_;

@@ -111,6 +111,25 @@ void readKickOff(const YamlNode& root, FieldDescription& field) {
   }
 }
 
+void readTeams(const YamlNode& root, FieldDescription& field) {
+  const YamlNode teams = root.optionalChild("teams");
+  if (teams.empty()) {
+    for (const auto& [name, direction] : {std::pair{"red", 1}, std::pair{"blue", -1}}) {
+      const auto goal =
+          std::ranges::find_if(field.goals, [&](const auto& each) { return each.x * direction > 0; });
+      field.teams.push_back({name, goal == field.goals.end() ? "" : goal->name, name});
+    }
+    return;
+  }
+  for (const YamlNode& node : teams.items()) {
+    FieldDescription::Team team{node.required<std::string>("name"), node.required<std::string>("attacks"),
+                                colorOf(node, "color", field)};
+    if (std::ranges::find(field.goals, team.attacks, &FieldDescription::Goal::name) == field.goals.end())
+      node.fail("field.team", "the team attacks '" + team.attacks + "', which is none of the goals");
+    field.teams.push_back(std::move(team));
+  }
+}
+
 tl::expected<FieldDescription, Errors> readField(YamlReader& yaml) {
   const YamlNode root = yaml.root();
   FieldDescription field;
@@ -121,6 +140,7 @@ tl::expected<FieldDescription, Errors> readField(YamlReader& yaml) {
   readGround(root, field);
   readLines(root.child("lines"), field);
   readGoals(root, field);
+  readTeams(root, field);
   readBeacons(root, field);
   readKickOff(root, field);
   const YamlNode ball = root.child("ball");
@@ -132,6 +152,20 @@ tl::expected<FieldDescription, Errors> readField(YamlReader& yaml) {
 }
 
 }  // namespace
+
+double FieldDescription::playingDirection(std::string_view team) const {
+  const auto found = std::ranges::find(teams, team, &Team::name);
+  if (found == teams.end()) return 1;
+  const auto goal = std::ranges::find(goals, found->attacks, &Goal::name);
+  return goal != goals.end() && goal->x < 0 ? -1 : 1;
+}
+
+Rgb FieldDescription::teamColor(std::string_view team) const {
+  constexpr Rgb kGray{128, 128, 128};
+  const auto found = std::ranges::find(teams, team, &Team::name);
+  const Rgb* rgb = found == teams.end() ? nullptr : color(found->color);
+  return rgb == nullptr ? kGray : *rgb;
+}
 
 const Rgb* FieldDescription::color(std::string_view colorName) const {
   const auto found = std::ranges::find(palette, colorName, &PaletteColor::name);

@@ -15,7 +15,7 @@ namespace robotlink {
 
 /// A soccer field as read from a file like resources/fields/2002.yaml: the only source of its geometry and
 /// colors for the simulator, the robot program and the views. Meters and radians; the origin is the center of
-/// the field, +x points to the goal that the red team attacks, +y to the left. Colors are names in the
+/// the field, +x points to the goal that the first team attacks, +y to the left. Colors are names in the
 /// palette. Lengths of things that a field lacks are 0, their colors and lists empty. A plain value.
 struct FieldDescription {
   /// A goal; goals share width, depth and height (see goalWidth).
@@ -32,6 +32,14 @@ struct FieldDescription {
     Vector2 position = Vector2::Zero();
     std::string topColor;
     std::string bottomColor;
+  };
+  /// A team that plays on the field.
+  struct Team {
+    std::string name;
+    /// The name of the goal that it attacks, except where a game says otherwise.
+    std::string attacks;
+    /// The color of its robots.
+    std::string color;
   };
   /// A named color of the file's palette.
   struct PaletteColor {
@@ -70,6 +78,8 @@ struct FieldDescription {
   /// Kick-off positions of the team that plays toward +x, all in its own half (x < 0); the other team stands
   /// at the points mirrored through the center.
   std::vector<Pose2> kickOff;
+  /// Files without teams, as in logs of before, have the teams red, toward +x, and blue.
+  std::vector<Team> teams;
   double ballRadius = 0, ballMass = 0;  ///< m and kg
   std::string ballColor;
   /// In the file's order.
@@ -83,6 +93,10 @@ struct FieldDescription {
   /// The height of the center of a beacon's lower band above the ground.
   double beaconBottomBandHeight() const { return beaconBaseHeight + 0.5 * beaconBandHeight; }
   double beaconTopBandHeight() const { return beaconBaseHeight + 1.5 * beaconBandHeight; }
+  /// 1 if a team plays toward +x, -1 if toward -x. Unknown teams play toward +x.
+  double playingDirection(std::string_view team) const;
+  /// The color of a team's robots; gray if the team is unknown.
+  Rgb teamColor(std::string_view team) const;
   /// The palette's color of this name; null if there is none.
   const Rgb* color(std::string_view colorName) const;
 

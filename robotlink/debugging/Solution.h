@@ -66,7 +66,7 @@ class Output {
 /// The properties of the robot that every solution may read. Immutable.
 struct RobotSetup {
   std::string name;  ///< "red1"
-  std::string team;  ///< "red" or "blue"
+  std::string team;  ///< one of the field's teams; empty: none
   RobotDescription description;
   std::shared_ptr<const FieldDescription> field;
   /// The map of the building that it drives in; null if it has none.

@@ -57,7 +57,7 @@ void readTimes(const YamlNode& root, GameRules& rules) {
   rules.teams = teams.as<std::vector<std::string>>();
   if (rules.teams.size() != 2 || rules.teams[0] == rules.teams[1]) {
     teams.fail("game.teams", "two teams play against each other");
-    rules.teams = {"red", "blue"};
+    rules.teams = {"1", "2"};
   }
   const YamlNode halves = root.child("halves");
   rules.halves = static_cast<unsigned>(halves.wholeNumberIn("count", 1, 10));

@@ -2,6 +2,7 @@
 #include "app/core/game/KickOff.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "app/core/game/FieldOfPlay.h"
 #include "simcore/Scene.h"
@@ -13,9 +14,10 @@ namespace {
 
 using robotlink::Vector3;
 
-// The red team plays toward +x, as FieldDescription says.
-constexpr const char* kTowardsPlusX = "red";
-constexpr const char* kTowardsMinusX = "blue";
+std::string capitalized(std::string name) {
+  if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  return name;
+}
 
 }  // namespace
 
@@ -36,7 +38,8 @@ KickOff::KickOff(std::shared_ptr<const robotlink::FieldDescription> field, simco
 }
 
 void KickOff::restart() {
-  goals_ = {{kTowardsPlusX, 0}, {kTowardsMinusX, 0}};
+  goals_.clear();
+  for (const auto& team : field_->teams) goals_[team.name] = 0;
   outSince_.reset();
 }
 
@@ -76,12 +79,17 @@ bool KickOff::followModels() {
 std::optional<std::string> KickOff::scorer(const Vector3& ball) const {
   const int side = goalWithBall(*field_, ball);
   if (side == 0) return std::nullopt;
-  return side < 0 ? kTowardsMinusX : kTowardsPlusX;
+  for (const auto& team : field_->teams) {
+    if (field_->playingDirection(team.name) * side > 0) return team.name;
+  }
+  return std::nullopt;
 }
 
 std::string KickOff::score() const {
-  return "Red " + std::to_string(goals_.at(kTowardsPlusX)) + ", blue " +
-         std::to_string(goals_.at(kTowardsMinusX)) + ".";
+  std::string text;
+  for (const auto& team : field_->teams)
+    text += (text.empty() ? "" : ", ") + team.name + " " + std::to_string(goals_.at(team.name));
+  return capitalized(text) + ".";
 }
 
 std::vector<std::string> KickOff::step() {

@@ -81,7 +81,7 @@ std::optional<BallTrials::Trial> playForGoal(SimulatedRun& run, const BallTrials
   const robotlink::Clock& clock = run.world().clock();
   const auto& robots = run.world().simulation().scene().robots();
   const auto robot = std::ranges::find(robots, run.robots().front(), &simcore::Scene::Robot::name);
-  const double direction = robot != robots.end() && robot->team == "blue" ? -1 : 1;
+  const double direction = robot == robots.end() ? 1 : run.field()->playingDirection(robot->team);
   while (clock.now() < robotlink::Instant(robotlink::fromSeconds(trials.seconds)) && !trial.scored) {
     if (trials.stop && trials.stop()) return std::nullopt;
     run.step();

@@ -31,10 +31,6 @@ const robotlink::FieldDrawingKey kTracksKey{
 /// Other robots are not found farther away, m.
 constexpr double kFarthestPlayer = 2.5;
 
-Color teamColor(const std::string& team, double alpha) {
-  return {(team == "red" ? robotlink::colors::kRed : robotlink::colors::kBlue).rgb, alpha};
-}
-
 /// The sector that a camera shows of the ground; it shows nothing if it looks straight up or down.
 SeenSector sectorOf(const robotcontrol::CameraPose& camera, const robotlink::Pose2& robotInField) {
   const robotlink::Pose3 inRobot = robotlink::pose3(camera.camera_in_robot());

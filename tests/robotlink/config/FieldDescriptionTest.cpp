@@ -50,7 +50,7 @@ TEST(FieldDescription, placesOfTheKickOffLieInTheOwnHalf) {
   ASSERT_EQ(field->kickOff.size(), 4U);
   EXPECT_EQ(field->kickOff[0], (Pose2{-0.8, 0, 0}));
   const std::string wrong = fieldErrors(withReplaced("[[-0.8, 0.0]", "[[0.8, 0.0]"));
-  EXPECT_THAT(wrong, HasSubstr("field.yaml:23"));
+  EXPECT_THAT(wrong, HasSubstr("field.yaml:27"));
   EXPECT_THAT(wrong, HasSubstr("in the half of the team that plays toward +x"));
 }
 
@@ -78,6 +78,29 @@ TEST(FieldDescription, aFieldNeedsNoWallsAndNoBeaconsButMayHaveLinesAroundIt) {
   EXPECT_THAT(fieldErrors(withReplaced("lines: {width: 0.025,",
                                        "lines: {boundary: {length: 9, width: 2}, width: 0.025,")),
               HasSubstr("'length' must be between"));
+}
+
+TEST(FieldDescription, teamsHaveAGoalToAttackAndAColor) {
+  const auto field = FieldDescription::parse(withReplaced("{name: red, attacks: skyblue, color: red}",
+                                                          "{name: cyan, attacks: yellow, color: skyblue}"),
+                                             "field.yaml");
+  ASSERT_TRUE(field) << describe(field.error());
+  EXPECT_EQ(field->playingDirection("cyan"), -1);
+  EXPECT_EQ(field->teamColor("cyan"), *field->color("skyblue"));
+  EXPECT_EQ(field->playingDirection("red"), 1) << "is not one of the teams";
+  EXPECT_THAT(fieldErrors(withReplaced("attacks: skyblue", "attacks: green")),
+              HasSubstr("attacks 'green', which is none of the goals"));
+}
+
+TEST(FieldDescription, aFieldOfAnOlderLogHasTheTeamsOf2002) {
+  std::string text = fieldText();
+  const std::size_t begin = text.find("teams:"), end = text.find("# Where robots");
+  ASSERT_LT(begin, end);
+  const auto old = FieldDescription::parse(text.erase(begin, end - begin), "field.yaml");
+  ASSERT_TRUE(old) << describe(old.error());
+  EXPECT_EQ(old->playingDirection("red"), 1);
+  EXPECT_EQ(old->playingDirection("blue"), -1);
+  EXPECT_EQ(old->teamColor("blue"), *old->color("blue"));
 }
 
 TEST(FieldDescription, aColorThatThePaletteLacksIsRefusedWithItsPlace) {
