@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
+#include "app/core/pioneer/PioneerCommands.h"
 #include "app/core/program/ColorTables.h"
 #include "foxglove/Grid.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/arcos/GripperState.h"
-#include "robotlink/arcos/codec/Command.h"
 #include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/packages/Conversions.h"
@@ -316,37 +314,6 @@ Result<void> saveMap(OpenPlatform& open, const std::string& file) {
   return map->save(file);
 }
 
-/// Sends a command of ARCOS to the selected robot, whose driver refuses it if it is none.
-Result<void> sendArcos(OpenPlatform& open, robotlink::arcos::CommandId id, int argument) {
-  const auto bytes = encode(toPacket(robotlink::arcos::command(id, argument)));
-  Request request;
-  request.mutable_control_drive()->add_packets(std::string(bytes.begin(), bytes.end()));
-  return ask(open, request);
-}
-
-Result<void> moveGripper(OpenPlatform& open, const std::string& action) {
-  using robotlink::arcos::GripperAction;
-  constexpr std::pair<std::string_view, GripperAction> kActions[]{
-      {"open", GripperAction::kOpen},          {"close", GripperAction::kClose},
-      {"stop", GripperAction::kStop},          {"lift-up", GripperAction::kLiftUp},
-      {"lift-down", GripperAction::kLiftDown}, {"lift-stop", GripperAction::kLiftStop},
-      {"store", GripperAction::kStore},        {"deploy", GripperAction::kDeploy},
-      {"halt", GripperAction::kHalt}};
-  const auto* found = std::ranges::find(kActions, action, &std::pair<std::string_view, GripperAction>::first);
-  if (found == std::end(kActions))
-    return robotlink::failure("robot.gripper", "a gripper cannot do " + action, {}, {action});
-  return sendArcos(open, robotlink::arcos::CommandId::kGripper, static_cast<int>(found->second));
-}
-
-Result<void> setOutput(OpenPlatform& open, double number, bool on) {
-  if (number < 0 || number > 7 || number != std::floor(number))
-    return robotlink::failure("robot.output", "digital outputs are numbered 0 to 7");
-  // The high byte says which outputs change, the low one how.
-  const unsigned bit = 1U << static_cast<unsigned>(number);
-  const auto both = static_cast<std::int16_t>(bit << 8U | (on ? bit : 0U));
-  return sendArcos(open, robotlink::arcos::CommandId::kDigOut, both);
-}
-
 void addForDrive(CommandTable& commands, OpenPlatform& open) {
   commands.attach("robot.goal", [&open](const Values& values) {
     Request request;
@@ -367,11 +334,7 @@ void addForDrive(CommandTable& commands, OpenPlatform& open) {
       return ask(open, request);
     });
   };
-  commands.attach("robot.gripper",
-                  [&open](const Values& values) { return moveGripper(open, text(values, 0)); });
-  commands.attach("robot.output", [&open](const Values& values) {
-    return setOutput(open, number(values, 0), flag(values, 1));
-  });
+  addPioneerCommands(commands, [&open](const Request& request) { return ask(open, request); });
   commands.attach("robot.save-map", [&open](const Values& values) { return saveMap(open, text(values, 0)); });
   addSwitch("robot.motors", [](auto& details, bool on) { details.set_motors(on); });
   addSwitch("robot.sonars", [](auto& details, bool on) { details.set_sonar(on); });
