@@ -9,6 +9,7 @@
 
 #include "logplayer/LogInfo.h"
 #include "logplayer/base/LogDates.h"
+#include "robotlink/base/TextParts.h"
 
 namespace logplayer {
 namespace {
@@ -50,15 +51,6 @@ std::string dateOrSeconds(Instant time) {
   return isDate(time) ? dateText(time) : formatted("%.3f s", robotlink::seconds(time));
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) {
-    if (!text.empty()) text += ", ";
-    text += part;
-  }
-  return text;
-}
-
 /// The encoding of a stream's messages, if not all are Protobuf.
 std::string encodingText(const LogInfo::Stream& stream) {
   if (stream.undecoded == 0) return stream.encoding;
@@ -85,7 +77,8 @@ std::string undecodedText(const LogInfo& info) {
   std::vector<std::string> names;
   for (const auto& [name, streams] : encodings) names.push_back(name);
   return count == 0 ? ""
-                    : countText(count) + (count == 1 ? " message (" : " messages (") + joined(names) + ")";
+                    : countText(count) + (count == 1 ? " message (" : " messages (") +
+                          robotlink::joined(names) + ")";
 }
 
 std::string percentText(std::uint64_t part, std::uint64_t whole) {
@@ -171,7 +164,8 @@ std::string compressionText(const LogInfo& info) {
   std::vector<std::string> names;
   for (const auto& [name, count] : info.compressions)
     names.push_back(name == "none" ? "not compressed" : name);
-  std::string text = countText(info.chunks) + (info.chunks == 1 ? " chunk, " : " chunks, ") + joined(names);
+  std::string text =
+      countText(info.chunks) + (info.chunks == 1 ? " chunk, " : " chunks, ") + robotlink::joined(names);
   if (info.compressedBytes != info.uncompressedBytes) {
     text += ": " + bytesText(info.compressedBytes) + " of " + bytesText(info.uncompressedBytes) + " (" +
             percentText(info.compressedBytes, info.uncompressedBytes) + ")";

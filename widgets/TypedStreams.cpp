@@ -46,18 +46,14 @@ std::string lastPart(const std::string& path) {
   return path.substr(path.rfind('/') + 1);
 }
 
-std::string robotPart(const std::string& path) {
-  const std::size_t slash = path.find('/');
-  return slash == std::string::npos ? std::string() : path.substr(0, slash);
-}
-
 bool hasForeignStreams(const robotlink::StreamStore& store) {
   namespace streams = robotlink::streams;
   constexpr std::array<std::string_view, 10> kOfWorld{
       streams::kScene, streams::kTransforms, streams::kSimulation, streams::kRecording, streams::kReplay,
       streams::kMap,   streams::kBookmarks,  streams::kObjects,    streams::kPorts,     streams::kSolids};
   return std::ranges::any_of(store.streams(), [&](const auto* stream) {
-    return robotPart(stream->path).empty() && std::ranges::find(kOfWorld, stream->path) == kOfWorld.end();
+    return robotlink::streams::robotOf(stream->path).empty() &&
+           std::ranges::find(kOfWorld, stream->path) == kOfWorld.end();
   });
 }
 

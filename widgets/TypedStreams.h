@@ -33,8 +33,6 @@ std::vector<const void*> valuesOf(const std::vector<const robotlink::StreamMessa
 
 /// The part behind the last '/': "cognition" of "red1/stopwatches/cognition".
 std::string lastPart(const std::string& path);
-/// The part before the first '/': the robot of a stream; empty if there is none.
-std::string robotPart(const std::string& path);
 
 /// Whether there are streams of other programs that belong to no robot, as in logs of ROS: all but those of
 /// our own world ("scene", "map").

@@ -25,12 +25,6 @@ constexpr std::string_view kFirstLine = "robotcontrol-color-classes 1";
 constexpr std::size_t kMaxTableBytes = 64U << 10U;
 constexpr std::size_t kMaxErrors = 20;
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::optional<robotlink::Rgb> color(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   unsigned value = 0;
@@ -49,16 +43,16 @@ class NamedTableParser {
   void line(std::string_view text) {
     ++line_;
     if (line_ == 1) {
-      if (trimmed(text) != kFirstLine)
+      if (robotlink::trimmed(text) != kFirstLine)
         wrong(fmt::format("this is not a file of color classes: its first line must be '{}'", kFirstLine));
       return;
     }
-    text = trimmed(text);
+    text = robotlink::trimmed(text);
     if (text.empty()) return;
     const std::size_t space = text.find_last_of(" \t");
     const auto shown = space == std::string_view::npos ? std::nullopt : color(text.substr(space + 1));
     if (!shown) return wrong("a class is expected here: its name and its color, as in 'orange #ff6900'");
-    add(std::string(trimmed(text.substr(0, space))), *shown);
+    add(std::string(robotlink::trimmed(text.substr(0, space))), *shown);
   }
   bool goesOn() const { return errors_.size() < kMaxErrors && (line_ != 1 || errors_.empty()); }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robotlink/base/TextParts.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace logplayer {
@@ -19,22 +20,16 @@ bool isOfARobot(std::string_view path, std::string_view name) {
   return slash != std::string_view::npos && path.substr(slash + 1) == name;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 }  // namespace
 
 robotlink::Result<robotcontrol::StreamSelection> readSelection(std::string_view text) {
   robotcontrol::StreamSelection selection;
-  if (trimmed(text).empty()) return selection;
+  if (robotlink::trimmed(text).empty()) return selection;
   while (true) {
     const auto comma = text.find(',');
-    const std::string_view part = trimmed(text.substr(0, comma));
+    const std::string_view part = robotlink::trimmed(text.substr(0, comma));
     const bool excluded = part.starts_with('-');
-    const std::string pattern(excluded ? trimmed(part.substr(1)) : part);
+    const std::string pattern(excluded ? robotlink::trimmed(part.substr(1)) : part);
     if (pattern.empty() || pattern.find_first_of(" \t") != std::string::npos) {
       return robotlink::failure(
           "selection.pattern",

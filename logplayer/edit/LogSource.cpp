@@ -22,15 +22,10 @@ constexpr robotlink::Duration kFrameSpan = std::chrono::seconds(1);
 // Maximum number of incomplete frames of a process, in case their messages are interleaved.
 constexpr std::size_t kOpenFrames = 8;
 
-std::string robotPartOf(const std::string& path) {
-  const auto slash = path.find('/');
-  return slash == std::string::npos ? std::string() : path.substr(0, slash);
-}
-
 std::string framesPathOf(const mcap::Channel& channel) {
   const auto process = channel.metadata.find("process");
   if (process == channel.metadata.end() || process->second.empty()) return {};
-  return robotPartOf(channel.topic) + "/" + robotlink::streams::kFrames + process->second;
+  return robotlink::streams::robotOf(channel.topic) + "/" + robotlink::streams::kFrames + process->second;
 }
 
 std::string listed(const std::map<std::string, std::uint64_t>& counts) {

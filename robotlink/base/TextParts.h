@@ -2,10 +2,32 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
+#include <utility>
 
-// Reading a text part by part.
+// Reading a text part by part, and joining parts.
 namespace robotlink {
+
+/// The text without blanks at its ends: spaces, tabs and carriage returns.
+inline std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+/// The texts of a range with a separator between them.
+template <typename Range>
+std::string joined(const Range& texts, std::string_view separator = ", ") {
+  std::string all;
+  bool isFirst = true;
+  for (const auto& text : texts) {
+    if (!std::exchange(isFirst, false)) all += separator;
+    all += text;
+  }
+  return all;
+}
 
 /// Removes what is before the first `separator`, and the separator, from the text; returns what was before
 /// it. Without a separator that is the whole text.

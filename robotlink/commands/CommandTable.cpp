@@ -11,6 +11,7 @@
 
 #include "robotlink/base/ParsedNumber.h"
 #include "robotlink/base/Spelling.h"
+#include "robotlink/base/TextParts.h"
 #include "robotlink/commands/CommandLine.h"
 
 namespace robotlink {
@@ -51,16 +52,10 @@ Type typeOf(const Value& value) {
   return static_cast<Type>(value.index());
 }
 
-std::string listed(const std::vector<std::string>& names, const char* between) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : between) + name;
-  return list;
-}
-
 /// "logged, recomputed or automatic"
 std::string alternatives(const std::vector<std::string>& names) {
   const std::vector<std::string> first(names.begin(), names.end() - 1);
-  return first.empty() ? names.back() : listed(first, ", ") + " or " + names.back();
+  return first.empty() ? names.back() : joined(first, ", ") + " or " + names.back();
 }
 
 /// A value as it is written in a line.
@@ -73,7 +68,7 @@ std::string inLine(const Value& value) {
 }
 
 std::string typeInWords(const Argument& argument) {
-  return argument.choices.empty() ? typeName(argument.type) : listed(argument.choices, "|");
+  return argument.choices.empty() ? typeName(argument.type) : joined(argument.choices, "|");
 }
 
 /// What an argument is, for error messages: "factor: number, times real time".
@@ -263,7 +258,7 @@ Result<const CommandTable::Command*> CommandTable::require(const std::string& na
   }
   const std::string near = nearest(name, all);
   const std::string known = !near.empty()    ? "; did you mean " + near + "?"
-                            : !group.empty() ? "; there are " + listed(group, ", ")
+                            : !group.empty() ? "; there are " + joined(group, ", ")
                                              : std::string();
   return failure("command.unknown", "there is no command " + name + known, {{}, 0, 1}, {name});
 }

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <string_view>
+
 namespace robotlink::streams {
+
+/// The robot whose stream has a path: "red1" of "red1/camera/image"; empty for streams of the whole world.
+inline std::string robotOf(std::string_view path) {
+  const std::size_t slash = path.find('/');
+  return std::string(slash == std::string_view::npos ? std::string_view() : path.substr(0, slash));
+}
 
 // The paths of a robot's messages, below its name: the values of DebugMessage.path. All streams with their
 // types and sources are listed in robotlink/session/STREAMS.md. The path of a requested package is its name.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robotlink/base/TextParts.h"
 #include "robotlink/motions/MotionWords.h"
 #include "robotlink/motions/MotionWriter.h"
 
@@ -11,12 +12,6 @@ namespace {
 
 /// Columns of new key frames are as wide as "-117.5".
 constexpr std::size_t kColumnWidth = 6;
-
-std::string joined(const std::vector<std::string>& rows) {
-  std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) text += (i > 0 ? "\n" : "") + rows[i];
-  return text;
-}
 
 std::vector<std::string> rowsOf(std::string_view text) {
   std::vector<std::string> rows;
@@ -132,7 +127,7 @@ std::string withName(std::string_view text, const std::string& name) {
     const auto words = motionWords(row);
     if (words.size() != 3 || words[0].text != "motion_id" || words[1].text != "=") continue;
     row.replace(static_cast<std::size_t>(words[2].column - 1), words[2].text.size(), name);
-    return joined(rows);
+    return joined(rows, "\n");
   }
   return "motion_id = " + name + "\n" + std::string(text);
 }
@@ -140,7 +135,7 @@ std::string withName(std::string_view text, const std::string& name) {
 std::string withWord(std::string_view text, int line, std::size_t word, std::string_view to) {
   std::vector<std::string> rows = rowsOf(text);
   if (const auto row = rowOf(rows, line)) replaceWord(rows[*row], word, to);
-  return joined(rows);
+  return joined(rows, "\n");
 }
 
 std::string withValue(std::string_view text, const MotionFile& motion, int line, std::size_t column,
@@ -182,20 +177,20 @@ std::string withFrame(std::string_view text, const MotionFile& motion, int after
   std::vector<std::string> rows = rowsOf(text);
   const auto after = std::clamp<std::ptrdiff_t>(afterLine, 0, static_cast<std::ptrdiff_t>(rows.size()));
   rows.insert(rows.begin() + after, std::move(row));
-  return joined(rows);
+  return joined(rows, "\n");
 }
 
 std::string withoutLine(std::string_view text, int line) {
   std::vector<std::string> rows = rowsOf(text);
   if (const auto row = rowOf(rows, line)) rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(*row));
-  return joined(rows);
+  return joined(rows, "\n");
 }
 
 std::string withLinesSwapped(std::string_view text, int a, int b) {
   std::vector<std::string> rows = rowsOf(text);
   const auto first = rowOf(rows, a), second = rowOf(rows, b);
   if (first && second) std::swap(rows[*first], rows[*second]);
-  return joined(rows);
+  return joined(rows, "\n");
 }
 
 Result<std::string> mirrored(std::string_view text, const MotionFile& motion,
@@ -213,7 +208,7 @@ Result<std::string> mirrored(std::string_view text, const MotionFile& motion,
     if (hardness != nullptr && hardness->shares.size() == from->size())
       mirrorRow(rows[*row], 1, *from, mirror, false);
   }
-  return joined(rows);
+  return joined(rows, "\n");
 }
 
 }  // namespace robotlink

@@ -7,18 +7,11 @@
 #include <optional>
 
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/base/TextParts.h"
 #include "robotlink/ros/Resolution.h"
 
 namespace robotlink::ros {
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
 
 /// Takes the characters up to one of `ends` off the text.
 std::string_view takeUntil(std::string_view& text, std::string_view ends) {

@@ -6,17 +6,12 @@
 
 #include "robotlink/base/ParsedNumber.h"
 #include "robotlink/base/Spelling.h"
+#include "robotlink/base/TextParts.h"
 
 namespace robotlink {
 namespace {
 
 constexpr char kSeparator = '|';
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
 
 }  // namespace
 

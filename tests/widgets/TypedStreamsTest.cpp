@@ -5,6 +5,7 @@
 
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Driving.pb.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 
 namespace widgets {
@@ -75,9 +76,9 @@ TEST_F(TypedStreamsTest, aTableIsThatOfItsRobot) {
 }
 
 TEST_F(TypedStreamsTest, pathsHaveARobotAndALastPart) {
-  EXPECT_EQ(robotPart("red1/stopwatches/cognition"), "red1");
+  EXPECT_EQ(robotlink::streams::robotOf("red1/stopwatches/cognition"), "red1");
   EXPECT_EQ(lastPart("red1/stopwatches/cognition"), "cognition");
-  EXPECT_EQ(robotPart("scene"), "");
+  EXPECT_EQ(robotlink::streams::robotOf("scene"), "");
   EXPECT_EQ(lastPart("scene"), "scene");
 }
 

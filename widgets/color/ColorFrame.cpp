@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "foxglove/Image.pb.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "widgets/TypedStreams.h"
 
@@ -39,7 +40,7 @@ ColorFrame::ColorFrame(std::shared_ptr<const foxglove::RawImage> image, std::str
                     .arg(robotlink::seconds(time_), 0, 'f', 3)
                     .arg(fingerprint(view_), 8, 16, QLatin1Char('0'))
                     .toStdString();
-  place_.camera = robotPart(stream_);
+  place_.camera = robotlink::streams::robotOf(stream_);
   place_.width = view_.width;
   place_.height = view_.height;
 }

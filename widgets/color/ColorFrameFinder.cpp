@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "foxglove/Image.pb.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/log/OpenLogs.h"
@@ -104,7 +105,7 @@ void ColorFrameFinder::start() {
                    colors->table,
                    colors->margins,
                    {},
-                   colors->samples.correctionOf(robotPart(streamToSearch()))};
+                   colors->samples.correctionOf(robotlink::streams::robotOf(streamToSearch()))};
   for (int i = 0; i < classes.size(); ++i) query.things.push_back(looksAt(i));
   searched_ = {colors->table, place->text, std::holds_alternative<LoggedImages>(query.images)};
   model_.clear(classes);

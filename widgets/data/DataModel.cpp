@@ -138,7 +138,7 @@ robotlink::PackagePtr DataModel::shownMessage(const std::string& path) const {
 }
 
 robotlink::PackagePtr DataModel::otherMessage(const std::string& path) const {
-  const std::string robot = robotPart(path);
+  const std::string robot = robotlink::streams::robotOf(path);
   const std::string below = robot.empty() ? path : path.substr(robot.size() + 1);
   switch (comparison_.with) {
     case DataComparison::With::kNothing:

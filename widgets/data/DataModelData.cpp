@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QMimeData>
 
+#include "robotlink/debugging/Streams.h"
 #include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/data/DataModel.h"
@@ -129,7 +130,7 @@ QVariant DataModel::fieldData(const DataNode& node, int column, int role) const 
 }
 
 bool DataModel::isHeld(const DataNode& stream) const {
-  const std::string robot = robotPart(stream.name);
+  const std::string robot = robotlink::streams::robotOf(stream.name);
   const auto held = held_.find(robot);
   return held != held_.end() && held->second.contains(stream.name.substr(robot.size() + 1));
 }

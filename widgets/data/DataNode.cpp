@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/expressions/FieldPath.h"
 #include "robotlink/expressions/NumericFields.h"
 #include "robotlink/packages/FieldValues.h"
@@ -77,7 +78,7 @@ QString elementLabel(const FieldPlace& element) {
 }
 
 QString streamLabel(const DataNode& node) {
-  const std::string robot = robotPart(node.name);
+  const std::string robot = robotlink::streams::robotOf(node.name);
   const std::string below = robot.empty() ? node.name : node.name.substr(robot.size() + 1);
   return QString::fromStdString(robotlink::packageTitle(below));
 }

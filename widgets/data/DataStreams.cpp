@@ -29,7 +29,8 @@ bool DataStreams::update(const robotlink::StreamStore& store) {
 void DataStreams::list(const robotlink::StreamStore& store) {
   listVersion_ = store.listVersion();
   std::map<std::string, std::vector<DataStream>> byRobot;
-  for (const auto* stream : store.streams()) byRobot[robotPart(stream->path)].push_back({stream->path});
+  for (const auto* stream : store.streams())
+    byRobot[robotlink::streams::robotOf(stream->path)].push_back({stream->path});
   robots_.clear();
   tables_.clear();
   for (auto& [robot, streams] : byRobot) {

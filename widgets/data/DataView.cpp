@@ -18,6 +18,7 @@
 
 #include "robotlink/base/Spelling.h"
 #include "robotlink/commands/CommandTable.h"
+#include "robotlink/debugging/Streams.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
@@ -290,7 +291,7 @@ void DataView::activate(const QModelIndex& index) {
 void DataView::switchOn(const QModelIndex& index) {
   const QString key = index.data(DataModel::kKeyRole).toString();
   if (key.isEmpty()) return;
-  const std::string robot = robotPart(model_.node(index)->name);
+  const std::string robot = robotlink::streams::robotOf(model_.node(index)->name);
   robotcontrol::Request request;
   request.mutable_set_key()->set_name(key.toStdString());
   request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);

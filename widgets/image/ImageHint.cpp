@@ -64,12 +64,12 @@ QString imageHint(const ViewContext& context, const std::string& path) {
   // A simulation of things without programs.
   const bool isScene =
       session.robots().empty() && session.store().find(robotlink::streams::kObjects) != nullptr;
-  if (isScene && !exists && !robotPart(path).empty())
+  if (isScene && !exists && !robotlink::streams::robotOf(path).empty())
     return imageSentence(
                QT_TRANSLATE_NOOP("ImageHint",
                                  "There are no images of %1 in this scene. Choose others at the top."))
         .arg(QString::fromStdString(path));
-  if (isScene && robotPart(path).empty())
+  if (isScene && robotlink::streams::robotOf(path).empty())
     return imageSentence(
         QT_TRANSLATE_NOOP("ImageHint",
                           "There is no robot in this scene. Add one, or a camera, by + in the view Scene, or "
@@ -82,7 +82,7 @@ QString imageHint(const ViewContext& context, const std::string& path) {
   if (session.robots().empty() && !exists)
     return imageSentence(
         QT_TRANSLATE_NOOP("ImageHint", "No robot. Start a simulation or connect to a robot."));
-  if (const std::string robot = robotPart(path); lacksCamera(context, robot))
+  if (const std::string robot = robotlink::streams::robotOf(path); lacksCamera(context, robot))
     return imageSentence(
                QT_TRANSLATE_NOOP("ImageHint",
                                  "%1 has no camera. Choose another robot, or other images at the "
@@ -90,7 +90,7 @@ QString imageHint(const ViewContext& context, const std::string& path) {
         .arg(QString::fromStdString(robot));
   const QString none =
       imageSentence(QT_TRANSLATE_NOOP("ImageHint", "No image yet from %1")).arg(QString::fromStdString(path));
-  const std::string problem = platformProblem(session, robotPart(path));
+  const std::string problem = platformProblem(session, robotlink::streams::robotOf(path));
   return problem.empty() ? none : none + QStringLiteral(".\n") + QString::fromStdString(problem);
 }
 

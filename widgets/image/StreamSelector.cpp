@@ -64,7 +64,7 @@ bool StreamSelector::refresh(robotlink::Session& session) {
 }
 
 bool StreamSelector::isOfOthers(robotlink::Session& session) const {
-  const std::string path = choice_.toStdString(), robot = robotPart(path);
+  const std::string path = choice_.toStdString(), robot = robotlink::streams::robotOf(path);
   const auto& robots = session.robots();
   if (choice_.startsWith(QLatin1Char('*')) || robot.empty() || robots.empty() ||
       std::ranges::find(robots, robot) != robots.end())
@@ -84,7 +84,7 @@ QString StreamSelector::substitute(const QStringList& ofSelected, const QStringL
   const auto& robots = session.robots();
   const auto found = std::ranges::find_if(paths, [&](const QString& each) {
     const std::string path = each.toStdString();
-    return std::ranges::find(robots, robotPart(path)) == robots.end() &&
+    return std::ranges::find(robots, robotlink::streams::robotOf(path)) == robots.end() &&
            isOfScene(session, path).value_or(true);
   });
   return found == paths.end() ? QString() : *found;

@@ -13,6 +13,7 @@
 
 #include "foxglove/Robot.pb.h"
 #include "logplayer/search/MessageSource.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
@@ -217,8 +218,8 @@ void MessagesView::takeLogs() {
     if (log->overview->texts == nullptr) continue;
     for (LogEntry entry : *log->overview->texts) {
       entry.time += log->offset;
-      entry.robot =
-          QString::fromStdString(robotPart(OpenLogs::sessionPath(*log, entry.robot.toStdString() + "/")));
+      entry.robot = QString::fromStdString(
+          robotlink::streams::robotOf(OpenLogs::sessionPath(*log, entry.robot.toStdString() + "/")));
       entry.logged = true;
       logged_.insert(keyOf(entry));
       entries.push_back(std::move(entry));
@@ -244,7 +245,7 @@ void MessagesView::takeNew() {
   }
   std::vector<LogEntry> entries;
   for (const auto* stream : streamsOfType(session().store(), {}, "foxglove.Log")) {
-    const QString robot = QString::fromStdString(robotPart(stream->path));
+    const QString robot = QString::fromStdString(robotlink::streams::robotOf(stream->path));
     const StreamCursor::News news = cursors_[stream->path].take(*stream);
     // The clock went back, as at a reset: what was said later than that was not said.
     if (news.restarted && !news.messages.empty()) removeLater(news.messages.front()->time, entries);
@@ -291,7 +292,8 @@ MessagesView::Read MessagesView::readTexts(const Reading& reading, const std::st
     const auto& [begin, end] = reading.stretches.at(message->path);
     const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
     if (log == nullptr || message->time <= begin || message->time >= end) continue;
-    read.texts.push_back(logEntry(*message, QString::fromStdString(robotPart(message->path)), *log));
+    read.texts.push_back(
+        logEntry(*message, QString::fromStdString(robotlink::streams::robotOf(message->path)), *log));
   }
   return read;
 }

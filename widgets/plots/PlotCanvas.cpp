@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QToolTip>
 
+#include "robotlink/debugging/Streams.h"
 #include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/plots/CurveModel.h"
@@ -207,7 +208,8 @@ void PlotCanvas::matchGraphs() {
     const QColor color = curveColor(curve->color, colors);
     const QColor pale = mixed(colors.color(QPalette::Base), color, kPale);
     const auto& streams = curve->reader.streams();
-    const auto robot = robots_.find(streams.empty() ? std::string() : robotPart(streams.front()));
+    const auto robot =
+        robots_.find(streams.empty() ? std::string() : robotlink::streams::robotOf(streams.front()));
     const bool isHere = !curve->across && !curve->isStrip();
     SeriesGraph &logged = *graphs_[2 * i], &live = *graphs_[2 * i + 1];
     for (SeriesGraph* graph : {&logged, &live})
@@ -347,7 +349,7 @@ void PlotCanvas::refresh(bool follow, double end, double length, const RemoteRob
 std::vector<std::pair<double, double>> PlotCanvas::gapsOf(const std::vector<std::string>& streams) const {
   std::vector<std::pair<double, double>> gaps;
   for (const std::string& stream : streams) {
-    const auto robot = robots_.find(robotPart(stream));
+    const auto robot = robots_.find(robotlink::streams::robotOf(stream));
     if (robot == robots_.end()) continue;
     for (const robotlink::LineGap& gap : robot->second.gaps) {
       const std::pair here(robotlink::seconds(gap.from), gap.to ? robotlink::seconds(*gap.to) : kForever);

@@ -63,7 +63,7 @@ class MissingStreams {
           const bool isKnown = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(
                                    port.type()) != nullptr;
           if (isKnown && !port.package().starts_with("debug/"))
-            add(robotPart(stream->path) + '/' + port.package(), port.type(), why);
+            add(robotlink::streams::robotOf(stream->path) + '/' + port.package(), port.type(), why);
         }
       }
     }
@@ -76,7 +76,7 @@ class MissingStreams {
     const QString idle =
         sentence(QT_TRANSLATE_NOOP("PlotChoices", "No solution that has it runs; see the view Solutions."));
     for (const auto* stream : streamsOfType(store_, {}, "robotcontrol.KeyTable")) {
-      const std::string robot = robotPart(stream->path);
+      const std::string robot = robotlink::streams::robotOf(stream->path);
       const auto* table = dynamic_cast<const robotcontrol::KeyTable*>(stream->messages.back().value.get());
       if (table == nullptr || stream->path != robot + '/' + robotlink::streams::kKeys) continue;
       for (const auto& key : table->keys()) {

@@ -126,7 +126,7 @@ robotlink::Result<PlotSource> completed(PlotSource source, const std::string& ro
     return tl::unexpected(filter.error());
   std::vector<std::string> known = streams;
   for (const std::string& stream : streams) {
-    if (const std::string of = robotPart(stream); contains(robots, of))
+    if (const std::string of = robotlink::streams::robotOf(stream); contains(robots, of))
       known.push_back(stream.substr(of.size() + 1));
   }
   if (source.expression.empty()) {
@@ -179,7 +179,7 @@ int StateNames::color(double value) const {
 }
 
 std::string keyFor(const robotlink::StreamStore& store, const std::string& stream, robotlink::Instant time) {
-  const std::string robot = robotPart(stream);
+  const std::string robot = robotlink::streams::robotOf(stream);
   if (robot.empty()) return {};
   const std::string below = stream.substr(robot.size() + 1);
   const bool plot = below.starts_with("plots/");

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/Streams.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/log/MissingValues.h"
 #include "widgets/log/OpenLogs.h"
@@ -196,7 +197,7 @@ void PlotsView::unfoldAgain(const QModelIndex& parent, const std::set<QString>& 
 /// Returns "headPan" for "positions[1]" of a JointRequest; the robot's description numbers the joints.
 QString PlotsView::jointOf(const PlotSource& source) const {
   constexpr std::string_view kPositions = "positions[";
-  const auto robot = context().robots.find(robotPart(source.stream));
+  const auto robot = context().robots.find(robotlink::streams::robotOf(source.stream));
   if (source.type != "robotcontrol.JointRequest" || !source.field.starts_with(kPositions) ||
       robot == context().robots.end())
     return {};

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "robotlink/commands/CommandTable.h"
+#include "robotlink/debugging/Streams.h"
 #include "widgets/Requests.h"
 #include "widgets/log/MissingValues.h"
 #include "widgets/log/OpenLogs.h"
@@ -258,8 +259,9 @@ void PlotsView::requestStream(CurveModel::Curve& curve, const std::string& strea
   request.mutable_set_key()->set_name(key);
   request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
   const QString name = QString::fromStdString(key);
-  state_->setText(tr("Asked %1 for %2 (debug key)").arg(QString::fromStdString(robotPart(stream)), name));
-  ask(session(), robotPart(stream), std::move(request), this,
+  state_->setText(tr("Asked %1 for %2 (debug key)")
+                      .arg(QString::fromStdString(robotlink::streams::robotOf(stream)), name));
+  ask(session(), robotlink::streams::robotOf(stream), std::move(request), this,
       [this, name](bool accepted, const QString& reason) {
         if (!accepted) state_->setText(tr("%1 was refused: %2").arg(name, reason));
       });

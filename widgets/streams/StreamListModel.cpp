@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Counted.h"
 #include "widgets/Theme.h"
@@ -46,7 +47,7 @@ std::vector<StreamRow> StreamListModel::rowsOf(robotlink::Session& session,
   const auto& remote = session.remoteRobots();
   std::vector<StreamRow> rows;
   for (const auto* stream : session.store().streams()) {
-    const std::string robot = robotPart(stream->path);
+    const std::string robot = robotlink::streams::robotOf(stream->path);
     if (robots != nullptr && !robots->contains(robot)) continue;
     StreamRow& row = rows.emplace_back();
     row.path = stream->path;

@@ -8,6 +8,7 @@
 #include "foxglove/Robot.pb.h"
 #include "logplayer/file/LogFile.h"
 #include "logplayer/search/MessageSource.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/log/LogReader.h"
 
@@ -138,7 +139,7 @@ void HistoryStrips::takeTexts() {
   }
   std::vector<LogEntry> texts;
   for (const auto* stream : streamsOfType(store, {}, kSaidType)) {
-    Robot& robot = robots_[robotPart(stream->path)];
+    Robot& robot = robots_[robotlink::streams::robotOf(stream->path)];
     if (!robot.strip.said) robot.strip.said = std::make_shared<const std::vector<LogEntry>>();
     for (const auto* message : robot.cursors[stream->path].take(*stream).messages) addIfSaid(*message, texts);
   }

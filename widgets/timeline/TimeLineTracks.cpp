@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Requests.h"
 #include "widgets/TypedStreams.h"
@@ -79,7 +80,7 @@ void TimeLineTracks::requestMissing(Track& track) {
     robotcontrol::Request request;
     request.mutable_set_key()->set_name(key);
     request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
-    ask(session_, robotPart(stream), std::move(request));
+    ask(session_, robotlink::streams::robotOf(stream), std::move(request));
   }
 }
 

@@ -74,7 +74,7 @@ void FrameTree::update(const robotlink::StreamStore& store, Instant shown) {
     auto begin = end - std::min<std::ptrdiff_t>(end - messages.begin(), kMaxMessages);
     if (read.newest != nullptr)
       begin = std::lower_bound(begin, end, read.time, [](const auto& m, Instant t) { return m.time < t; });
-    for (; begin != end; ++begin) add(trees_[robotPart(stream->path)], begin->value);
+    for (; begin != end; ++begin) add(trees_[robotlink::streams::robotOf(stream->path)], begin->value);
     read = {newest->value, newest->time};
   }
 }

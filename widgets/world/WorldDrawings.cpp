@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "foxglove/Scene.pb.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/drawings/CurrentDrawings.h"
@@ -60,7 +61,8 @@ std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const Scene
     if (!id.startsWith(folder)) continue;
     const std::string path = id.mid(folder.size()).toStdString();
     for (const auto& figure : figures.of(session.store(), path, shown)) {
-      if (const auto pose = poseOfFrame(robotPart(path), figure.entity->frame_id(), scene, beliefs))
+      if (const auto pose =
+              poseOfFrame(robotlink::streams::robotOf(path), figure.entity->frame_id(), scene, beliefs))
         drawings.push_back({figure.entity, *pose, figure.keep, false, id, {}});
     }
   }

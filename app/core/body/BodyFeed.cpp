@@ -10,6 +10,7 @@
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/base/TextParts.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/packages/GamePackages.h"
@@ -27,13 +28,6 @@ constexpr std::chrono::milliseconds kBodyLook{5};
 
 Errors bodyError(const std::string& text) {
   return {{"body.none", text, {}, {}}};
-}
-
-/// "red1, red2".
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 }  // namespace
@@ -135,12 +129,12 @@ std::string BodyFeed::whyNoBody() const {
   };
   if (std::ranges::all_of(robots, is(BodyLink::Kind::kUnknown))) return {};
   if (!wanted.empty() && std::ranges::count(robots, wanted) == 0)
-    return "there is no robot " + wanted + " at " + options_.url + ", only " + listed(robots) +
+    return "there is no robot " + wanted + " at " + options_.url + ", only " + robotlink::joined(robots) +
            "; choose one of them";
   const auto runsThere = is(BodyLink::Kind::kWithProgram);
   if (wanted.empty() ? !std::ranges::all_of(robots, runsThere) : !runsThere(wanted)) return {};
-  return "the program of " + (wanted.empty() ? listed(robots) : wanted) + " runs at " + options_.url +
-         "; connect with \"program: there\", or start 'robotctl platform ... --listen' there";
+  return "the program of " + (wanted.empty() ? robotlink::joined(robots) : wanted) + " runs at " +
+         options_.url + "; connect with \"program: there\", or start 'robotctl platform ... --listen' there";
 }
 
 std::string BodyFeed::whatIsMissing() const {
@@ -151,7 +145,7 @@ std::string BodyFeed::whatIsMissing() const {
   const bool isBody = std::ranges::any_of(
       robots, [this](const auto& robot) { return link_->kindOf(robot) == BodyLink::Kind::kBody; });
   return isBody ? "it does not say which sensors it has; does 'robotctl platform' run there?"
-                : "what is there does not say whether " + listed(robots) + " is a body";
+                : "what is there does not say whether " + robotlink::joined(robots) + " is a body";
 }
 
 Errors BodyFeed::describeRobot() {

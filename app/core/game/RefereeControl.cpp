@@ -6,6 +6,7 @@
 
 #include "app/core/game/Referee.h"
 #include "robotcontrol/Game.pb.h"
+#include "robotlink/base/TextParts.h"
 
 namespace app {
 
@@ -13,15 +14,7 @@ using robotcontrol::ControlGame;
 using robotlink::Result;
 using Phase = GameMachine::Phase;
 
-namespace {
-
-std::string namesIn(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Result<std::size_t> Referee::playerNamed(const std::string& robot) const {
   const auto found = std::ranges::find(players_, robot, &GamePlayer::robot);
@@ -32,8 +25,9 @@ Result<std::size_t> Referee::playerNamed(const std::string& robot) const {
 Result<std::size_t> Referee::teamNamed(const std::string& team) const {
   const auto found = std::ranges::find(rules_->teams, team);
   if (found != rules_->teams.end()) return static_cast<std::size_t>(found - rules_->teams.begin());
-  return robotlink::failure(
-      "game.no-team", "there is no team '" + team + "'; there are " + namesIn(rules_->teams), {}, {team});
+  return robotlink::failure("game.no-team",
+                            "there is no team '" + team + "'; there are " + robotlink::joined(rules_->teams),
+                            {}, {team});
 }
 
 Result<void> Referee::penalizeFor(const std::string& robot, const std::string& reason) {

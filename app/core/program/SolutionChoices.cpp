@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "robotlink/base/TextParts.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/process/Layout.h"
 
@@ -16,13 +17,6 @@ using robotlink::Layout;
 using robotlink::TaskCatalog;
 
 namespace {
-
-/// Names in a sentence: "a, b, c".
-std::string joined(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 std::set<std::string> tasksOf(const std::vector<const Layout*>& layouts) {
   std::set<std::string> tasks;
@@ -51,7 +45,7 @@ Error noTask(const std::string& task, bool known, const std::set<std::string>& t
   const std::string head =
       known ? "no robot here has the task '" + task + "' in its layout" : "there is no task '" + task + "'";
   return {"solution.no-task",
-          head + (tasks.empty() ? "; no robot has any task" : "; there are " + joined(tasks)),
+          head + (tasks.empty() ? "; no robot has any task" : "; there are " + robotlink::joined(tasks)),
           {task},
           {}};
 }
@@ -60,7 +54,7 @@ Error noSolution(const TaskCatalog::Task& task, const std::string& solution) {
   std::set<std::string> names;
   for (const auto& known : task.solutions) names.insert(known.name);
   return {"solution.unknown",
-          "task " + task.name + " has no solution '" + solution + "'; it has " + joined(names),
+          "task " + task.name + " has no solution '" + solution + "'; it has " + robotlink::joined(names),
           {task.name, solution},
           {}};
 }

@@ -39,11 +39,6 @@ constexpr char kPackageKeys[] = "package/";
 /// The streams of a platform by which its newest time is known.
 constexpr std::array kClocks{streams::kTransforms, streams::kSimulation, streams::kReplay};
 
-std::string robotOfStream(const std::string& path) {
-  const std::size_t slash = path.find('/');
-  return slash == std::string::npos ? std::string() : path.substr(0, slash);
-}
-
 }  // namespace
 
 struct RemoteRobots::Line {
@@ -352,7 +347,7 @@ bool RemoteRobots::take(const Request& request) {
 
 void RemoteRobots::record(const robotlink::StreamMessage& message) {
   if (lines_.empty()) return;
-  const std::string robot = robotOfStream(message.path);
+  const std::string robot = robotlink::streams::robotOf(message.path);
   const bool isRemote = robot.empty() ? !platform_ : session_.remoteRobots().contains(robot);
   if (!isRemote || message.path == streams::kRecording) return;
   if ((recorder_.active() && recorder_.wants(message.path)) || robotlink::isLatched(message))

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robotlink/base/TextParts.h"
 #include "robotlink/packages/PackageTitles.h"
 
 namespace app {
@@ -28,12 +29,6 @@ std::set<std::string> outputsOf(const TaskCatalog::Task* task) {
   for (const auto& solution : task->solutions)
     outputs.insert(solution.outputs.begin(), solution.outputs.end());
   return outputs;
-}
-
-std::string listed(const std::set<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
-  return all;
 }
 
 /// The algorithm of planReplay(); one object makes one plan.
@@ -231,7 +226,7 @@ void Planner::replaceTasks() {
       const bool goes = !outputs.empty() && replaced.size() == outputs.size();
       if (goes) {
         plan_.layout.absent.push_back(
-            {process.name, task.task, "what it yields is as logged: " + listed(replaced)});
+            {process.name, task.task, "what it yields is as logged: " + robotlink::joined(replaced)});
       } else {
         plan_.layout.withheld.merge(replaced);
       }

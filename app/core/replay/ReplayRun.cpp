@@ -27,12 +27,6 @@ using robotlink::StreamMessage;
 
 namespace {
 
-/// The robot's name in a path; empty for paths without one.
-std::string robotOf(const std::string& path) {
-  const auto slash = path.find('/');
-  return slash == std::string::npos ? std::string() : path.substr(0, slash);
-}
-
 /// Whether a message ends a frame, and so must come after the frame's other messages.
 bool isFrameEnd(const StreamMessage& message) {
   return dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr;
@@ -40,7 +34,7 @@ bool isFrameEnd(const StreamMessage& message) {
 
 /// Returns a message of a log as it is published; nothing if it is not.
 std::optional<StreamMessage> published(const ReplayLogs::Source& source, const StreamMessage& message) {
-  const auto robot = source.byLogName.find(robotOf(message.path));
+  const auto robot = source.byLogName.find(robotlink::streams::robotOf(message.path));
   if (robot == source.byLogName.end() && !source.publishesWorld) return std::nullopt;
   StreamMessage result = robot == source.byLogName.end() ? message : robot->second->published(message);
   result.time = source.onLine(result.time);
@@ -101,10 +95,12 @@ Errors ReplayRun::open() {
     if (Errors errors = addRobots(source); !errors.empty()) return errors;
     source.reader.seek((*file)->begin());
     source.reader.onBrokenImage([this, &source](const StreamMessage& message, const std::string& why) {
-      const auto robot = source.byLogName.find(robotOf(message.path));
-      note(source, robot == source.byLogName.end() ? robotOf(message.path) : robot->second->name(),
-           message.time, foxglove::Log::ERROR,
-           "an image on " + message.path + " could not be decoded: " + why);
+      const auto robot = source.byLogName.find(robotlink::streams::robotOf(message.path));
+      note(
+          source,
+          robot == source.byLogName.end() ? robotlink::streams::robotOf(message.path) : robot->second->name(),
+          message.time, foxglove::Log::ERROR,
+          "an image on " + message.path + " could not be decoded: " + why);
     });
   }
   return checkChosenSolutions();
@@ -202,7 +198,8 @@ bool ReplayRun::step() {
 void ReplayRun::give(ReplayLogs::Source& source, Instant logTime,
                      const std::vector<StreamMessage>& messages) {
   std::map<std::string, std::vector<StreamMessage>> byRobot;
-  for (const StreamMessage& message : messages) byRobot[robotOf(message.path)].push_back(message);
+  for (const StreamMessage& message : messages)
+    byRobot[robotlink::streams::robotOf(message.path)].push_back(message);
   for (const auto& [logName, robot] : source.byLogName) robot->take(logTime, byRobot[logName]);
 }
 

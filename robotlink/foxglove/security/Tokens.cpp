@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "robotlink/base/TextParts.h"
 #include "robotlink/foxglove/security/SecretFile.h"
 
 namespace robotlink::websocket {
@@ -17,13 +18,6 @@ constexpr std::size_t kMinToken = 16, kMaxToken = 200;
 bool isTokenCharacter(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
          std::string_view("-._~").find(c) != std::string_view::npos;
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
 }
 
 std::string problemOfToken(std::string_view token) {

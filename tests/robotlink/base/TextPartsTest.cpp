@@ -34,5 +34,17 @@ TEST(TextParts, aPartEndsAtItsSeparatorOrWithTheText) {
   EXPECT_EQ(takePart(text, ','), "");
 }
 
+TEST(TextParts, blanksAtTheEndsAreNoneOfAText) {
+  EXPECT_EQ(trimmed(" \tred 1 \r"), "red 1");
+  EXPECT_EQ(trimmed(" \t\r"), "");
+  EXPECT_EQ(trimmed(""), "");
+}
+
+TEST(TextParts, partsAreJoinedByASeparator) {
+  EXPECT_EQ(joined(std::vector<std::string>{"a", "", "b"}), "a, , b");
+  EXPECT_EQ(joined(std::vector<std::string_view>{"", "a"}, "\n"), "\na");
+  EXPECT_EQ(joined(std::vector<std::string>{}), "");
+}
+
 }  // namespace
 }  // namespace robotlink
