@@ -9,7 +9,6 @@
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Geometry.h"
-#include "robotlink/debugging/Streams.h"
 #include "robotlink/process/Link.h"
 
 namespace foxglove {
@@ -32,7 +31,7 @@ std::vector<const foxglove::FrameTransform*> transformsOf(const google::protobuf
 
 /// The frames of all streams of transforms but our own ("transforms"), such as tf and tf_static of a robot
 /// with ROS: each transform holds until there is another one of the same child. Frames without a parent, such
-/// as map, are where the world is. Each robot (robotlink::streams::robotOf() of the streams' paths) has a
+/// as map, are where the world is. Each robot (streams::robotOf() of the streams' paths) has a
 /// tree of its own, since robots give their frames the same names; streams without a robot, as in logs, share
 /// one. GUI thread.
 class FrameTree {
