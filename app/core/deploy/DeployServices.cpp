@@ -15,13 +15,6 @@ namespace {
 using nlohmann::json;
 using robotlink::websocket::ServiceAccess;
 
-constexpr char kJsonEncoding[] = "json";
-
-std::string memberOf(const json& argument, const char* member) {
-  const auto found = argument.find(member);
-  return found != argument.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 json objectOf(const ResourceFolder::Entry& entry) {
   return {{"path", entry.path}, {"bytes", entry.bytes}, {"sha256", entry.sha256}};
 }
@@ -30,35 +23,22 @@ json objectOf(const ResourceFolder::Entry& entry) {
 
 DeployServices::DeployServices(std::shared_ptr<robotlink::websocket::Server> server, ResourceFolder folder,
                                Written written, Programs programs)
-    : server_(std::move(server)),
-      folder_(std::move(folder)),
+    : folder_(std::move(folder)),
       written_(std::move(written)),
       programs_(std::move(programs)),
-      jobs_(std::make_shared<JobQueue>()) {
+      services_(std::move(server)) {
   offer("deploy/list", {}, &DeployServices::list, ServiceAccess::kAnybody);
   offer("deploy/put", {{"path"}, {"content"}, {"sha256"}}, &DeployServices::put, ServiceAccess::kControl);
   if (programs_.restart)
     offer("deploy/restart", {{"robot"}, {"layout"}}, &DeployServices::restart, ServiceAccess::kControl);
 }
 
-DeployServices::~DeployServices() {
-  for (const std::uint32_t service : services_) server_->removeService(service);
-  jobs_->close();
-}
-
 void DeployServices::offer(const std::string& name, const std::vector<ArgumentMember>& members,
                            Handler handler, ServiceAccess access) {
-  services_.push_back(server_->addService(
-      jsonService(name, members),
-      [this, jobs = jobs_, name, members, handler](const robotlink::websocket::ClientInfo&,
-                                                   const robotlink::websocket::ServiceCallRequest& call,
-                                                   Reply reply) {
-        auto argument = argumentOfCall(name, members, call);
-        if (!argument) return reply.fail(argument.error().text);
-        jobs->add(
-            [this, handler, argument = *std::move(argument), reply] { (this->*handler)(argument, reply); });
-      },
-      access));
+  services_.offer(
+      name, members,
+      [this, handler](const json& argument, const Reply& reply) { (this->*handler)(argument, reply); },
+      access);
 }
 
 void DeployServices::list(const json&, const Reply& reply) {
@@ -77,10 +57,10 @@ void DeployServices::list(const json&, const Reply& reply) {
 }
 
 void DeployServices::put(const json& argument, const Reply& reply) {
-  const std::string path = memberOf(argument, "path");
-  const auto contents = robotlink::websocket::fromBase64(memberOf(argument, "content"));
+  const std::string path = textIn(argument, "path");
+  const auto contents = robotlink::websocket::fromBase64(textIn(argument, "content"));
   if (!contents) return reply.fail("the content of '" + path + "' is not base64");
-  if (robotlink::websocket::sha256(*contents) != memberOf(argument, "sha256"))
+  if (robotlink::websocket::sha256(*contents) != textIn(argument, "sha256"))
     return reply.fail("the content of '" + path + "' is not that of its checksum; send it again");
   const auto written = folder_.put(path, *contents);
   if (!written) return reply.fail(written.error().describe());
@@ -89,7 +69,7 @@ void DeployServices::put(const json& argument, const Reply& reply) {
 }
 
 void DeployServices::restart(const json& argument, const Reply& reply) {
-  const std::string robot = memberOf(argument, "robot"), layout = memberOf(argument, "layout");
+  const std::string robot = textIn(argument, "robot"), layout = textIn(argument, "layout");
   std::filesystem::path file;
   if (!layout.empty()) {
     const auto found = folder_.find("layouts/" + layout);

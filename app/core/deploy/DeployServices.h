@@ -9,12 +9,10 @@
 
 #include "app/core/deploy/ResourceFolder.h"
 #include "app/core/deploy/RunningPrograms.h"
-#include "app/core/recordings/JobQueue.h"
+#include "app/core/recordings/JsonServices.h"
 #include "robotlink/foxglove/server/Server.h"
 
 namespace app {
-
-struct ArgumentMember;
 
 /// Lets clients of a server see and replace the files of a robot's resource folder. Arguments and answers are
 /// JSON objects; a call with another member, or a value of another type, fails:
@@ -45,7 +43,6 @@ class DeployServices {
 
   DeployServices(std::shared_ptr<robotlink::websocket::Server> server, ResourceFolder folder,
                  Written written = {}, Programs programs = {});
-  ~DeployServices();
   DeployServices(const DeployServices&) = delete;
   DeployServices& operator=(const DeployServices&) = delete;
 
@@ -53,6 +50,7 @@ class DeployServices {
   using Reply = robotlink::websocket::Reply;
   using Handler = void (DeployServices::*)(const nlohmann::json& argument, const Reply& reply);
 
+  /// Offers a service that a member function answers.
   void offer(const std::string& name, const std::vector<ArgumentMember>& members, Handler handler,
              robotlink::websocket::ServiceAccess access);
   // The handlers run in the queue's thread.
@@ -60,13 +58,11 @@ class DeployServices {
   void put(const nlohmann::json& argument, const Reply& reply);
   void restart(const nlohmann::json& argument, const Reply& reply);
 
-  const std::shared_ptr<robotlink::websocket::Server> server_;
   const ResourceFolder folder_;
   const Written written_;
   const Programs programs_;
-  std::vector<std::uint32_t> services_;
-  /// Outlives this object with the server's handlers.
-  const std::shared_ptr<JobQueue> jobs_;
+  /// The last member, since its thread uses the others.
+  JsonServices services_;
 };
 
 }  // namespace app

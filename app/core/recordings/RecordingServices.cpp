@@ -16,32 +16,16 @@ namespace {
 using nlohmann::json;
 using robotcontrol::ControlRecording;
 using robotlink::Result;
-using robotlink::websocket::ClientInfo;
 using robotlink::websocket::ServiceAccess;
-using robotlink::websocket::ServiceCallRequest;
 
-constexpr char kJson[] = "json";
 /// A step of a check takes some 10 ms.
 constexpr std::uint64_t kCheckedAtOnce = 32U << 20U;
-
-std::string textIn(const json& argument, const char* member) {
-  const auto found = argument.find(member);
-  return found != argument.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-std::uint64_t numberIn(const json& argument, const char* member, std::uint64_t otherwise) {
-  const auto found = argument.find(member);
-  return found != argument.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : otherwise;
-}
 
 }  // namespace
 
 RecordingServices::RecordingServices(std::shared_ptr<robotlink::websocket::Server> server,
                                      RecordingFolder folder, logplayer::Recorder& recorder)
-    : server_(std::move(server)),
-      folder_(std::move(folder)),
-      recorder_(recorder),
-      jobs_(std::make_shared<JobQueue>()) {
+    : folder_(std::move(folder)), recorder_(recorder), services_(std::move(server)) {
   recorder_.setFolder(folder_.path());
   const ArgumentMember name{"name"}, offset{"offset", true}, bytes{"bytes", true};
   offer("recordings/list", {}, &RecordingServices::list, ServiceAccess::kAnybody);
@@ -53,23 +37,12 @@ RecordingServices::RecordingServices(std::shared_ptr<robotlink::websocket::Serve
   offer("recordings/status", {}, &RecordingServices::status, ServiceAccess::kAnybody);
 }
 
-RecordingServices::~RecordingServices() {
-  for (const std::uint32_t service : services_) server_->removeService(service);
-  jobs_->close();
-}
-
 void RecordingServices::offer(const std::string& name, const std::vector<ArgumentMember>& members,
                               Handler handler, ServiceAccess access) {
-  services_.push_back(server_->addService(
-      jsonService(name, members),
-      [this, jobs = jobs_, name, members, handler](const ClientInfo&, const ServiceCallRequest& call,
-                                                   Reply reply) {
-        auto argument = argumentOfCall(name, members, call);
-        if (!argument) return reply.fail(argument.error().text);
-        jobs->add(
-            [this, handler, argument = *std::move(argument), reply] { (this->*handler)(argument, reply); });
-      },
-      access));
+  services_.offer(
+      name, members,
+      [this, handler](const json& argument, const Reply& reply) { (this->*handler)(argument, reply); },
+      access);
 }
 
 void RecordingServices::list(const json&, const Reply& reply) {
@@ -84,7 +57,7 @@ void RecordingServices::list(const json&, const Reply& reply) {
                    {"recording", entry.name == now},
                    {"whole", entry.isWhole}});
   }
-  reply.succeed(jsonMessage(json{{"recordings", std::move(all)}}), kJson);
+  reply.succeed(jsonMessage(json{{"recordings", std::move(all)}}), kJsonEncoding);
 }
 
 void RecordingServices::read(const json& argument, const Reply& reply) {
@@ -103,10 +76,10 @@ void RecordingServices::continueCheck(const std::string& name, std::uint64_t byt
   const auto checked = folder_.extend(name, before, bytes, kCheckedAtOnce);
   if (!checked) return reply.fail(checked.error().text);
   if (checked->bytes - before.bytes == kCheckedAtOnce) {
-    jobs_->add([this, name, bytes, so = *checked, reply] { continueCheck(name, bytes, so, reply); });
+    services_.add([this, name, bytes, so = *checked, reply] { continueCheck(name, bytes, so, reply); });
     return;
   }
-  reply.succeed(jsonMessage(json{{"bytes", checked->bytes}, {"crc32", checked->crc}}), kJson);
+  reply.succeed(jsonMessage(json{{"bytes", checked->bytes}, {"crc32", checked->crc}}), kJsonEncoding);
 }
 
 void RecordingServices::remove(const json& argument, const Reply& reply) {
@@ -114,7 +87,7 @@ void RecordingServices::remove(const json& argument, const Reply& reply) {
   if (!name.empty() && name == recorded())
     return reply.fail("'" + name + "' is being recorded; stop the recording first");
   if (const auto removed = folder_.remove(name); !removed) return reply.fail(removed.error().text);
-  reply.succeed("{}", kJson);
+  reply.succeed("{}", kJsonEncoding);
 }
 
 void RecordingServices::start(const json& argument, const Reply& reply) {
@@ -141,7 +114,7 @@ void RecordingServices::status(const json&, const Reply& reply) {
   options.always_print_primitive_fields = true;
   std::string text;
   static_cast<void>(google::protobuf::util::MessageToJsonString(recorder_.status(), &text, options));
-  reply.succeed(text, kJson);
+  reply.succeed(text, kJsonEncoding);
 }
 
 std::string RecordingServices::recorded() const {

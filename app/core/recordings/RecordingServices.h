@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/recordings/JobQueue.h"
+#include "app/core/recordings/JsonServices.h"
 #include "app/core/recordings/RecordingFolder.h"
 #include "robotlink/foxglove/server/Server.h"
 
@@ -17,8 +17,6 @@ class Recorder;
 }
 
 namespace app {
-
-struct ArgumentMember;
 
 /// Lets clients of a server record into a folder of the robot, and list, read, check and delete what was
 /// recorded there. Arguments are JSON objects, and so are the answers, but for that of `read`. A call with
@@ -38,7 +36,6 @@ class RecordingServices {
  public:
   RecordingServices(std::shared_ptr<robotlink::websocket::Server> server, RecordingFolder folder,
                     logplayer::Recorder& recorder);
-  ~RecordingServices();
   RecordingServices(const RecordingServices&) = delete;
   RecordingServices& operator=(const RecordingServices&) = delete;
 
@@ -47,6 +44,7 @@ class RecordingServices {
   /// Answers a call; an exception-free object of the caller's argument.
   using Handler = void (RecordingServices::*)(const nlohmann::json& argument, const Reply& reply);
 
+  /// Offers a service that a member function answers.
   void offer(const std::string& name, const std::vector<ArgumentMember>& members, Handler handler,
              robotlink::websocket::ServiceAccess access = robotlink::websocket::ServiceAccess::kControl);
   // The handlers run in the worker's thread.
@@ -63,12 +61,10 @@ class RecordingServices {
   /// The name of the file that is being recorded in the folder; empty if there is none.
   std::string recorded() const;
 
-  const std::shared_ptr<robotlink::websocket::Server> server_;
   const RecordingFolder folder_;
   logplayer::Recorder& recorder_;
-  std::vector<std::uint32_t> services_;
-  /// What waits; outlives this object with the server's handlers.
-  const std::shared_ptr<JobQueue> jobs_;
+  /// The last member, since its thread uses the others.
+  JsonServices services_;
 };
 
 }  // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -29,5 +30,10 @@ robotlink::websocket::Service jsonService(const std::string& name,
 robotlink::Result<nlohmann::json> argumentOfCall(const std::string& name,
                                                  const std::vector<ArgumentMember>& members,
                                                  const robotlink::websocket::ServiceCallRequest& call);
+
+/// The text of a member of an argument; empty if it has none.
+std::string textIn(const nlohmann::json& argument, const char* member);
+/// The number of a member of an argument; `otherwise` if it has none.
+std::uint64_t numberIn(const nlohmann::json& argument, const char* member, std::uint64_t otherwise);
 
 }  // namespace app
