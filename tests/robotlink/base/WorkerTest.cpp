@@ -86,15 +86,17 @@ TEST(Worker, theNewestJobReplacesOneThatHasNotBegun) {
 
 TEST(Worker, aJobThatHeedsItsTokenEndsWhenAnotherIsPosted) {
   std::promise<void> began;
+  std::vector<int> ended;
   Worker<int> worker([&](int job, const std::stop_token& stop) {
-    if (job != 1) return;
-    began.set_value();
-    while (!stop.stop_requested()) std::this_thread::yield();
+    if (job == 1) began.set_value();
+    while (job == 1 && !stop.stop_requested()) std::this_thread::yield();
+    ended.push_back(job);
   });
   worker.post(1);
   began.get_future().wait();
   worker.post(2);
   worker.finish();
+  EXPECT_THAT(ended, ElementsAre(1, 2));
 }
 
 TEST(Worker, cancelReachesTheJobInProgressAndTheOneThatWaits) {
