@@ -35,7 +35,7 @@ struct LogInfo {
   /// "MCAP", or the older format that was converted: "B-Human message queue".
   std::string format;
   std::uint64_t fileBytes = 0;
-  /// As LogFile::begin() and LogFile::end().
+  /// The range of the log's time, see LogFile::begin() and LogFile::end().
   robotlink::Instant begin, end;
   std::vector<std::string> robots;
   std::uint64_t messages = 0;
@@ -49,7 +49,7 @@ struct LogInfo {
   /// Sorted by path.
   std::vector<Stream> streams;
 
-  // What the container holds; nothing for older formats.
+  // The contents of the container; 0 for older formats.
   std::uint64_t chunks = 0;
   /// Sums over all chunks.
   std::uint64_t compressedBytes = 0, uncompressedBytes = 0;

@@ -20,7 +20,7 @@ namespace logplayer {
 ///
 /// The order within an instant is that of the recording: the packages of the platform first, those of a
 /// process when that process would have sent them, so that processes that run before it in a step see them as
-/// late as they did. turnOf() is to be executed before the process for which it stands, or instead of it.
+/// late as they did. turnOf() is to be executed before the process that it represents, or instead of it.
 /// Actuation has no effect. The clock must outlive this object; only for lockstep execution.
 class LogPlatform final : public robotlink::Platform {
  public:

@@ -30,7 +30,7 @@ struct RollingBall {
     const double limit = deceleration / damping;
     return (speed + limit) * -std::expm1(-damping * time) / damping - limit * time;
   }
-  /// Infinite for a ball that never comes to rest.
+  /// Infinite for a ball that never stops.
   double secondsToRest(double speed) const {
     if (deceleration <= 0) return std::numeric_limits<double>::infinity();
     if (damping < kNoDamping) return speed / deceleration;

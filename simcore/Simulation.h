@@ -72,16 +72,16 @@ class Simulation {
 
   /// Advances by one step: controllers, servos and drives first, then physics, then contact counters.
   void step();
-  /// Calls the controllers of the scene for the step that comes, which step() does otherwise: commands that
+  /// Calls the controllers of the scene for the next step, which step() does otherwise: commands that
   /// are given after it override theirs.
   void control();
-  /// Has an event of a view enter at the next step: what its ray hits is found then, and controllers get it.
-  /// Events are part of digest(). Fails if it is none, or if too many wait.
+  /// Adds an event of a view to the next step, which determines what its ray hits; controllers get it.
+  /// Events are part of digest(). Fails if it is invalid, or if too many wait.
   robotlink::Result<void> addEvent(ViewEvent event);
   /// The events that entered at the last step, or at the one that comes after control(); valid until the next
   /// call of a non-const function.
   std::span<const ViewEvent> events() const;
-  /// How the controllers fare: those of the world first, then those of its models, in their order.
+  /// The status of the controllers: those of the world first, then those of its models, in their order.
   std::span<const ControllerStatus> controllers() const;
   /// The views that controllers add, in the order of their ports; valid until the next reset.
   std::span<const ControllerOutput* const> outputs() const;
@@ -146,7 +146,7 @@ class Simulation {
   void setCameraImages(CameraImages images) { cameraImages_ = std::move(images); }
   /// The step of the present image of a camera, which its delay puts into the past.
   std::uint64_t cameraStep(std::size_t camera) const;
-  /// What a camera could perceive at best, from its present image: the models of which it sees a pixel.
+  /// Returns the best possible percepts of a camera's present image: the models of which it shows a pixel.
   std::vector<TruePercept> truePercepts(std::size_t camera) const;
 
   /// The errors of a sensor, camera, range or image sensor by its path ("red1/accelerometer"); null if there
@@ -171,14 +171,14 @@ class Simulation {
   /// here, so it yields {reached, unobstructed} of ActuatorState, 0 or 1. Images of cameras are not read so.
   /// Fails if there is no such port.
   robotlink::Result<std::vector<double>> read(const std::string& path) const;
-  /// What a sensor would read without any errors and delay. Fails if there is no such sensor.
+  /// Returns the reading of a sensor without any errors and delay. Fails if there is no such sensor.
   robotlink::Result<std::vector<double>> readTruth(const std::string& path) const;
   /// Commands an actuator: as many finite values as it has. Fails if there is no such actuator.
   robotlink::Result<void> write(const std::string& path, std::span<const double> values);
 
   /// The servos, addressed by their index.
   std::span<const Servo> servos() const;
-  /// What became of the last command.
+  /// Return the state of the last command.
   ActuatorState servoState(std::size_t servo) const;
   ActuatorState guideState(std::size_t guide) const;
   ActuatorState driveState(std::size_t drive) const;
@@ -188,11 +188,11 @@ class Simulation {
   void guide(std::size_t guide, std::span<const double> values);
   /// The doors, addressed by their index.
   std::span<const Door> doors() const;
-  /// Opens a door for its time, or closes it at once; if its sensor still notices somebody, it opens again.
+  /// Opens a door for its time, or closes it at once; if its sensor still detects something, it opens again.
   void moveDoor(std::size_t door, bool open);
   /// Whether it opens or is open.
   bool isDoorOpen(std::size_t door) const;
-  /// Commands a servo: the angle that it shall turn to, rad, or the speed or torque of a motor
+  /// Commands a servo: the target angle, rad, or the speed or torque of a motor
   /// (Servo::control); clamped to its range. NaN is ignored.
   void requestAngle(std::size_t servo, double angle);
   /// Sets the fraction of its maximum torque that a servo may use, 0 to 1.
@@ -220,8 +220,8 @@ class Simulation {
   robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose,
                                      const std::optional<ModelPosture>& posture = {});
 
-  // What one does by hand to models while they move. A path is that of a model ("ball") or of a link
-  // ("red1/link:body"); a model stands for its first link. Vectors are in the world, SI units. Each fails,
+  // Manipulate models by hand while they move. A path is that of a model ("ball") or of a link
+  // ("red1/link:body"); a model means its first link. Vectors are in the world, SI units. Each fails,
   // changing nothing, if there is no such object, or if it is static, or follows its odometry where forces do
   // not move it.
 
@@ -261,15 +261,15 @@ class Simulation {
   /// Goes back (or on) to a snapshot, of this simulation or another one of the same scene: from then on
   /// everything is as it was then, to the last bit. Whether forces are read stays. Fails, changing nothing,
   /// if it is of another scene, or is not possible. If the scene was edited since then, what it still has is
-  /// put back, as by continueIn(); returns the models that are where its file has them instead.
+  /// restored, as by continueIn(); returns the models that are where its file has them instead.
   robotlink::Result<std::vector<std::string>> restore(const Snapshot& snapshot);
-  /// From now on keeps a snapshot each simulated second and all commands, in at most so many bytes, of which
+  /// Keeps a snapshot for each simulated second and all commands from now on, in at most `maxBytes`, of which
   /// the oldest are given up. 0 bytes: no longer.
   void keepForRewind(std::size_t maxBytes);
   /// The first step to which one can go back; steps() if one cannot.
   std::uint64_t rewindableFrom() const;
   /// Goes back to an earlier step, exactly: from the last snapshot before it, everything is computed again
-  /// with the same commands. Costs up to 250 steps. What came after it is forgotten. Fails, changing nothing,
+  /// with the same commands. Costs up to 250 steps. What followed is forgotten. Fails, changing nothing,
   /// if that step is not kept.
   robotlink::Result<void> rewindTo(std::uint64_t step);
   /// How a model stands and moves now, for Continuation::motions; null if there is none or it is static.
@@ -306,11 +306,11 @@ class Simulation {
   void startControllers();
   /// restore() of a snapshot of the scene as it was before it was edited.
   robotlink::Result<std::vector<std::string>> restoreInEdited(const Snapshot& snapshot);
-  /// Has new controllers go on by what those of a snapshot remembered.
+  /// Restores new controllers from the state of those of a snapshot.
   void resumeControllers();
 
   std::unique_ptr<Implementation> implementation_;
-  /// What goBack() goes back to; null: nothing.
+  /// The state to which goBack() returns; null: none.
   std::unique_ptr<Implementation> before_;
   CameraImages cameraImages_;
 };

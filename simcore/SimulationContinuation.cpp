@@ -133,7 +133,7 @@ robotlink::Result<void> SimulationState::checkFits(const SimulationState& before
   for (std::size_t i = 0; i < world.models.size(); ++i) {
     const int model = static_cast<int>(i), other = physics->overlappedModel(model, kMaxOverlap);
     if (other < 0 || !wasFree(model, before)) continue;
-    // What continues as it was is not what does not fit.
+    // A model that continues as it was is not the one that does not fit.
     const bool isOther = goesOn(model) && !goesOn(other);
     const std::string& added = world.models[static_cast<std::size_t>(isOther ? other : model)].name;
     const std::string& standing = world.models[static_cast<std::size_t>(isOther ? model : other)].name;
@@ -175,7 +175,7 @@ robotlink::Result<std::vector<std::string>> SimulationState::takeOverModels(cons
   if (how.fitsNow) {
     if (auto fits = checkFits(before); !fits) return tl::unexpected(fits.error());
   }
-  // A model that overlapped before, such as in a hard collision, may go on so.
+  // A model that overlapped before, such as in a hard collision, may continue to do so.
   const auto isInside = [&](int model) {
     return physics->overlappedModel(model, kMaxOverlap) >= 0 && wasFree(model, before);
   };

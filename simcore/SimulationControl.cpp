@@ -19,7 +19,7 @@ constexpr std::size_t kMaxEventText = 100;
 /// More than any scene has.
 constexpr std::size_t kMaxControllers = 10'000;
 
-/// What controllers have of a simulation.
+/// The access of controllers to a simulation.
 class SimulationAccess final : public ControlledWorld {
  public:
   SimulationAccess(Simulation& simulation, SimulationState& state) : simulation_(simulation), state_(state) {}
@@ -31,7 +31,7 @@ class SimulationAccess final : public ControlledWorld {
   const Port* port(const std::string& path) const override { return simulation_.port(path); }
   robotlink::Result<std::vector<double>> read(const std::string& path) override {
     const Port* found = simulation_.port(path);
-    // One sensor costs less than all of them, and reads the same.
+    // Reading one sensor is cheaper than reading all of them, and gives the same values.
     if (found != nullptr && found->kind == Port::Kind::kSensor && !state_.readingsValid) {
       Sensor& sensor = state_.ports.sensors[found->index];
       state_.sensing->read(state_.noise(), found->index, sensor);
@@ -94,7 +94,7 @@ void transferShape(StateStream& stream, DrawnShape& shape) {
   stream.text(shape.text);
 }
 
-/// What an output shows; what it is belongs to the scene.
+/// Transfers the contents of an output; its description belongs to the scene.
 void transferOutput(StateStream& stream, ControllerOutput& output) {
   for (double& value : output.values) stream.raw(value);
   std::string bytes(output.image.data.begin(), output.image.data.end());

@@ -181,7 +181,7 @@ std::vector<double> SimulationState::truthOf(const Port& port) const {
 
 std::vector<double> SimulationState::trueRanges(std::size_t sensor) {
   if (!posesValid) updatePoses();
-  // Another sensing, so that this reading does not disturb those with noise.
+  // A separate RangeSensing, so that this reading does not disturb those with noise.
   if (!trueRanging) {
     trueRangeSensors = ports.ranges;
     for (RangeSensor& each : trueRangeSensors) each.errors = {};

@@ -82,7 +82,7 @@ void repeat(Simulation& simulation, const Rewind::Command& command) {
       std::optional<ModelPosture> posture;
       if (command.index > 0) posture.emplace(ModelPosture{std::nullopt, at(4), at(5)});
       if (command.index > 1) posture->height = at(3);
-      // What did not fit then does not fit now.
+      // A pose that did not fit then does not fit now.
       (void)simulation.placeModel(command.text, {at(0), at(1), at(2)}, posture);
       return;
     }
@@ -215,7 +215,7 @@ robotlink::Result<std::vector<std::string>> Simulation::restoreInEdited(const Sn
       std::exchange(implementation_, std::make_unique<Implementation>(snapshot.of, implementation_->options));
   auto before = std::move(before_);
   startControllers();
-  // What was added since then stays where it is.
+  // Models that were added since then stay where they are.
   Continuation how{.otherPorts = true};
   for (std::size_t i = 0; i < present->world.models.size(); ++i) {
     const ModelInstance& model = present->world.models[i];

@@ -63,7 +63,7 @@ struct TimedSensor {
   SensorErrors errors;
   std::optional<SampleClock> clock;
   std::uint64_t stream = 0;
-  /// Whether somebody chose the errors, instead of the scene.
+  /// Whether a user chose the errors, instead of the scene.
   bool chosen = false;
 
   TimedSensor(const SensorErrors& of, const std::string& path) : stream(hashOfPath(path)) { set(of); }
@@ -105,13 +105,13 @@ struct SimulationState {
   // Null if there is nothing to measure.
   std::unique_ptr<RangeSensing> ranging;
   std::unique_ptr<ImageSensing> imaging;
-  /// What other threads than the caller's make images with; they have the same noise.
+  /// The image sensing of threads other than the caller's; it has the same noise.
   std::vector<std::unique_ptr<ImageSensing>> otherImaging;
   std::optional<MeasureAhead<double>> rangesAhead;
   std::optional<MeasureAhead<float>> imagesAhead;
   /// Renders what cameras truly see; made when it is needed first.
   std::unique_ptr<CameraRenderer> truth;
-  // What images are made with that nobody else makes, when they are needed first; keyed by camera.
+  // The means of rendering images that no other owner renders, created on first use; keyed by camera.
   std::unique_ptr<CameraRenderer> renderer;
   std::vector<CameraOptics> optics;
   robotlink::Image cameraImage;
@@ -138,7 +138,7 @@ struct SimulationState {
   std::vector<bool> touchedBall;
   // Keyed by robot.
   std::vector<TouchCount> obstacles;
-  // What overlapped at the start.
+  // The overlaps at the start.
   LeftOuts overlaps;
   // Keyed by drive.
   std::vector<WheelState> wheelStates;
@@ -147,7 +147,7 @@ struct SimulationState {
   bool readingsValid = false, posesValid = false, rangingValid = false, imagingValid = false;
   // The steps whose poses ranging and imaging have.
   std::uint64_t rangingStep = 0, imagingStep = 0;
-  // Errors of sensors, by their index, that somebody chose.
+  // Errors of sensors that a user chose, by index.
   std::map<std::size_t, SensorErrors> chosenErrors;
 
   SimulationState(std::shared_ptr<const Scene> ofScene, SimulationOptions with)
@@ -185,13 +185,13 @@ struct SimulationState {
   robotlink::Result<std::vector<double>> readOutput(std::size_t index) const;
   /// Writes what controllers remember, or reads it for Simulation::resumeControllers().
   void transferControl(StateStream& stream);
-  /// Has controllers go on as those of another simulation do.
+  /// Has controllers continue as those of another simulation do.
   void takeOverControl(const SimulationState& before);
 
   /// The smallest number that the sensor of a door reads now.
   double readingFor(const Door& door);
 
-  // What the oracle knows.
+  // The ground truth for the oracle.
   std::vector<double> truthOf(const Port& port) const;
   std::vector<double> trueRanges(std::size_t sensor);
   std::vector<double> trueImage(std::size_t sensor);
@@ -225,7 +225,7 @@ struct SimulationState {
     touchedBall.assign(robots.size(), false);
     obstacles.assign(robots.size(), {});
     wheelStates.assign(ports.drives.size(), {});
-    // Errors that somebody chose outlive a reset.
+    // Errors that a user chose outlive a reset.
     for (const auto& [sensor, errors] : chosenErrors) sensing->setErrors(sensor, errors, noise());
     sensing->afterStep(noise());
     invalidate();
@@ -292,7 +292,7 @@ struct SimulationState {
     return nullptr;
   }
 
-  // What depends on the present poses only is measured in several threads.
+  // Measures in several threads what depends on the present poses only.
   void prepareToMeasureAhead();
   void measure(std::size_t sensor, std::span<double> ranges);
   void measureImage(std::size_t sensor, std::span<float> values);
@@ -319,7 +319,7 @@ struct SimulationState {
   /// Notes a command for going back, if that is wanted.
   void note(CommandKind kind, std::size_t index, std::span<const double> values,
             const std::string& text = {}) {
-    // What controllers command, they command again.
+    // Commands of controllers are not noted, because the controllers repeat them.
     if (rewind && !isRepeating && !control.isRunning) rewind->note(steps, kind, index, values, text);
   }
   void note(CommandKind kind, std::size_t index, std::initializer_list<double> values,
@@ -332,7 +332,7 @@ struct SimulationState {
   void clearRewind();
 
   /// Fails if a robot or a ball is inside another model at its start or, if it continues from `before`, where
-  /// it is now; notes other overlaps. What was inside before may go on so.
+  /// it is now; notes other overlaps. Models that were inside before may stay so.
   robotlink::Result<void> checkPlaces(const SimulationState* before = nullptr);
   /// Fails if a model is inside another one and was not before.
   robotlink::Result<void> checkFits(const SimulationState& before) const;
@@ -347,7 +347,7 @@ struct SimulationState {
                                                              const Continuation& how, std::vector<int>& kept);
   /// Moves new models as they are to begin.
   void beginNewModels(const SimulationState& before, const Continuation& how);
-  /// The errors of sensors that somebody chose, by the paths of their ports.
+  /// The errors of sensors that a user chose, by the paths of their ports.
   std::map<std::string, SensorErrors> errorsByPath() const;
   void takeOverPorts(const SimulationState& before, const std::vector<int>& kept);
 

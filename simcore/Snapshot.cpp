@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::uint8_t, 8> kMagic{'R', 'C', 'S', 'N', 'A', 'P', '\r', '\n'};
 constexpr std::size_t kMaxParts = 100;
 
-/// Finds damages; not safe against somebody who makes them up, whom reading the state has to bear.
+/// Detects damage; not safe against deliberate manipulation, with which reading the state must cope.
 std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
   std::uint64_t sum = bytes.size();
   std::size_t at = 0;

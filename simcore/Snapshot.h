@@ -30,9 +30,9 @@ struct Snapshot {
   /// Steps of the simulation.
   std::uint64_t step = 0;
   std::vector<std::uint8_t> state;
-  /// What the owner of the simulation keeps with it, by name.
+  /// The data that the owner of the simulation keeps with the snapshot, by name.
   std::map<std::string, std::vector<std::uint8_t>> parts = {};
-  /// The scene; null where it comes from a file. With it, what an edited scene still has can be put back.
+  /// The scene; null if it comes from a file. With it, whatever an edited scene still has can be restored.
   std::shared_ptr<const Scene> of = {};
   /// Whether it comes from a file, so that its contents are checked.
   bool isForeign = false;

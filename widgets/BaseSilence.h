@@ -22,7 +22,7 @@ inline constexpr double kSilentAfter = 1.5;
 std::optional<double> baseSilence(const robotlink::StreamStore& store, const std::string& robot,
                                   robotlink::Instant shown);
 
-/// Returns "p3dx last heard 12 s ago"; empty if the robot is not silent.
+/// Returns "p3dx last heard 12 s ago"; empty if messages of the robot arrive.
 QString silenceText(const std::string& robot, std::optional<double> silence);
 
 }  // namespace widgets

@@ -38,7 +38,7 @@ struct ControlText {
   const char* name;
   /// Label and accessible name, translated; shown where there is room.
   QString text;
-  /// One sentence, translated; the shortcut is appended. May be empty.
+  /// A translated sentence; the shortcut is appended. May be empty.
   QString toolTip;
   /// Keyboard shortcut; empty: none.
   QKeySequence shortcut = {};
@@ -86,7 +86,7 @@ QLabel* addLabel(QHBoxLayout* footer, const char* name, const QString& text);
 QLabel* makeNote(QWidget* parent, const char* name, const QString& text);
 /// Shows the label in the color of a meaning; unset: in the usual color.
 void setMeaning(QLabel& label, std::optional<Meaning> meaning);
-/// Shows what came of a request; `bad`: in the color of an error.
+/// Shows the outcome of a request; `bad`: in the color of an error.
 void showOutcome(QLabel& label, const QString& text, bool bad);
 /// Creates a search field with an icon and a clear button. Escape clears it.
 QLineEdit* makeSearchField(QWidget* parent, const ControlText& text);

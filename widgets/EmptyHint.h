@@ -19,7 +19,7 @@ class EmptyHint final : public QLabel {
   explicit EmptyHint(QAbstractItemView* over);
   /// Shows the text; an empty text hides the label.
   void setHint(const QString& text);
-  /// What there is room for: the text, or, in a low view, its beginning with an ellipsis; a tooltip has all
+  /// The text that fits: all of it, or, in a low view, its beginning with an ellipsis; a tooltip has all
   /// of it then.
   QString shownText() const;
 
@@ -31,7 +31,7 @@ class EmptyHint final : public QLabel {
  private:
   /// Takes the size of the covered widget.
   void fit();
-  /// Where the text is painted; the margin is narrower where there is little room.
+  /// The area in which the text is painted; the margin is narrower where there is little room.
   QRect room() const;
   /// Whether a text fits into a place.
   bool fits(const QString& text, const QRect& place) const;

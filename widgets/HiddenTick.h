@@ -3,8 +3,8 @@
 
 namespace widgets {
 
-/// A view that collects messages over time, and must not lack those that came while it could not be seen. It
-/// derives from this beside View. GUI thread.
+/// A view that collects messages over time, and must not lack those that arrived while it was hidden. It
+/// derives from this in addition to View. GUI thread.
 class HiddenTick {
  public:
   virtual ~HiddenTick() = default;

@@ -33,7 +33,7 @@ class RecoveryFile {
 
   /// Whether a program that crashed left the file behind. It stays until keep() or drop().
   bool isLeft() const;
-  /// Renames the file to the first free "NAME-damaged-N" beside it; returns its new path.
+  /// Renames the file to the first free "NAME-damaged-N" in the same folder; returns its new path.
   std::filesystem::path setAside() const;
   /// Lets `write` write the file, in the thread; replaces a job that has not begun.
   void keep(Write write) { worker_.post(std::move(write)); }

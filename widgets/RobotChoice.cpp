@@ -12,7 +12,7 @@ void showConnections(QComboBox& robots, const robotlink::Session& session) {
     const auto remote = session.remoteRobots().find(name.toStdString());
     if (remote == session.remoteRobots().end()) continue;
     const QString state = QString::fromStdString(remote->second.state);
-    // What is behind a colon are the reasons.
+    // The text behind a colon gives the reasons.
     const QString text = remote->second.isConnected
                              ? name
                              : QStringLiteral("%1 (%2)").arg(name, state.section(QLatin1Char(':'), 0, 0));

@@ -9,7 +9,7 @@ class QWidget;
 // Sentences to the user that are painted over a picture.
 namespace widgets {
 
-/// Whether the sentence lies at the widget's upper edge or in its middle.
+/// The position of the sentence: at the widget's upper edge or in its middle.
 enum class SentencePlace : std::uint8_t { kTop, kMiddle };
 
 /// Paints the text on a rounded rectangle in the palette's tooltip colors, wrapped to the widget's width.

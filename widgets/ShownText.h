@@ -18,7 +18,7 @@ std::optional<QString> shownTable(const QWidget& view);
 /// The same table with tabs between the columns. Unset if there is none.
 std::optional<QString> shownNumbers(const QWidget& view);
 
-/// A row for each value that a view shows beside tables: texts, boxes and sliders that have a name, with tabs
+/// A row for each value that a view shows outside of tables: texts, boxes and sliders with a name, and tabs
 /// between name and value. Unset if there is none.
 std::optional<QString> shownValues(const QWidget& view);
 

@@ -72,7 +72,7 @@ StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stre
   }
   const std::uint64_t added = stream.count - count_;
   if (added == 0) return news;
-  // What is only there because somebody looks back at it is not new.
+  // Messages that are only there because somebody looks back at them are not new.
   const auto end = stream.messages.rend() - static_cast<std::ptrdiff_t>(stream.lookedAt);
   for (auto at = stream.messages.rbegin(); at != end; ++at) {
     const auto& message = *at;

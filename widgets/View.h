@@ -43,7 +43,7 @@ class SceneSelection;
 struct RobotBody;
 struct SceneFileEdit;
 
-/// What a view may use. All of it outlives the view.
+/// The objects that a view may use. All of them outlive the view.
 struct ViewContext {
   robotlink::Session& session;
   robotlink::CommandTable& commands;
@@ -61,13 +61,13 @@ struct ViewContext {
   std::shared_ptr<MotionBench> motions = {};
   /// The scene files that are being edited; created on first use by sceneBench().
   std::shared_ptr<SceneBench> scenes = {};
-  /// What the simulator knows of scene files; null: nothing is known.
+  /// The simulator's knowledge of scene files; null: none.
   std::shared_ptr<const SceneLanguage> sceneLanguage = {};
   /// The commands that were typed; created on first use by commandLog().
   std::shared_ptr<CommandLog> commandLog = {};
   /// The selected object of the scene; created on first use by sceneSelection().
   std::shared_ptr<SceneSelection> selection = {};
-  /// What gamepads do; null: as shipped.
+  /// The bindings of gamepads; null: as shipped.
   std::shared_ptr<GamepadSettings> gamepad = {};
   /// Returns the body of a kind of robot (the name of its description) in the color of its team; null if it
   /// is not known. May take some 100 ms, so its result is to be kept. Empty: none is known.
@@ -106,11 +106,11 @@ class View : public QWidget {
   /// tabs. Others are refused, unless the view has more. Opens no dialog.
   virtual robotlink::Result<void> saveTo(const QString& file);
 
-  /// What the view shows as numbers: a table with tabs between the columns and the titles first; by default
+  /// The view's contents as numbers: a table with tabs between the columns and the titles first; by default
   /// its table, else its lines of text, else its named values. Unset if it shows none of these.
   virtual std::optional<QString> numbers();
 
-  /// What a video of the view shows: by default all of it.
+  /// The picture of the view in a video: by default all of it.
   virtual QImage shownPicture();
   /// The size of that in device-independent pixels; it grows and shrinks with the view.
   virtual QSize shownPictureSize() const { return size(); }
@@ -138,7 +138,7 @@ class View : public QWidget {
   void keep(const char* name, QLineEdit* text);
   /// Keeps the index of the entry, which must mean the same in all versions.
   void keep(const char* name, QComboBox* choice);
-  /// What the user did with a splitter or with the columns of a table; nothing changes without an entry.
+  /// Keeps what the user did with a splitter or the columns of a table; nothing changes without an entry.
   void keep(const char* name, QSplitter* splitter);
   void keep(const char* name, QHeaderView* columns);
   /// A control with a choice of its own, such as RobotChoice.
@@ -170,7 +170,7 @@ struct ViewType {
   const char* id;
   /// "Image"; translated when it is shown.
   const char* title;
-  /// One sentence for menus and tooltips.
+  /// A sentence for menus and tooltips.
   const char* help;
   /// Name of an icon in resources/icons.
   const char* icon;

@@ -20,8 +20,8 @@ class OpenPlatform;
 class ChangeSteps {
  public:
   struct Step {
-    /// The value, with streams as in the session (robotlink/expressions/EXPRESSIONS.md); without a robot
-    /// those of the selected one are meant.
+    /// The value, with streams as in the session (robotlink/expressions/EXPRESSIONS.md); without a robot,
+    /// those of the selected one.
     std::string expression;
     bool isForward = true;
     /// Set: only changes count at which the value reaches this, or falls below it.

@@ -14,7 +14,7 @@ class Session;
 
 namespace app {
 
-/// How much of what robots have sent is kept to look back at it: so much in memory, and what is older on
+/// Decides how much of what robots have sent is kept to look back at it: in memory, and the older part on
 /// disk. Both are settings that are remembered. GUI thread; the session must outlive it.
 class HistoryKeeper {
  public:

@@ -76,7 +76,7 @@ Result<std::int64_t> timeAt(const ReplayStatus& status, double seconds) {
   return std::min(status.end(), status.begin() + robotlink::fromSeconds(seconds).count());
 }
 
-/// Converts seconds that are to be added to a log's times. Fails for so many that no clocks differ by them.
+/// Converts seconds to add to a log's times. Fails if they exceed any possible difference of clocks.
 Result<robotlink::Duration> offsetOf(double seconds) {
   if (std::abs(seconds) <= robotlink::kMaxLogOffset) return robotlink::fromSeconds(seconds);
   return failure("log.offset", "the offset must be a number of seconds, and at most 100 years");

@@ -13,7 +13,7 @@ namespace {
 using robotlink::failure;
 using robotlink::Result;
 
-/// What a report says: a failure, also if something could not be read.
+/// Converts a report to its outcome, which is also a failure if something could not be read.
 template <typename Report>
 Result<void> outcomeOf(const Result<Report>& report, const std::filesystem::path& to) {
   if (!report) return tl::unexpected(report.error());

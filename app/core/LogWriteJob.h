@@ -19,7 +19,7 @@ namespace app {
 /// nothing is left of its file then. All functions in the thread of the owner.
 class LogWriteJob {
  public:
-  /// What is exported of one log.
+  /// The export of one log.
   struct Export {
     enum class Kind : std::uint8_t { kImages, kCsv, kJson, kTexts };
     Kind kind = Kind::kTexts;

@@ -27,7 +27,7 @@ OpenPlatform::OpenPlatform(std::filesystem::path userFolder)
   session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
   history_.setLive(true);
   platform_.onRobotsChanged([this](const auto& loaded) { outcomes_.push({Change::kRobots, loaded}); });
-  // What is refused is among the notes of remote_.
+  // Refusals are among the notes of remote_.
   offer_.onSteerElsewhere(
       [this](const std::string& robot, bool giveUp) { static_cast<void>(remote_.steer(robot, giveUp)); });
 }

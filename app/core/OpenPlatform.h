@@ -28,7 +28,7 @@
 namespace app {
 
 /// Owns everything that is open in the workbench: the running platform (a simulation, a real robot, or logs),
-/// the robots elsewhere that are connected beside it, the session that they feed, its offer to others, and
+/// the remote robots connected in addition to it, the session that they feed, its offer to others, and
 /// the recording. Only in one thread, that of the GUI, which calls tick() at 30 Hz.
 class OpenPlatform {
  public:
@@ -82,7 +82,7 @@ class OpenPlatform {
   robotlink::Result<void> rememberToken(const std::string& url);
   /// Whether one of questions() is about a body whose program is to run here.
   bool asksForBody() const { return bodyQuestion_.asked().has_value(); }
-  /// What robots elsewhere object to, and the user can decide.
+  /// The objections of remote robots that the user can resolve.
   std::vector<LinkQuestion> questions() const;
   /// Limits what a connection carries, also that to a body whose program runs here, now and whenever it is
   /// connected. Fails if the URL makes no sense.
@@ -107,19 +107,19 @@ class OpenPlatform {
   void tick();
   /// The handler is called with what runs now when something was loaded or closed, or a layout was changed.
   void onLoaded(std::function<void(const LoadedPlatform&)> handler) { onLoaded_ = std::move(handler); }
-  /// The handler is called when robots elsewhere have come or gone, or are known better.
+  /// The handler is called when remote robots were added or removed, or more is known about them.
   void onRemoteRobots(std::function<void()> handler) { onRemoteRobots_ = std::move(handler); }
   /// The handler is called if something could not be loaded, in which case what ran before continues; if a
   /// request was refused; and with warnings.
   void onErrors(std::function<void(const robotlink::Errors&)> handler) { onErrors_ = std::move(handler); }
 
-  /// What runs; null until something was loaded for the first time.
+  /// The platform that runs; null until something was loaded for the first time.
   const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
   /// Whether something is being loaded now.
   bool loading() const { return !openings_.empty(); }
   /// Why something could not be opened since this was called last, or was canceled; empty if nothing failed.
   robotlink::Errors takeOpeningErrors() { return std::exchange(openingErrors_, {}); }
-  /// Which share of the file that is being opened now was read, in [0, 1]; unset if none is.
+  /// The share of the file being opened that was read, in [0, 1]; unset if none is being opened.
   std::optional<double> progress() const;
   /// The name of that file; empty if there is none.
   std::string openingName() const;
@@ -141,8 +141,8 @@ class OpenPlatform {
     std::atomic<double> share = 0;
     std::atomic<bool> canceled = false;
   };
-  /// What a result is about: another platform, or another layout, an edited scene, or other robots on the
-  /// same one. Nobody has asked to open the last.
+  /// The subject of a result: another platform, or another layout, an edited scene, or other robots on the
+  /// same one. The last is not a response to a request to open something.
   enum class Change { kPlatform, kLayout, kScene, kRobots };
   /// A result from the platform's thread.
   struct Outcome {
@@ -186,7 +186,7 @@ class OpenPlatform {
   std::function<void()> onSceneRead_;
   std::function<void()> onRemoteRobots_;
   std::function<void(const robotlink::Errors&)> onErrors_;
-  /// What the results to come are about, in their order; null where no file is read.
+  /// The subjects of the results to come, in their order; null where no file is read.
   std::deque<std::shared_ptr<Opening>> openings_;
   BodyQuestion bodyQuestion_;
   RobotSearch search_;

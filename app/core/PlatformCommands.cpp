@@ -34,7 +34,7 @@ CommandTable::Argument argumentOf(const PlatformField& field) {
                     : field.kind == PlatformField::Kind::kFile   ? Type::kFile
                                                                  : Type::kText;
   CommandTable::Argument argument{field.name, type, field.help};
-  // What is left out is as in a form that nobody has filled in.
+  // Arguments that are left out have the values of an untouched form.
   argument.mayBeMissing = !field.isSource;
   return argument;
 }

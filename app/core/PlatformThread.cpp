@@ -61,7 +61,7 @@ void PlatformThread::endFeed() {
 void PlatformThread::postOther(PacedThread::Job job) {
   {
     const std::lock_guard lock(mutex_);
-    // What is requested later must be done after this job.
+    // Later requests must be fulfilled after this job.
     newest_.reset();
   }
   thread_.post(std::move(job));
@@ -235,7 +235,7 @@ void PlatformThread::fulfill(const robotcontrol::Request& request, const std::ve
     while (forwarded_.size() > kMaxForwarded) forwarded_.pop_front();
     return;
   }
-  // First, so that whoever gets the result sees the effect.
+  // This comes first, so that the receiver of the result sees the effect.
   if (feed_) feed_->publishStatus();
   if (feed_ && feed_->takeDescriptionChange() && robotsChanged_) {
     reportedAtEnd_.clear();

@@ -99,7 +99,7 @@ class PlatformThread {
   void refuseForwarded();
   /// An empty refusal means that the request was accepted.
   void pushResult(std::uint64_t id, const std::string& refusal);
-  /// Fulfills STOP if there is such a robot, otherwise when what was asked before is done.
+  /// Fulfills STOP at once if there is such a robot, otherwise after the earlier requests.
   void stop(const robotcontrol::Request& request);
   /// Enqueues a job that no move can be joined across.
   void postOther(PacedThread::Job job);
@@ -117,7 +117,7 @@ class PlatformThread {
   /// Requests that were forwarded to a program of this platform, the newest last. Only in the platform's
   /// thread.
   std::deque<std::uint64_t> forwarded_;
-  /// What the platform before the present one reported about its end. Only in the platform's thread.
+  /// The reports of the previous platform about its end. Only in the platform's thread.
   std::vector<std::string> reportedAtEnd_;
   /// PlatformContext::memory by the adapter's name. Only in the platform's thread.
   std::map<std::string, std::any> memories_;

@@ -80,7 +80,7 @@ Result<void> ask(OpenPlatform& open, const Request& request) {
   return askRobots(open, {}, request);
 }
 
-/// What completes the name of a robot, that of a team, or all.
+/// Returns completions for the name of a robot, of a team, or all.
 std::vector<std::string> robotsOrAll(OpenPlatform& open) {
   std::vector<std::string> names = robotlink::robotAndTeamNames(open.session());
   names.emplace_back(kAll);
@@ -119,7 +119,7 @@ Result<void> setShadow(OpenPlatform& open, const Values& values) {
   return askRobots(open, text(values, 3), request);
 }
 
-/// What completes the name of a task, and that of one of its solutions.
+/// Returns completions for the name of a task, then for one of its solutions.
 std::vector<std::string> tasksOrSolutions(OpenPlatform& open, const std::vector<std::string>& before) {
   return before.empty() ? robotlink::taskNames(open.session())
                         : robotlink::solutionNames(open.session(), before.front());
@@ -142,7 +142,7 @@ Result<void> setPackage(OpenPlatform& open, const Values& values) {
   return askRobots(open, text(values, 3), request);
 }
 
-/// What completes the name of a package: those of the selected robot's program.
+/// Returns completions for the name of a package: those of the selected robot's program.
 std::vector<std::string> packageNames(OpenPlatform& open) {
   const auto names = robotlink::programPackages(open.session().store(), open.session().selectedRobot(),
                                                 robotlink::Instant::max());
@@ -283,8 +283,8 @@ void addForCamera(CommandTable& commands, OpenPlatform& open) {
       });
 }
 
-/// Writes what the selected robot has mapped, as of the instant that the timeline shows; the home of the map
-/// is where the robot was then. A map that the robot does not publish yet is asked for.
+/// Writes the map made by the selected robot, as of the instant that the timeline shows; the home of the map
+/// is where the robot was then. A map that the robot does not publish yet is requested.
 Result<void> saveMap(OpenPlatform& open, const std::string& file) {
   const std::string& robot = open.session().selectedRobot();
   const auto& store = open.session().store();

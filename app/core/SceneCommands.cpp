@@ -261,7 +261,7 @@ std::vector<std::string> allModels(OpenPlatform& open) {
   return names;
 }
 
-/// What can be added by its name.
+/// Returns the models that can be added by name.
 std::vector<std::string> addable(OpenPlatform& open) {
   std::vector<std::string> names;
   const LoadedPlatform* loaded = open.loaded();

@@ -105,7 +105,7 @@ void noteControllers(const std::shared_ptr<ProgramTroubles>& troubles, std::set<
   }
 }
 
-/// What clients publish for bodies goes to these.
+/// Passes what clients publish for bodies to this inbox.
 void takeCommands(SessionServer& server, const std::shared_ptr<BodyInbox>& bodies) {
   server.takeFromClients(
       {kBodyCommands, robotcontrol::BodyCommands::descriptor()->full_name(),
@@ -118,12 +118,12 @@ void takeCommands(SessionServer& server, const std::shared_ptr<BodyInbox>& bodie
        }});
 }
 
-/// A platform that is served, with all that clients are offered beside its streams.
+/// Serves a platform, with all that clients are offered in addition to its streams.
 class Service {
  public:
   using Interrupted = std::function<bool()>;
 
-  /// What is passed in must outlive it.
+  /// The arguments must outlive it.
   Service(const ServeOptions& options, logplayer::Recorder& recorder, std::ostream& out)
       : options_(options),
         out_(out),
@@ -181,7 +181,7 @@ class Service {
  private:
   /// Prints a sentence, a part of which is what clients, robots and files say.
   void report(const std::string& sentence) { out_ << robotlink::printable(sentence) + "\n" << std::flush; }
-  /// What clients subscribe to is asked for repeatedly.
+  /// Reports a refusal only once, since clients repeat their subscriptions.
   void reportOnce(const std::string& refusal) {
     if (refusals_.size() < kMaxRefusals && refusals_.insert(refusal).second) report(refusal);
   }

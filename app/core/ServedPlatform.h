@@ -38,7 +38,7 @@ struct ServeOptions {
   std::shared_ptr<BodyInbox> bodies = nullptr;
   /// Gets what goes wrong with the robots' programs, and prints it; null: only clients see it.
   std::shared_ptr<ProgramTroubles> troubles = nullptr;
-  /// When a robot stands because the person who steers it is not heard.
+  /// The limits after which a robot stops because the client that steers it is silent.
   robotlink::websocket::Steering::Limits steering = {};
 };
 

@@ -19,9 +19,9 @@ namespace app {
 
 class PlatformThread;
 
-/// Starts programs of served robots again, so that they read the files that were deployed, and knows which
-/// they have read. A robot stands until its new program commands it; what users chose for it stays, STOP,
-/// too.
+/// Restarts programs of served robots, so that they read the deployed files, and knows which ones they have
+/// read. A robot stands still until its new program commands it; what users chose for it stays, including
+/// STOP.
 ///
 /// One thread, that of Session::tick(), unless it says otherwise. Session and platform must outlive it.
 class ServedRestarts {
@@ -39,7 +39,7 @@ class ServedRestarts {
   void ask(const std::string& robot, const std::filesystem::path& layout, Done done);
   /// The programs that run now.
   void setLoaded(const LoadedPlatform& loaded);
-  /// Does what was asked.
+  /// Fulfills the requests.
   void tick();
   RunningPrograms& programs() { return *programs_; }
   /// Whether programs run in another layout since the last call.

@@ -43,7 +43,7 @@ bool isSnapshotFile(const std::string& name) {
   return name.find('/') != std::string::npos || std::filesystem::path(name).extension() == ".snapshot";
 }
 
-/// Sets a name or a file, whose path is made absolute, since whoever fulfills the request may run elsewhere.
+/// Sets a name or a file, whose path is made absolute, since the request may be fulfilled elsewhere.
 void nameSnapshot(Snapshots& control, const std::string& name) {
   if (!isSnapshotFile(name)) return control.set_name(name);
   std::error_code ignored;

@@ -24,8 +24,8 @@ class Workbench : public OpenPlatform {
   /// See OpenPlatform; also goes where steps to changes lead.
   void tick();
   robotlink::CommandTable& commands() { return commands_; }
-  /// Adds a function that says whether something runs that a command has begun, beside what is opened, so
-  /// that scripts wait for it. It fails, once, with why that has failed.
+  /// Adds a function that returns whether something other than opening that a command has begun still runs,
+  /// so that scripts wait for it. If that fails, the function fails once, with the reason.
   void addJob(std::function<robotlink::Result<bool>()> isRunning) { jobs_.push_back(std::move(isRunning)); }
   /// Whether one of them runs; fails, once, with why one has failed.
   robotlink::Result<bool> working() const;

@@ -221,7 +221,7 @@ void MainWindow::connectSignals() {
 void MainWindow::onLoaded() {
   const auto* loaded = workbench_.loaded();
   errorBar_->hide();
-  // What is opened at the start is no answer to these.
+  // Opening something at the start does not resolve these problems.
   showErrors(std::exchange(startProblems_, {}));
   toolBar_->showLoaded();
   simulationMenu_->menuAction()->setVisible(!loaded->isLogged());
@@ -367,7 +367,7 @@ void MainWindow::noteWindow() {
   language_->save(window);
   platforms_->memory().save(window);
   remote_->save(window);
-  // What a workbench that ends properly had open is nothing to be offered.
+  // After a proper end, the next start does not offer to reopen anything.
   if (!isEnding_) window.insert(QStringLiteral("open"), LeftOpenBar::stateOf(workbench_));
   perspectives_.setWindow(window);
 }

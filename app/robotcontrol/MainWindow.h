@@ -88,7 +88,7 @@ class MainWindow : public QMainWindow {
   /// Shows a perspective that the user has chosen. It is shown again whenever the present scene or log is
   /// opened; before anything is open, it stays when something is.
   void choosePerspective(const QString& name);
-  /// What all views share.
+  /// The context that all views share.
   const widgets::ViewContext& context() const { return context_; }
   widgets::ViewContext& context() { return context_; }
   /// Processes new messages and updates the visible views now; the timer calls it.
@@ -159,12 +159,12 @@ class MainWindow : public QMainWindow {
   /// Export of views as videos and images (MainWindowExport.cpp).
   void createExport();
   void attachExportCommands();
-  /// What views show (MainWindowViews.cpp).
+  /// Commands about what views show (MainWindowViews.cpp).
   void attachPictureCommands();
   void attachPoseCommand();
   void attachDataCommands();
   void attachToolCommands();
-  /// What the views of a scene show, copies of views, and the scene's files (MainWindowScene.cpp).
+  /// Commands about views of a scene, copies of views, and the scene's files (MainWindowScene.cpp).
   void attachSceneCommands();
   void attachSceneViewCommands();
   /// Runs something for a view of the scene, or for all that are open, one of which is opened if there is
@@ -237,7 +237,7 @@ class MainWindow : public QMainWindow {
   /// The same for the motion and the scene files that are edited.
   bool mayLoseMotion();
   bool mayLoseScenes();
-  /// Has views and selection go on with an object of the scene that was renamed.
+  /// Makes the views and the selection follow an object of the scene that was renamed.
   void followRenames();
   /// The bar above the views that shows errors.
   void addRegisteredToolBars();
@@ -321,7 +321,7 @@ class MainWindow : public QMainWindow {
   widgets::ParameterSweep* sweep_ = nullptr;
   widgets::ViewExport* export_ = nullptr;
   widgets::ExportBar* exportBar_ = nullptr;
-  /// What the user chose in the dialog of exports.
+  /// The choices that the user made in the export dialog.
   QJsonObject exportChoices_;
   /// Null until they are shown for the first time.
   ManualWindow* manual_ = nullptr;
@@ -352,7 +352,7 @@ class MainWindow : public QMainWindow {
   QLabel* errorText_ = nullptr;
   /// The id of the first error that is shown.
   std::string errorId_;
-  /// What went wrong before anything was opened.
+  /// The errors that occurred before anything was opened.
   robotlink::Errors startProblems_;
   QMenu* simulationMenu_ = nullptr;
   QMenu* perspectiveMenu_ = nullptr;

@@ -363,7 +363,7 @@ Result<ads::CDockWidget*> MainWindow::openView(const std::string& id) {
 
 void MainWindow::finishPictures(QWidget& shown) {
   constexpr int kLimit = 3000, kEventsLimit = 100;  // ms
-  // What a tick changes is laid out by events, and what has another size then may read more.
+  // The changes of a tick are laid out by events, and a resized view may need to read more.
   constexpr int kRounds = 4;
   QList<widgets::View*> views = shown.findChildren<widgets::View*>();
   if (auto* view = qobject_cast<widgets::View*>(&shown)) views << view;

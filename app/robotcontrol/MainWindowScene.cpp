@@ -28,7 +28,7 @@ const std::string& wordAt(const Values& values, std::size_t index) {
   return std::get<std::string>(values[index]);
 }
 
-/// The dock in which a widget lies; null: in none.
+/// The dock that contains a widget; null: none.
 const ads::CDockWidget* dockAround(const QWidget* widget) {
   for (; widget != nullptr; widget = widget->parentWidget())
     if (const auto* dock = qobject_cast<const ads::CDockWidget*>(widget)) return dock;

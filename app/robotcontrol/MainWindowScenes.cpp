@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MainWindow: scene files that are edited, their recovery, and what is asked about them.
+// MainWindow: scene files that are edited, their recovery, and the questions about them.
 #include <QAction>
 #include <QMenu>
 #include <QStatusBar>

@@ -15,8 +15,8 @@ class SdfGlossary;
 
 namespace app {
 
-/// Gives the scene editor the simulator's specification of scene files. The specification is read when it is
-/// asked for first, which takes some 50 ms.
+/// Gives the scene editor the simulator's specification of scene files. The specification is read on first
+/// use, which takes some 50 ms.
 class SceneSpecification final : public widgets::SceneLanguage {
  public:
   /// `folders` returns those in which models are searched first; called in any thread.

@@ -81,7 +81,7 @@ void StartScript::timerEvent(QTimerEvent* event) {
 
 bool StartScript::awaitsRobots() const {
   if (clock_.now() - begun_ > kRobotsLimit) return false;
-  // One that refuses waits for a person, not for time to pass.
+  // A connection that was refused waits for a person, not for time to pass.
   using Phase = robotlink::websocket::ConnectionState::Phase;
   return std::ranges::any_of(workbench_.remote().connections(), [](const auto& connection) {
     return connection.robots.empty() && connection.state.phase != Phase::kRefused;

@@ -16,8 +16,8 @@ class Workbench;
 /// Returns the interface by which scripts act on a workbench, which must outlive them.
 robotlink::ScriptRun::Workbench scriptsOf(Workbench& workbench);
 
-/// What the program does by itself at its start, once the robots elsewhere that the command line names are
-/// connected, or have had some seconds for it: it starts the simulation when that is loaded, runs the
+/// Performs the startup of the program: once the remote robots on the command line are connected, or have had
+/// some seconds to connect, it starts the simulation when that is loaded, runs the
 /// commands of the command line one after the other, and then a script. GUI thread.
 class StartScript : public QObject {
   Q_OBJECT
@@ -46,7 +46,7 @@ class StartScript : public QObject {
   /// Whether robots at the addresses of the command line are still to come, which commands may name. They are
   /// waited for only for a while.
   bool awaitsRobots() const;
-  /// Begins what comes next, once the line before is done. Returns false if there is nothing more.
+  /// Begins the next line once the previous one is done. Returns false if there are no more.
   bool beginNext();
   /// Prints why the line or script that ran last failed.
   void report();

@@ -39,10 +39,10 @@ using app::kDone, app::kFailed, app::kUsage;
 struct Arguments {
   /// Files, or an address, and URLs of robots elsewhere, as they were given.
   std::vector<std::string> sources;
-  /// What is opened, and the URLs.
+  /// The files or the address to open, and the URLs of remote robots.
   std::vector<std::string> files, servers;
   std::string token;
-  /// Where the programs of robots elsewhere run: "there", or "here" if only their bodies are there.
+  /// The place where the programs of remote robots run: "there", or "here" if only their bodies are there.
   std::string program = "there";
   /// The options that follow from the platforms' forms.
   app::FieldOptions platform;
@@ -70,7 +70,7 @@ std::string helpOnFiles() {
 
 /// The options about what robots' programs are.
 void defineProgramOptions(CLI::App& app, Arguments& arguments) {
-  // One on each line.
+  // Joins the values of an option, one per line.
   const auto linesOf = [&](const char* option, const char* value, const char* help) {
     app.add_option_function<std::vector<std::string>>(
            option,
@@ -257,7 +257,7 @@ int run(const Arguments& arguments) {
   app::Workbench workbench(robotlink::userDirectory());
   const robotlink::SteadyClock clock;
   robotlink::CommandSocket socket(app::scriptsOf(workbench));
-  // What a script opens, shows, switches and writes is not what its user wants to find next time.
+  // The state that a script leaves behind must not replace that of the user at the next start.
   const bool isOfScript = !arguments.script.empty() && !arguments.keepOpen;
   if (isOfScript) workbench.keepNothing();
   app::MainWindow window(workbench, robotlink::userDirectory(),

@@ -172,7 +172,7 @@ json reportJson(const SceneReport& report) {
   return {{"opens", true}, {"seconds", report.seconds}, {"models", models}, {"left_out", leftOut}};
 }
 
-/// What is left out, each kind once with its first place.
+/// Prints what is left out of the scene, each kind once with its first place.
 void printLeftOut(const simcore::LeftOuts& all) {
   std::map<std::pair<std::string, std::string>, std::pair<const LeftOut*, int>> kinds;
   std::vector<std::pair<std::string, std::string>> order;

@@ -85,7 +85,7 @@ int finish(int status) {
               << "; what was printed is not complete\n";
     if (status == kDone) status = kFailed;
   }
-  // What continues until a signal comes is done then.
+  // A command that runs until a signal arrives has succeeded then.
   const bool isDone = status == kDone || status == kDoneWithLosses;
   return signal != 0 && signal != SIGPIPE && !isDone ? Interrupt::exitStatus(signal) : status;
 }

@@ -12,7 +12,7 @@ namespace colortool {
 struct CorrectionEstimate {
   /// The corrections of cameras for which something was found, in the order of the samples' images.
   std::vector<CameraCorrection> corrections;
-  /// One or more sentences per camera for the user: what was found, or why nothing was, and which strokes
+  /// Sentences for the user, one or more per camera: what was found, or why nothing was, and which strokes
   /// would help.
   std::vector<std::string> notes;
 };

@@ -56,7 +56,7 @@ class ImageCorrector {
   std::vector<Row> rows_;
   /// Chroma rows, for kNv12 only.
   std::vector<Row> chromaRows_;
-  /// One row in YCbCr, for correctRgb().
+  /// A row in YCbCr, as working memory of correctRgb().
   std::vector<std::uint8_t> scratch_;
 };
 

@@ -13,7 +13,7 @@ constexpr int kIterations = 12;
 /// The standard deviation of r^2 within the groups must be at least this; over a whole image it is 0.2.
 constexpr double kMinDeviation = 0.12;
 constexpr double kMinFreedom = 4;
-/// Residuals above so many standard deviations count less.
+/// Residuals of more standard deviations than this count less.
 constexpr double kHuber = 1.5;
 /// By how much the sum of squares must fall, in variances: chance does that once in a thousand times.
 constexpr double kMinRadialGain = 14;

@@ -15,7 +15,7 @@ struct RadialSample {
   double squaredRadius = 0;
   /// The value of the channel; for RadialModel::kShade the logarithm of Y.
   double value = 0;
-  /// Its weight in the fit; positive.
+  /// The weight of the sample in the fit; positive.
   double weight = 1;
 };
 

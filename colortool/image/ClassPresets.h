@@ -13,7 +13,7 @@ namespace colortool {
 /// A predefined list of color classes with the name by which files and command lines refer to it. Constant
 /// data.
 struct ClassPreset {
-  /// One class of a preset.
+  /// A class of a preset.
   struct Color {
     std::string_view name;
     /// The color in which views show the class.

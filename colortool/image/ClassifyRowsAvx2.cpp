@@ -84,7 +84,7 @@ void classifyNv12(const std::uint8_t* cells, const PixelRow& row, std::uint8_t* 
   plainClassifyRow(PixelFormat::kNv12)(cells, {row.pixels + x, row.chroma + x, row.width - x}, classes + x);
 }
 
-/// As robotlink::toYCbCr(): the sum of products with R and G, and with B and 1, scaled by 2^15.
+/// Like robotlink::toYCbCr(): the sum of products with R and G, and with B and 1, scaled by 2^15.
 __m256i channel(__m256i redGreen, __m256i blueOne, int r, int g, int b, int offset) {
   const __m256i sum =
       _mm256_add_epi32(_mm256_madd_epi16(redGreen, _mm256_set1_epi32((g << 16) | (r & 0xFFFF))),

@@ -31,9 +31,9 @@ struct ChannelLine {
 /// The correction of a camera's colors that precedes the look-up in a table: vignetting is removed, then each
 /// channel is mapped linearly. A plain value; the default changes nothing.
 struct ColorCorrection {
-  /// What vignetting divides Y by stays within these.
+  /// The range of the shade, by which Y is divided to remove vignetting.
   static constexpr double kMinShade = 0.125, kMaxShade = 8;
-  /// What is done to a channel at any place has no larger gain or offset than these, so that ImageCorrector
+  /// The limits of the gain and the offset that are applied to a channel at any place, so that ImageCorrector
   /// can do the same in integers.
   static constexpr double kMaxGain = 15, kMaxOffset = 1000;
 

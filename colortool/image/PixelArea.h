@@ -33,7 +33,7 @@ struct ImagePoint {
 /// All pixels whose center lies within `radius` pixels of the polyline through `points` (a disc for a single
 /// point).
 PixelArea brushArea(int width, int height, std::span<const ImagePoint> points, double radius);
-/// As brushArea(), but only pixels with a color similar to those along the line, for a brush that is wider
+/// Like brushArea(), but only pixels with a color similar to those along the line, for a brush that is wider
 /// than the painted thing. `tolerance` is the maximum difference to the nearest of these pixels, in values of
 /// a channel with Y weighted by 0.5.
 PixelArea carefulBrushArea(const ColorImage& image, std::span<const ImagePoint> points, double radius,

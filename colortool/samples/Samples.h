@@ -108,7 +108,7 @@ std::uint64_t addStroke(Samples& samples, const SampleImage& where, const ColorI
 bool erase(Samples& samples, const SampleImage& where, const PixelArea& area);
 /// Removes an area from one stroke; without pixels it is removed.
 void erasePart(Samples& samples, std::uint64_t id, const PixelArea& area);
-/// Removes strokes by id, together with images that no stroke uses any more.
+/// Removes strokes by id, together with images that no stroke uses any longer.
 void removeStrokes(Samples& samples, const std::vector<std::uint64_t>& ids);
 /// Changes class, "must not be" and weight of strokes by id; their tools stay.
 void restate(Samples& samples, const std::vector<std::uint64_t>& ids, const StrokeMeaning& meaning);

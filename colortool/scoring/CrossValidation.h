@@ -32,7 +32,7 @@ struct StrokeQuality {
   Evaluation evaluation;
   /// Number of scored strokes by class number; 0 is the background.
   std::vector<int> strokesOf;
-  /// One score per stroke, in the order of the samples.
+  /// The scores, one per stroke, in the order of the samples.
   std::vector<StrokeScore> strokes;
   /// Classes with a single stroke, possibly the background. No other stroke can predict it, so that their
   /// recall is near 0 and only means that a second stroke is needed.

@@ -37,7 +37,7 @@ class CellSet {
   std::array<Row, kRows> rows_{};
 };
 
-/// Which cells count as adjacent: those that share a face (6), or those that share at least a corner (26).
+/// The kind of adjacency of cells: sharing a face (6), or at least a corner (26).
 enum class CellNeighbors : std::uint8_t { k6, k26 };
 
 /// Returns all cells of `within` that are connected, through cells of `within`, to a cell of `seeds`. Seeds

@@ -19,7 +19,7 @@ namespace colortool {
 /// A file that its owners' tools wrote (with runs as long as possible) is reproduced byte by byte.
 struct ColorTableFile {
   /// Set in a cell that belongs to several classes at once, as happens while a table is being made: then bit
-  /// i stands for class i + 1.
+  /// i means class i + 1.
   static constexpr std::uint8_t kSeveral = 0x80;
   /// Classes that a cell of several can have, and a cell at all.
   static constexpr int kMaxOfSeveral = 7, kMaxClasses = 127;

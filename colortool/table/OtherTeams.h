@@ -15,7 +15,7 @@ namespace colortool {
 /// Describes a color table format that consists of nothing but one byte per cell: its size, the order of its
 /// cells and the meaning of the bytes. Constant data.
 struct NumberedTable {
-  /// A byte value and the class that it stands for.
+  /// A byte value and the class that it represents.
   struct Class {
     /// The value in the file.
     std::uint8_t byte;
@@ -48,7 +48,7 @@ extern const NumberedTable kNUbotsTable;
 /// The bytes of this one are masks with a bit for each class.
 extern const NumberedTable kUPennTable;
 
-/// Fails, with the offset, if the number of bytes is not that of the format, or on a byte that stands for no
+/// Fails, with the offset, if the number of bytes is not that of the format, or on a byte that represents no
 /// class.
 robotlink::Result<CellGrid> parseNumberedTable(const NumberedTable& format, std::string_view bytes,
                                                const std::string& file);

@@ -29,7 +29,7 @@ class TableDifference {
   /// Number of all cells whose class changed.
   std::uint64_t changed() const { return changed_; }
 
-  /// What happened to one class, in cells.
+  /// The changes of one class, in cells.
   struct OfClass {
     std::uint64_t before = 0, after = 0;
     /// From other classes, none included.
@@ -40,7 +40,7 @@ class TableDifference {
   };
   OfClass ofClass(int colorClass) const;
 
-  /// Which of the changed cells of a class are meant; kAny: gained or lost.
+  /// Selects among the changed cells of a class; kAny: gained or lost.
   enum class Change : std::uint8_t { kGained, kLost, kAny };
   /// The cells that a class gained, lost, or either.
   CellSet cells(int colorClass, Change change) const;

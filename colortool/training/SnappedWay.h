@@ -9,18 +9,18 @@
 
 namespace colortool {
 
-/// The way of a careful brush as it was meant: where the mouse slips off what it is led along, such as a thin
-/// line of the field, the way stays on that, as far as the brush reaches. Where nothing within reach is of
-/// similar color the mouse moves on to something else, and so does the way. A plain value; one for each
+/// The intended path of a careful brush: if the mouse slips off the thing that it follows, such as a thin
+/// line of the field, the path stays on that, as far as the brush reaches. If nothing within reach is of
+/// similar color, the mouse moves on to another thing, and so does the path. A plain value; one for each
 /// stroke.
 class SnappedWay {
  public:
   /// `radius` and `tolerance` as carefulBrushArea() has them.
   SnappedWay(const ColorImage& image, ImagePoint begin, double radius, double tolerance);
 
-  /// What the brush touches at its beginning.
+  /// Returns the pixels that the brush touches at its start.
   PixelArea begin(const ColorImage& image) const;
-  /// What it touches between where it was and `to`, by pixels of one image.
+  /// Moves the brush to `to`. Returns the pixels of one image that it touches on the way.
   PixelArea moveTo(const ColorImage& image, ImagePoint to);
 
  private:

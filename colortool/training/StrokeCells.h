@@ -12,7 +12,7 @@ namespace colortool {
 
 /// The evidence of a stroke for one cell of the color table.
 struct StrokeCell {
-  /// As ColorTable::cellOf() numbers them.
+  /// The index of the cell, as returned by ColorTable::cellOf().
   std::size_t cell = 0;
   /// The number of its pixels there times its weight, in ColorVotes::kUnit-ths of a pixel; negative if they
   /// must not be of the stroke's class.

@@ -39,7 +39,7 @@ class TableTrainer {
   struct Learned {
     /// Owned, so that no other stroke can get its address while it is a key of learned_.
     StrokePtr stroke;
-    /// What was added to the votes for it, so that exactly that can be removed.
+    /// The votes that were added for the stroke, so that exactly these can be removed.
     std::vector<StrokeCell> cells;
     /// Whether the stroke is still among the samples; used by follow().
     bool current = true;

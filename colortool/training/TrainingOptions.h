@@ -10,7 +10,7 @@
 
 namespace colortool {
 
-/// One number of TrainingSettings with its name and range, for scripts and sliders. Constant data.
+/// A number of TrainingSettings with its name and range, for scripts and sliders. Constant data.
 struct TrainingOption {
   /// The name in scripts: "brightness-weight".
   std::string_view name;

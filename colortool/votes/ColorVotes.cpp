@@ -24,7 +24,7 @@ constexpr std::int64_t kMaxPixels = 1024;
 constexpr double kStrengthScale = 8;
 /// The sum of all votes that a cell can get fits 31 bits.
 constexpr double kMaxVotes = 2.0e9;
-/// What background is given beforehand, at most: it comes on top of the votes.
+/// The maximum prior of the background, which is added to the votes.
 constexpr double kMaxPrior = 1.0e8;
 /// The largest vote of a kernel, for a cell's own samples, if the sum allows it.
 constexpr double kFinestPeak = 2048;

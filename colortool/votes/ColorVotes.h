@@ -35,8 +35,8 @@ struct VoteOptions {
   /// own cell; 0 disables it, kMaxShading is the maximum. It decides where no sample is near: shadow and
   /// glare change Cb and Cr along with Y.
   double shading = 0.15;
-  /// What the color of a thing needs more where colors are nearly gray, in votes of a sample pixel for each
-  /// stroke's worth of samples of its class, see GrayGuard.
+  /// The additional votes that the color of a thing needs where colors are nearly gray, in votes of a sample
+  /// pixel for each stroke's worth of samples of its class, see GrayGuard.
   double grayGuard = 16;
 
   static constexpr double kMinRadius = 2, kMaxRadius = 24;

@@ -12,7 +12,7 @@ constexpr int kGuardCells = ColorTable::kCells;
 constexpr double kGuardWidth = 2;
 /// The most votes that can be needed; no class ever has more.
 constexpr double kMaxGuard = 1.0e9;
-/// A cell is claimed by so many pixels: single ones may be from the edge of a thing. How far that reaches in
+/// A cell is claimed by this many pixels: single ones may be from the edge of a thing. Its reach in
 /// Y, and in Cb and Cr.
 constexpr double kClaimingPixels = 3;
 constexpr int kClaimedBrightness = 4, kClaimedChroma = 1;

@@ -10,11 +10,11 @@
 
 namespace colortool {
 
-/// How many votes more the colors of things need where colors are nearly gray: walls, clothes and shadows
+/// The additional votes that colors of things need where colors are nearly gray: walls, clothes and shadows
 /// that no stroke has touched are gray, or nearly so. The votes of many samples add up, also far away from
 /// all of them; so the guard grows with the samples of the class, or else each further stroke would take more
 /// of the wall. Close to cells that some pixels of the class claim it does not grow beyond that of one
-/// stroke: who paints a gray thing wants it to be one. One thread.
+/// stroke: a user who paints a gray thing wants it to be one. One thread.
 class GrayGuard {
  public:
   /// The sum of the strengths of the samples of one stroke of usual size, 29 pixels, in pixels.

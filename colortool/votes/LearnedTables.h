@@ -10,7 +10,7 @@ namespace colortool {
 
 /// All samples of one class in one cell.
 struct CellSamples {
-  /// As ColorTable::cellOf() numbers them.
+  /// The index of the cell, as returned by ColorTable::cellOf().
   std::size_t cell = 0;
   /// kNone: background.
   std::uint8_t colorClass = ColorClasses::kNone;

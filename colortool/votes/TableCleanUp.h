@@ -38,9 +38,9 @@ class TableCleanUp {
  private:
   /// The cached state of one class.
   struct Class {
-    /// Its cells in the raw table.
+    /// The cells of the class in the raw table.
     CellSet raw;
-    /// The cells that contain its samples.
+    /// The cells that contain samples of the class.
     CellSet sampled;
     /// The supported cells of raw.
     CellSet kept;

@@ -53,9 +53,9 @@ class VoteKernel {
     int first = 0, rows = 0;
     /// Values per row, with zeros at the end, a multiple of the length that vector instructions add at once.
     int width = 0;
-    /// Where rows begin, the first and the last, counted along Cr from the reach below the center.
+    /// The smallest and the largest begin of a row, counted along Cr from the reach below the center.
     int left = 0, right = 0;
-    /// Where its rows are in begins_, and its values in values_.
+    /// The indices of the slice's first row in begins_, and of its first value in values_.
     std::size_t row = 0, value = 0;
   };
   /// The weights of the cells around the center in Cb and Cr, (2 * chromaReach_ + 1) squared.
@@ -71,7 +71,7 @@ class VoteKernel {
   int chromaReach_ = 0, brightnessReach_ = 0;
   /// The slices of the kernel, indexed by brightness.
   std::vector<Slice> slices_;
-  /// Where the rows of all slices begin along Cr, and their values.
+  /// The begins of the rows of all slices along Cr, and their values.
   std::vector<std::int16_t> begins_, values_;
 };
 

@@ -14,7 +14,7 @@ std::vector<std::string> describeDamage(const std::filesystem::path& file, bool 
       losses.push_back(name + "and " + std::to_string(damage.size() - kMaxListed) + " more damaged places");
       break;
     }
-    // Offset 0 stands for the whole file.
+    // Offset 0 means the whole file.
     losses.push_back(name + (place.offset > 0 ? "at byte " + std::to_string(place.offset) + ": " : "") +
                      place.what);
   }

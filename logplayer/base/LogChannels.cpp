@@ -117,7 +117,7 @@ std::optional<robotlink::StreamMessage> LogChannels::read(const mcap::Message& m
   robotlink::StreamMessage read{state.path, message.logTime, state.type.read(message.data), state.process};
   if (!read.value) return std::nullopt;
   if (!state.process.empty()) read.frame = widenFrame(message.sequence, state.firstFrame);
-  read.bytes = message.data.size() + 256;  // as robotlink::sizeOf() has it, without measuring again
+  read.bytes = message.data.size() + 256;  // the value of robotlink::sizeOf(), without measuring again
   return read;
 }
 

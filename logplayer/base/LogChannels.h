@@ -51,7 +51,7 @@ class LogChannels {
   std::optional<robotlink::StreamMessage> read(const mcap::Message& message) const;
 
  private:
-  /// What is known about one channel.
+  /// The state of a channel.
   struct State {
     std::string path;
     /// The process that published it; empty if unknown.

@@ -24,7 +24,7 @@ class LogWriter {
                                                               mcap::Writer::Options options);
   ~LogWriter();
 
-  /// Writes a group of messages, usually a frame, that shall be in the file completely or not at all. Fails
+  /// Writes a group of messages, usually a frame, that must be in the file completely or not at all. Fails
   /// with the first I/O error, and from then on.
   robotlink::Result<void> write(const std::vector<robotlink::StreamMessage>& frame);
   /// The container, for attachments, metadata, flush() and close().

@@ -9,7 +9,7 @@
 
 namespace logplayer {
 
-/// Whether a path matches a pattern, in which "*" stands for any text, including slashes: "*/camera/image",
+/// Whether a path matches a pattern, in which "*" matches any text, including slashes: "*/camera/image",
 /// "red1/*".
 bool fits(std::string_view path, std::string_view pattern);
 

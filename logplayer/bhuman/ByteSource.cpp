@@ -39,7 +39,7 @@ class FileBytes final : public ByteSource {
 }  // namespace
 
 robotlink::Result<std::unique_ptr<ByteSource>> openFile(const std::filesystem::path& file) {
-  // Without O_NONBLOCK a named pipe would wait for somebody who writes to it.
+  // Without O_NONBLOCK, opening a named pipe would block until another program writes to it.
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status {};
   const bool known = descriptor >= 0 && ::fstat(descriptor, &status) == 0;

@@ -70,7 +70,7 @@ Result<CameraImage> readJpegImage(std::span<const std::uint8_t> payload) {
   const auto header = readHeader(reader);
   if (!header) return tl::unexpected(header.error());
   reader.take(sizeof(std::int32_t));  // the JPEG's size: the rest
-  // Its header says that it is CMYK, of Adobe; but the components are those of a quadruple, not inverted.
+  // The JPEG's header declares Adobe CMYK, but the components are those of a quadruple, not inverted.
   auto jpeg = decodeJpegQuads(reader.rest(), kMaxCameraPixels);
   if (!jpeg) return tl::unexpected(std::move(jpeg.error()));
   if (jpeg->width != header->width || jpeg->height != header->height)

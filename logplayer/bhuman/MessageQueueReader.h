@@ -12,7 +12,7 @@
 
 namespace logplayer::bhuman {
 
-/// One message of a queue; its payload is valid until the next call of next().
+/// A message of a queue; its payload is valid until the next call of next().
 struct QueueMessage {
   /// See Kind; may be unknown.
   std::uint8_t id = 0;

@@ -50,7 +50,7 @@ std::optional<JointAngles> readJointData(std::span<const std::uint8_t> payload);
 
 /// A sensor's value; sensors that are missing or off have no entry.
 struct Reading {
-  /// Such as "gyroX", "temperature/headPan".
+  /// The name of the sensor, such as "gyroX", "temperature/headPan".
   std::string name;
   double value = 0;
   /// The unit of `value`, for display.

@@ -12,7 +12,7 @@ namespace logplayer {
 
 // Files attached to a log (MCAP attachments): configurations, notes, pictures.
 
-/// What the index of a log says about an attachment. Names are unique in a log that attach() wrote.
+/// The entry of an attachment in the index of a log. Names are unique in a log that attach() wrote.
 struct AttachmentInfo {
   std::string name;
   /// MIME type.

@@ -330,10 +330,10 @@ Result<void> Rewriting::writeAllBookmarks() {
     for (Bookmark bookmark : input->source.bookmarks()) {
       bookmark.from = std::max(bookmark.from + input->offset, options_.from.value_or(Instant::min()));
       bookmark.to = std::min(bookmark.to + input->offset, options_.to.value_or(Instant::max()));
-      if (bookmark.to < bookmark.from) continue;  // it is outside of the range
+      if (bookmark.to < bookmark.from) continue;  // the bookmark is outside of the range
       const auto same = bookmarks.find(bookmark.id);
       if (report_.concatenated && same != bookmarks.end() && same->second->text == bookmark.text) {
-        bookmark.from = std::min(bookmark.from, same->second->from);  // it was cut in two
+        bookmark.from = std::min(bookmark.from, same->second->from);  // the bookmark was split in two
         bookmark.to = std::max(bookmark.to, same->second->to);
         bookmarks.erase(same);
       }

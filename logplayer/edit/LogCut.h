@@ -15,7 +15,7 @@
 
 namespace logplayer {
 
-/// One of the logs that are merged into a new one. Older formats are converted on the fly.
+/// A log that is merged with others into a new one. Older formats are converted on the fly.
 struct RewriteInput {
   std::filesystem::path file;
   /// Added to all times, including timestamps inside messages.
@@ -26,7 +26,7 @@ struct RewriteInput {
 enum class Joining : std::uint8_t {
   /// kConcatenate if they are parts of one log, else kSeparate.
   kAutomatic,
-  /// One after the other; robots keep their names. Fails if the logs do not continue each other.
+  /// The logs follow one another; robots keep their names. Fails if the logs do not continue each other.
   kConcatenate,
   /// In parallel; robots of equal names are renamed.
   kSeparate,
@@ -47,7 +47,7 @@ struct RewriteOptions {
   LogFile::Progress progress = {};
 };
 
-/// What a new log contains.
+/// The contents of a new log.
 struct RewriteReport {
   /// Number of messages in the new file.
   std::uint64_t messages = 0;
@@ -64,7 +64,7 @@ struct RewriteReport {
   std::map<std::string, std::string> renamed;
   /// Information for the user, one sentence each.
   std::vector<std::string> notes;
-  /// What could not be read from the inputs, one sentence each; empty if everything was.
+  /// The data that could not be read from the inputs, one sentence each; empty if all data was read.
   std::vector<std::string> losses;
 };
 

@@ -10,7 +10,7 @@
 
 namespace logplayer {
 
-/// One of two logs that may be parts of one recording, with the offset to the common timeline.
+/// A log that may be a part of the same recording as another one, with its offset to the common timeline.
 struct LogPart {
   LogSource& source;
   /// Added to the times of the log.

@@ -29,7 +29,7 @@ struct LogUnit {
   std::vector<mcap::Reader::MessageData> messages;
 };
 
-/// A log that is read to be copied, unit by unit in order of time, the messages as the bytes that they are.
+/// A log that is read to be copied, unit by unit in order of time, with messages as raw bytes.
 /// A log of an older format is converted, and the copy is removed in the end. Memory is bounded by the
 /// reader's cache and the largest frames. One thread.
 class LogSource {
@@ -61,7 +61,7 @@ class LogSource {
   const std::set<std::string>& robots() const { return robots_; }
   /// Information for the user, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
-  /// What could not be read so far, one sentence each.
+  /// Returns the data that could not be read so far, one sentence each.
   std::vector<std::string> losses() const;
 
  private:

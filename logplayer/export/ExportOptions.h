@@ -24,7 +24,7 @@ struct ExportOptions {
 struct ExportReport {
   /// Number of images, rows or texts.
   std::uint64_t written = 0;
-  /// What is missing, one sentence each; empty if everything was exported.
+  /// The data that is missing, one sentence each; empty if everything was exported.
   std::vector<std::string> losses;
 };
 

@@ -50,7 +50,7 @@ robotlink::Result<ExportReport> exportTo(
 /// Writes at the end of a stream. Fails as soon as the system does not take it, since more would be in vain.
 robotlink::Result<void> put(std::ostream& out, const std::string& text);
 
-/// What of the log itself could not be read is a loss of the export, too.
+/// Adds the damage of the log itself to the losses of an export.
 void noteDamage(const LogFile& log, ExportReport& report);
 /// Adds messages that could not be read to the losses of an export.
 void noteUnread(const Unread& unread, ExportReport& report);

@@ -31,7 +31,7 @@ class MessageTable {
   void learn(const google::protobuf::Message& message);
   /// The names of the columns, in the order of the schema and of repeated elements.
   std::vector<std::string> columns() const;
-  /// One cell per column; empty where a field is not set. Timestamps and durations are seconds, enumerations
+  /// Returns a cell per column; empty for unset fields. Timestamps and durations are seconds, enumerations
   /// names, bytes base64.
   std::vector<std::string> row(const google::protobuf::Message& message) const;
   /// Number of values for which there was no room for a column.

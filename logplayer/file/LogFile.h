@@ -85,7 +85,7 @@ class LogFile {
   robotlink::Instant end() const;
   /// Whether the file was closed properly.
   bool complete() const;
-  /// What could not be read so far.
+  /// Returns the damage found so far.
   std::vector<mcap::Damage> damage() const;
   /// Describes all damage, for the user; empty if the file is intact.
   std::string damageText() const;

@@ -16,7 +16,7 @@ namespace logplayer {
 struct LogFormat {
   /// The robot in such logs.
   struct Robot {
-    /// Its name where the user gives it none.
+    /// The name of the robot unless the user enters one.
     const char* name = nullptr;
     /// The resource that describes it, "robots/nao.yaml": the layout of the program that replays such logs,
     /// the packages in them, the field and the teams. Null: the robot is unknown, and no program runs on such

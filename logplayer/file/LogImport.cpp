@@ -130,7 +130,7 @@ Result<ImportReport> importQueueFile(const std::filesystem::path& from, const Im
   return bhuman::importQueue(**bytes, options.robot, sink, options.progress);
 }
 
-/// Where the camera is, is in its description.
+/// Imports frames; the pose of the camera is taken from its description.
 Result<ImportReport> importFrom(FrameSource& source, const ImportSink& sink, const ImportOptions& options) {
   const auto file = robotlink::resource(camera().description);
   const auto description = robotlink::readRobotDescription(file);

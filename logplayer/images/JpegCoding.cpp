@@ -186,7 +186,7 @@ Result<Image> decodeFourInks(Decoder& decoder, bool fromAdobe) {
   return image;
 }
 
-/// What the library wrote.
+/// The output of the library.
 struct Written {
   unsigned char* data = nullptr;
   unsigned long size = 0;

@@ -14,7 +14,7 @@ namespace logplayer {
 /// Whether a file is a picture, by its extension only.
 bool isPictureFile(const std::filesystem::path& file);
 
-/// Which pixels of a .yuyv file are read.
+/// The choice of the pixels of a .yuyv file that are read.
 enum class YuyvPixels {
   kSquare,  ///< 320 x 240: the second Y of each pair; two neighbors share the mean of their Cb and Cr
   kAll,     ///< 640 x 240: every Y

@@ -79,7 +79,7 @@ struct Decompressor::Context {
       out = out.subspan(outBytes);
       in = in.subspan(inBytes);
       if (wanted == 0) return out.empty() && in.empty();
-      if (outBytes == 0 && inBytes == 0) return false;  // it needs more input or more output
+      if (outBytes == 0 && inBytes == 0) return false;  // the decompressor needs more input or more output
     }
   }
 

@@ -37,7 +37,7 @@ inline Message messageIn(const std::uint8_t* records, const MessageRecord& recor
           instantOf(loadNumber<std::uint64_t>(content + 14)), Bytes(content + kHead, record.bytes - kHead)};
 }
 
-/// The message at an offset of a section's records; empty if there is none of this channel and time.
+/// Returns the message at an offset of a section's records; empty if there is none of this channel and time.
 inline std::optional<MessageRecord> messageAt(Bytes records, std::uint64_t offset, std::uint16_t channelId,
                                               Instant time) {
   if (offset >= records.size()) return std::nullopt;
@@ -55,7 +55,7 @@ inline std::uint16_t channelOf(const std::uint8_t* records, const MessageRecord&
 }
 
 /// Calls `visit` with the record of each message of some channels, until `visit` returns false or the bytes
-/// are no whole records any more. Returns the offset of the first record that was not visited. For small
+/// are no longer whole records. Returns the offset of the first record that was not visited. For small
 /// messages, these loops take most of the time of reading.
 template <typename Visit>
 std::size_t visitMessages(Bytes records, const ChannelSet& channels, Visit visit) {

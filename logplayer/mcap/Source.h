@@ -12,7 +12,7 @@ namespace logplayer::mcap {
 /// would crash the program. Const functions use pread() and may be called from several threads.
 class Source {
  public:
-  /// Which file it is, and as of when.
+  /// Identifies a file and its version.
   struct Identity {
     std::uint64_t device = 0, file = 0, bytes = 0;
     std::int64_t changed = 0;  ///< ns

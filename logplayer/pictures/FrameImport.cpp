@@ -21,7 +21,7 @@ namespace {
 
 /// The process whose frames the images are, for those who step through the log.
 constexpr char kProcess[] = "camera";
-/// After so many frames in a row that cannot be read, the rest is not tried.
+/// After this many consecutive unreadable frames, the rest is skipped.
 constexpr int kMaxUnreadable = 100;
 
 std::shared_ptr<robotcontrol::CameraPose> poseOf(const robotlink::RobotDescription::Camera& camera,

@@ -23,7 +23,7 @@ class FrameSource {
   };
 
   virtual ~FrameSource() = default;
-  /// What it reads, for users: "video".
+  /// Returns the format of the source, for users: "video".
   virtual std::string format() const = 0;
   /// The next frame; empty at the end. Fails if it cannot be read; later ones may be readable.
   virtual robotlink::Result<std::optional<Frame>> next() = 0;

@@ -78,7 +78,7 @@ VideoOutput::VideoOutput(VideoOutput&& other) noexcept
       frames_(other.frames_) {}
 
 VideoOutput::~VideoOutput() {
-  writer_.reset();  // it still writes then
+  writer_.reset();  // the destructor of the writer still writes
   std::error_code error;
   if (!encoded_.empty()) fs::remove(encoded_, error);
 }

@@ -56,11 +56,11 @@ class VideoOutput {
   VideoOutput(OutputFile output, std::filesystem::path file, Options options);
   robotlink::Result<void> checkSpace() const;
 
-  /// As it was passed to create().
+  /// The file that was passed to create().
   std::filesystem::path file_;
   Options options_;
   OutputFile output_;
-  /// What is written: the temporary name, with the suffix by which encoders choose the kind of file.
+  /// The file being written: the temporary name, with the suffix by which encoders choose the kind of file.
   std::filesystem::path encoded_;
   /// Removes it if a signal ends the program.
   std::optional<robotlink::UnfinishedFile> unfinished_;

@@ -55,7 +55,7 @@ class FrameQueue {
   std::size_t maxBytes_;
   /// Keyed by number, and thus in order.
   std::map<std::uint64_t, Entry> entries_;
-  /// One for each frame in the queue.
+  /// The ranks of the frames in the queue, one for each.
   std::set<Rank> ranks_;
   /// Number of the next entry.
   std::uint64_t next_ = 0;

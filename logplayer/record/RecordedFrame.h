@@ -22,7 +22,7 @@ struct RecordedFrame {
 };
 using RecordedFramePtr = std::shared_ptr<const RecordedFrame>;
 
-/// What the recording queue had to drop.
+/// The messages that the recording queue had to drop.
 struct DroppedMessages {
   std::uint64_t messages = 0;
   std::uint64_t bytes = 0;

@@ -51,8 +51,8 @@ class Recorder {
   /// Call this when a robot's program is restarted: discards its latched messages.
   void forget(const std::string& robot);
 
-  /// Whether what comes is new, as it is from robots and simulations; it is at first. What comes from a log
-  /// is in a file already: it is recorded if the user wants that, but not kept in memory.
+  /// Sets whether added messages are new, as from robots and simulations; at first they are. Those of a log
+  /// are in a file already: they are recorded if the user wants that, but not kept in memory.
   void setLive(bool live);
   /// Whether something is recorded or kept in memory. If not, only latched messages need be added.
   bool active() const;

@@ -77,7 +77,7 @@ Result<void> RecordingFile::writeHeld(robotlink::Instant time) {
   if (held_.empty()) return {};
   for (StreamMessage& message : held_) {
     message.time = time;
-    message.frame = 0;  // it belongs to no frame of this file
+    message.frame = 0;  // the message belongs to no frame of this file
   }
   const auto written = writer_->write(held_);
   messages_ += held_.size();

@@ -40,7 +40,7 @@ robotlink::Result<ScratchFolder> ScratchFolder::make() {
   auto folder = TemporaryFolder::make();
   if (!folder) return tl::unexpected(folder.error());
   removeStale(folder->path().parent_path());
-  // Under another name until it is locked, so that nobody takes the folder for one that was left over.
+  // The lock file gets its name only after it is locked, so that no program considers the folder abandoned.
   const auto unnamed = folder->path() / "new.lock", file = folder->path() / kLockFile;
   const int lock = lockedFile(unnamed, O_CREAT | O_EXCL);
   if (lock < 0 || ::rename(unnamed.c_str(), file.c_str()) != 0) {

@@ -37,7 +37,7 @@ void ScratchLog::add(std::vector<StreamMessage> messages, Stretch held) {
     if (isStopped_ || limit_ == 0) return;
     isAfterHole = followQueue(held.from);
     if (losingFrom_) {
-      // What held at the begin of the hole is needed for the last instants before it.
+      // The messages that were valid at the beginning of the hole are needed for the last instants before it.
       std::erase_if(messages, [&](const StreamMessage& message) { return message.time > *losingFrom_; });
       held = {*losingFrom_, *losingFrom_};
     }
@@ -85,7 +85,7 @@ void ScratchLog::forgetAfter(Instant time) {
     const std::lock_guard lock(mutex_);
     if (entries_.empty() || time >= entries_.back().held.to) return;
   }
-  // What follows could not be told from what is to be forgotten.
+  // Messages that follow could not be told from those to be forgotten.
   clear();
 }
 
@@ -97,7 +97,7 @@ void ScratchLog::clear() {
 void ScratchLog::setLimit(std::uint64_t bytes) {
   const std::lock_guard lock(mutex_);
   limit_ = bytes;
-  // What was not added since then would be missing in between.
+  // The messages that were not added since then would be missing in between.
   if (std::exchange(isStopped_, false) || bytes == 0) drop();
   trim();
 }
@@ -192,7 +192,7 @@ void ScratchLog::work() {
       at = std::exchange(requested_, std::nullopt);
       if (at) entries = entries_;
     }
-    // First what somebody waits for.
+    // A request that a thread waits for comes first.
     if (at)
       worker_.publish(read(*at, entries));
     else if (!writeNext())
@@ -299,7 +299,7 @@ ScratchLog::Part ScratchLog::read(Instant at, const std::deque<Entry>& entries) 
   std::size_t open = 0;
   for (const Entry& entry : entries) {
     const Stretch& has = entry.segment->stretch();
-    // What cannot be read is left out, like what was lost with a file.
+    // Messages that cannot be read are left out, like those that were lost with a file.
     if (has.to > from && has.from <= to)
       (void)entry.segment->read(from, to, part.messages);
     else if (++open > kOpenFiles)

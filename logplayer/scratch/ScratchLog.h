@@ -17,9 +17,9 @@ namespace logplayer {
 /// which the oldest are removed. It is written and read in a thread of its own; messages are in memory until
 /// they were written, and are shared.
 ///
-/// If the disk is full, that is a problem once, and nothing more is added; what was written can still be
-/// read. If it is too slow, what is added is lost until half of what waits was written: that is a problem
-/// once, and a hole. What held at the begin of a hole is not lost.
+/// A full disk is reported once, and nothing further is added; data that was written can still be read. If
+/// the disk is too slow, added messages are lost until half of the waiting ones were written: this is noted
+/// reported once, and leaves a hole. Messages that are valid at the begin of a hole are not lost.
 class ScratchLog final : public robotlink::HistoryArchive {
  public:
   struct Options {
@@ -27,13 +27,13 @@ class ScratchLog final : public robotlink::HistoryArchive {
     std::uint64_t bytes = std::uint64_t{4} << 30U;
     /// How much stays free on the disk, for others.
     std::uint64_t reserve = std::uint64_t{1} << 30U;
-    /// How much may wait in memory until it was written, beside what was added last.
+    /// How much may wait in memory to be written, in addition to what was added last.
     std::uint64_t waiting = std::uint64_t{256} << 20U;
     /// Called in the thread before a file is written, so that tests can hold it up.
     std::function<void()> beforeWrite = {};
   };
 
-  /// Nothing is on disk before something was added.
+  /// Creates a log that writes nothing to disk before something is added.
   explicit ScratchLog(Options options);
   ~ScratchLog() override;
 
@@ -60,7 +60,7 @@ class ScratchLog final : public robotlink::HistoryArchive {
 
  private:
   struct Entry {
-    /// Used by the thread only, but for what never changes.
+    /// Used by the thread only, except for constant parts.
     std::shared_ptr<ScratchSegment> segment;
     /// Its messages until they are written, and the file since then.
     std::shared_ptr<const std::vector<robotlink::StreamMessage>> messages;

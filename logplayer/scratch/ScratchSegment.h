@@ -12,7 +12,7 @@
 namespace logplayer {
 
 /// A part of a scratch log: the messages that left a session's history together. They are in memory until
-/// they were written to a log file of their own. One thread at a time, but for what never changes: times(),
+/// they were written to a log file of their own. One thread at a time, except for constant data: times(),
 /// shares().
 class ScratchSegment {
  public:

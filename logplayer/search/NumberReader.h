@@ -67,7 +67,7 @@ class NumberReader {
   NumberReader(const NumberReader&) = delete;
   NumberReader& operator=(const NumberReader&) = delete;
 
-  /// Sets what is read. What was set before continues where it is; what was not begins at the log's begin.
+  /// Sets the numbers to read. Those set before continue where they are; new ones begin at the log's begin.
   void read(const std::set<LogNumber>& numbers);
   News take();
 

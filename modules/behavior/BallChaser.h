@@ -42,7 +42,7 @@ class BallChaser {
  public:
   /// The states; kBlind to kWander are the search, kApproach to kPosition the chase.
   enum class State {
-    /// Nothing of the field is seen: stands still.
+    /// Stands still, since nothing of the field is seen.
     kBlind,
     /// Stands and moves its head.
     kLookAbout,
@@ -89,7 +89,7 @@ class BallChaser {
     double alignTolerance = 0.35;
     /// After this time it kicks in any direction, s.
     double alignTime = 8;
-    /// Where the ball must be for a kick, m.
+    /// The position of the ball for a kick, m.
     double kickX = 0.155, kickY = 0.0;
     double kickToleranceX = 0.02, kickToleranceY = 0.03;
     /// After this time it approaches again, s.

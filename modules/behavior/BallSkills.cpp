@@ -132,7 +132,7 @@ Vector2 BallSkills::placeBehind(const Vector2& ball, double aim) const {
   const Vector2 line = behind;  // from the robot, which is the origin
   const double length = line.norm();
   if (length < 1e-6) return behind;
-  // How near the straight way there comes to the ball.
+  // The distance between the straight way there and the ball.
   const double along = std::clamp(ball.dot(line) / (length * length), 0.0, 1.0);
   if ((along * line - ball).norm() >= options_.passing - 0.01) return behind;
   // A tangent to the circle around the ball, on the side on which the place behind the ball is nearer.

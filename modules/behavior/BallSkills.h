@@ -46,7 +46,7 @@ class BallSkills {
     double standOff = 0.27;
     /// Distance at which it passes the ball on the way behind it, m.
     double passing = 0.26;
-    /// Where the ball must be for a kick, and how exactly, m.
+    /// The position of the ball for a kick, and its tolerance, m.
     double kickX = 0.16, kickToleranceX = 0.035, kickToleranceY = 0.04;
     /// The same of the far one.
     double farX = 0.12, farToleranceX = 0.015, farToleranceY = 0.04;
@@ -69,7 +69,7 @@ class BallSkills {
   /// Only turns.
   Intention turnTo(double direction) const;
   /// The place from which the ball is walked to next: behind it as seen in the direction `aim` (an angle), or
-  /// beside it on the way there.
+  /// next to it on the way there.
   robotlink::Vector2 placeBehind(const robotlink::Vector2& ball, double aim) const;
   /// Walks to the place behind the ball.
   Intention approach(const robotlink::Vector2& ball, double aim,
@@ -92,12 +92,12 @@ class BallSkills {
  private:
   /// A walk within the limits of speed, whose direction is kept.
   Intention walk(const robotlink::Vector2& velocity, double turn) const;
-  /// Where the ball must be for a kick, and how exactly.
+  /// The position of the ball for a kick, and its tolerance.
   struct KickSpot {
     robotlink::Vector2 place, tolerance;
   };
   KickSpot kickSpot(KickKind kind) const;
-  /// What the own middle keeps out of.
+  /// The circle that the robot's own center stays out of.
   struct Circle {
     robotlink::Vector2 middle;
     double radius;

@@ -205,11 +205,11 @@ class Obey final : public Behavior {
   }
 
  private:
-  /// As on wheels: while the user steers, the request is repeated ten times a second. If it stops, the window
-  /// hangs or the connection is lost. It is time of the platform, which may be ten times as fast.
+  /// As on wheels, requests are repeated ten times a second while the user steers. If this stops, the window
+  /// hangs or the connection is lost. It is platform time, which may be ten times as fast.
   static constexpr robotlink::Duration kObeyPatience = std::chrono::seconds(2);
 
-  /// A walk goes on until it is ended; whatever else is requested ends by itself.
+  /// A walk continues until it is ended; whatever else is requested ends by itself.
   bool holds(const MotionRequest& motion) const {
     return motion.kind() != MotionRequest::WALK || clock_.now() - heard_ <= kObeyPatience;
   }

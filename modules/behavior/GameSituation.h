@@ -17,7 +17,7 @@ const char* name(Role role);
 /// The role of such a word; kNone if there is none.
 Role roleOf(const std::string& word);
 
-/// Another robot of the team, as it describes itself.
+/// Another robot of the team, by its own report.
 struct Mate {
   int number = 0;
   Role role = Role::kNone;
@@ -28,9 +28,9 @@ struct Mate {
   bool knowsBall = false;
 };
 
-/// What a player knows about itself, the game and the world at one instant. The team's frame is that of the
-/// field, turned so that the team plays toward +x; the robot's frame has x to its front. Meters, seconds. A
-/// plain value.
+/// The knowledge of a player about itself, the game and the world at one instant. The team's frame is that of
+/// the field, turned so that the team plays toward +x; the robot's frame has x to its front. Meters, seconds.
+/// A plain value.
 struct GameSituation {
   enum class Phase { kInitial, kReady, kSet, kPlaying, kFinished };
 

@@ -9,7 +9,7 @@ namespace modules {
 struct Intention {
   // Motion of the body.
   enum class Motion { kStand, kWalk, kKick, kGetUp };
-  // What the head looks at.
+  // The target of the head.
   enum class Head { kAhead, kSearch, kTrack, kLookAround };
   Motion motion = Motion::kStand;
   double forward = 0, left = 0;  ///< m/s; only for kWalk

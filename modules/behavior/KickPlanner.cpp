@@ -18,13 +18,13 @@ constexpr KickKind kKicks[] = {KickKind::kAhead, KickKind::kFarAhead, KickKind::
 constexpr int kCircle = 24;
 /// How far a rolling ball is followed at a time, m, and how far its middle is from a wall that it touches.
 constexpr double kRollStep = 0.1, kBallRadius = 0.042;
-/// A ball nearer to a wall than this is beside it, m.
+/// A ball nearer to a wall than this counts as next to it, m.
 constexpr double kBesideWall = 0.2;
 /// How far a place behind the ball may be within a wall before there is no room, m.
 constexpr double kTight = 0.02;
-/// A ball stops at a robot whose middle is nearer, m, and a robot that is so near to a place occupies it.
+/// A ball stops at a robot whose center is nearer, m, and a robot that is this near to a place occupies it.
 constexpr double kStops = 0.14, kOccupies = 0.22;
-/// What a ball costs that rolls into the own goal, s.
+/// The cost of a ball that rolls into the own goal, s.
 constexpr double kOwnGoal = 100;
 
 double wayAngle(const Vector2& way) {
@@ -42,7 +42,7 @@ bool isOpponentAtBall(const KickPlanner::Situation& now, double distance) {
 
 }  // namespace
 
-/// What the time for the way behind the ball costs, and to push an opponent away from there.
+/// The cost of the way behind the ball, and of pushing an opponent away from there.
 double KickPlanner::secondsBehind(const Situation& now, double heading) const {
   const Vector2 behind = now.ball - towards(heading) * now.skills.options().standOff;
   const bool isOccupied = std::ranges::any_of(

@@ -27,17 +27,17 @@ class KickPlanner {
     /// The same of the far kick ahead, which takes its time: it is played only if no opponent is this near to
     /// the ball, m. 0: never.
     double farLength = 1.5, farSpread = 0.15, farClearance = 0;
-    /// What it costs that the far kick takes longer and misses more often, s.
+    /// The cost of the far kick, which takes longer and misses more often, s.
     double farSeconds = 2;
     /// Estimated time for each kick, s, and for each meter that the ball is still away from the goal.
     double secondsPerKick = 4, secondsPerMeter = 9;
-    /// What a ball beside a wall costs: it is hard to play away from there, s.
+    /// The cost of a ball next to a wall, from where it is hard to play, s.
     double wallSeconds = 8;
     /// How much sooner another direction has to be to be chosen instead of the last one, s.
     double keepSeconds = 1.5;
-    /// What it costs that a robot stops the ball, s.
+    /// The cost of a robot that stops the ball, s.
     double stoppedSeconds = 0;
-    /// What it costs that an opponent stands where the robot has to be behind the ball, s.
+    /// The cost of an opponent that stands where the robot has to be behind the ball, s.
     double occupiedSeconds = 3;
     /// How many times as much the time until a kick counts while an opponent is this near to the ball, m, and
     /// may play it first.
@@ -46,12 +46,12 @@ class KickPlanner {
   };
   struct Choice {
     KickKind kind = KickKind::kAhead;
-    /// Where the ball goes, in the field, rad.
+    /// The direction of the ball, in the field, rad.
     double direction = 0;
-    /// Where the robot looks when it kicks, rad.
+    /// The heading of the robot when it kicks, rad.
     double heading() const { return direction - angleOf(kind); }
   };
-  /// Where a kick begins, and what is in its way.
+  /// The situation in which a kick begins, and the obstacles in its way.
   struct Situation {
     robotlink::Pose2 robot;
     robotlink::Vector2 ball;

@@ -137,7 +137,7 @@ class OptionMachine {
   /// Forgets all states, so that the root begins with the next frame.
   void restart();
 
-  /// Time since the state was entered, s; for conditions and actions, in whose option it is meant.
+  /// Time since the state was entered, s; in conditions and actions, that of their option.
   double stateTime() const;
   /// Time since the option became active, s; likewise.
   double optionTime() const;

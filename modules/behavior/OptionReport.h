@@ -35,7 +35,7 @@ class OptionReport {
   std::optional<robotlink::Instant> graphSent_;
 };
 
-/// What a person demands of a behavior with parameters.
+/// Converts a person's control of a behavior to that of an option machine.
 OptionMachine::Control optionControl(const robotcontrol::BehaviorControl& from);
 
 }  // namespace modules

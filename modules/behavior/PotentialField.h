@@ -36,7 +36,7 @@ class PotentialField {
     double repulsion = 0.3, repulsionRadius = 0.5;
     /// The same of walls.
     double wallRepulsion = 0.15, wallRadius = 0.2;
-    /// Where the ball must be for a kick, m, and the angle up to which the goal is ahead, rad.
+    /// The position of the ball for a kick, m, and the angle up to which the goal is ahead, rad.
     double kickX = 0.155, kickToleranceX = 0.03, kickToleranceY = 0.035, kickAngle = 0.5;
     /// Rotation while it does not know the ball, rad/s.
     double turnAbout = 0.7;
@@ -48,7 +48,7 @@ class PotentialField {
 
   /// Call it once a frame.
   Intention decide(const GameSituation& now);
-  /// What it does, in words, and why.
+  /// The current action, in words, and the reason.
   const char* state() const { return state_; }
   const char* reason() const { return reason_; }
 
@@ -58,7 +58,7 @@ class PotentialField {
   robotlink::Vector2 ballForce(const GameSituation& now, const robotlink::Vector2& place) const;
   robotlink::Vector2 robotForce(const GameSituation& now, const robotlink::Vector2& place) const;
   robotlink::Vector2 wallForce(const GameSituation& now, const robotlink::Vector2& place) const;
-  /// Where the opponent's goal is, in the robot's frame; empty if the robot does not know where it is.
+  /// The position of the opponent's goal, in the robot's frame; empty if the robot does not know it.
   std::optional<robotlink::Vector2> goal(const GameSituation& now) const;
 
  private:

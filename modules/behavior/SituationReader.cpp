@@ -125,7 +125,7 @@ void SituationReader::readBall(GameSituation& now, const Options& options) const
   const bool isOld = !now.knowsBall || now.ballAge > options.teamBallAfter;
   if (!isOld || !now.pose || !teamBall_ || !teamBall_->known()) return;
   const std::optional<double> age = secondsSinceMatesSawBall(now.time);
-  // What only this robot knows is no news.
+  // Knowledge that only this robot has is not newer.
   if (!age || (now.knowsBall && now.ballAge < *age)) return;
   const Pose2 fieldInRobot = (teamInField() * *now.pose).inverse();
   now.knowsBall = true;

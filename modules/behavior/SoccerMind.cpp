@@ -12,26 +12,26 @@ using robotlink::Vector2;
 
 namespace {
 
-/// What a player that cannot play bids, s.
+/// The bid of a player that cannot play, s.
 constexpr double kNever = 1e3;
 /// Added to the bid of a player that has not seen the ball itself, s.
 constexpr double kHearsayPenalty = 0.7;
-/// Looking up takes at least so long, and ends with a beacon that was seen such a time ago, s.
+/// Looking up takes at least this long, and ends with a beacon that was seen this long ago, s.
 constexpr double kEnoughLooking = 0.4, kJustSeen = 0.1;
 /// How far off a ball is that the team says is before the paws, m.
 constexpr double kTeamBallError = 0.1;
-/// A ball that was left to the goalie has to be so far beyond the margin before others come back, m.
+/// A ball that was left to the goalie has to be this far beyond the margin before others come back, m.
 constexpr double kComesBack = 0.1;
-/// How long a player bids for a ball that it does not know any more, s.
+/// How long a player bids for a ball that it has lost, s.
 constexpr double kForgetting = 1;
-/// A ball that vanished at the paws longer ago than this lies somewhere else, s.
+/// A ball that vanished at the paws longer ago than this is somewhere else, s.
 constexpr double kMayStillCover = 6;
-/// After stepping back in vain it tries again after, s.
+/// The time after which it tries again if stepping back did not help, s.
 constexpr double kUncoverAgain = 1;
 constexpr double kLongAgo = -1e9;
 /// How far a ball rolls without being touched by anybody, m.
 constexpr double kMoved = 0.12;
-/// After so many the time of a way has converged.
+/// After this many rounds the time of a way has converged.
 constexpr int kSubstitutions = 4;
 
 }  // namespace
@@ -142,7 +142,7 @@ bool SoccerMind::coversBall() const {
   if (unseen < options_.coveredAfter || machine_.stateTime() < options_.coveredAfter) return false;
   const double near = options_.coveredDistance + kTeamBallError;
   if (now_.ballFromTeam && now_.ball.norm() > near) return false;
-  // Whoever carries a ball along under its body learns of it from the others.
+  // A robot that carries a ball along under its body learns of it from the others.
   const bool isTold = now_.ballFromTeam && now_.ball.norm() < options_.coveredDistance;
   return isTold || (lastBall_.norm() < options_.coveredDistance && unseen < kMayStillCover);
 }

@@ -43,8 +43,8 @@ class SoccerMind {
     double glanceTime = 1.2, glanceAgain = 6;
     /// Distance of the ball from which on it does so while it walks, m.
     double glanceDistance = 0.8;
-    /// Beside the ball, where others turn it, it looks up for them if it has not seen any for so long, for at
-    /// most such a time, s.
+    /// Next to the ball, where others turn it, it looks up for landmarks if it has seen none for this long,
+    /// for at most this time, s.
     double lookUpAfter = 1.5, lookUpTime = 0.9;
     /// Angle between ball and aim up to which it pushes the ball, and from which on it goes behind it again,
     /// rad.
@@ -103,11 +103,11 @@ class SoccerMind {
   /// Chooses the kick, and returns the direction to which the robot turns for it, in the robot's frame; the
   /// direction to the ball while the robot does not know where it is.
   double playDirection();
-  /// Where the ball will be, in the present frame of the robot.
+  /// The ball's position after that time, in the present frame of the robot.
   robotlink::Vector2 ballAfter(double seconds) const;
-  /// Where the ball will be when the present kick hits it.
+  /// The ball's position when the present kick hits it.
   robotlink::Vector2 ballAtKick() const;
-  /// Where the robot meets the ball if it walks there.
+  /// The point where the robot meets the ball if it walks there.
   robotlink::Vector2 meetingPoint() const;
   /// The angle up to which a ball that is played now goes into the goal; unset if the pose is unknown.
   double distanceToGoal() const;
@@ -118,13 +118,13 @@ class SoccerMind {
   bool isForGoalie() const;
   bool isAtPlace() const;
   bool mustGlance() const;
-  /// Turns the head to beacons and goals if none was seen for long; call it beside the ball.
+  /// Turns the head to beacons and goals if none was seen for long; call it next to the ball.
   void lookUp();
   /// Whether the ball, last seen at the paws, may now lie hidden under the robot's body.
   bool coversBall() const;
   /// Whether the robot is stepping back from a ball under its body that has not become visible yet.
   bool uncoversBall() const;
-  /// Whether the robot stands still and has lost sight of a ball that was beside it.
+  /// Whether the robot stands still and has lost sight of a ball that was next to it.
   bool hidesBall() const;
 
   // Actions.
@@ -144,7 +144,7 @@ class SoccerMind {
   GameSituation now_;
   Intention intention_;
   std::optional<robotlink::Vector2> target_;
-  /// Where it meets the ball, in the robot's frame.
+  /// The point where it meets the ball, in the robot's frame.
   robotlink::Vector2 meets_ = robotlink::Vector2::Zero();
   /// In the robot's frame, rad.
   double aim_ = 0;
@@ -154,9 +154,9 @@ class SoccerMind {
   bool isAtBall_ = false;
   bool isLeftToGoalie_ = false;
   double secondsToBall_ = 1e3;
-  /// Where the player of the present option has its place, in the team's frame.
+  /// The place of the player of the present option, in the team's frame.
   robotlink::Pose2 place_;
-  /// Where it saw the ball last, in the robot's frame at that time.
+  /// The position where it last saw the ball, in the robot's frame at that time.
   robotlink::Vector2 lastBall_ = robotlink::Vector2::UnitX();
   /// 1 to the left, -1 to the right.
   double turnDirection_ = 1;

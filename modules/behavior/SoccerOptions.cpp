@@ -132,7 +132,7 @@ void SoccerOptions::buildKeepGoal(Option& keepGoal, Option& strike, Option& plac
       .activates(place)
       .to("turn to ball", "the ball vanished beside it", [&p] { return p.hidesBall(); })
       .to("clear", "the ball is near the goal", [&p, ballNear] { return ballNear(p.options_.goalieMargin); });
-  // A ball beside its body is where no camera sees it.
+  // No camera sees a ball next to the body.
   keepGoal.state("turn to ball", "Turns to where a near ball vanished.")
       .does([&p] {
         p.intention_ = p.skills_.turnTo(std::atan2(p.lastBall_.y(), p.lastBall_.x()));

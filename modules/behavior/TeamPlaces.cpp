@@ -85,10 +85,10 @@ Pose2 TeamPlaces::defender(const Vector2& ball) const {
 
 Pose2 TeamPlaces::supporter(const Vector2& ball) const {
   const double side = ball.y() > 0 ? -1 : 1;
-  // In the corners beside the goal nobody scores: it waits before the goal for what comes from there.
+  // Nobody scores from the corners next to the goal: it waits before the goal for passes from there.
   if (ball.x() > 0.5 * goalX_ && std::abs(ball.y()) > options_.supporterAside)
     return facing({goalX_ - options_.beforeGoal, 0.1 * side}, ball);
-  // Near the own goal it waits before the ball, where it is in nobody's way, and cleared balls come.
+  // Near the own goal it waits before the ball, where it is in nobody's way, and where cleared balls arrive.
   const double along = ball.x() < -0.5 * goalX_ ? std::abs(options_.supporterBack) : -options_.supporterBack;
   const Vector2 place(std::clamp(ball.x() + along, -goalX_ + penaltyLength_ + 0.2, goalX_),
                       ball.y() + side * options_.supporterAside);

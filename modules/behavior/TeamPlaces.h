@@ -21,7 +21,7 @@ class TeamPlaces {
     double goalieDistance = 0.2;
     /// How far the defender stands from the ball toward its own goal.
     double defenderDistance = 0.9;
-    /// The supporter stands this far behind the ball (negative: ahead of it), and this far beside it; ahead
+    /// The supporter stands this far behind the ball (negative: ahead of it), and this far to its side; ahead
     /// of
     /// it in any case while the ball is near the own goal.
     double supporterBack = 0.5, supporterAside = 0.7;
@@ -39,21 +39,21 @@ class TeamPlaces {
   robotlink::Vector2 opponentGoal() const { return {goalX_, 0}; }
   double goalWidth() const { return goalWidth_; }
 
-  /// Where a player stands at the kick-off, looking at the opponent's goal. The goalie of several players has
+  /// The pose of a player at the kick-off, looking at the opponent's goal. The goalie of several players has
   /// the place nearest to its goal.
   robotlink::Pose2 kickOff(int number, bool isGoalie) const;
   /// Between ball and goal, near the goal line.
   robotlink::Pose2 goalie(const robotlink::Vector2& ball) const;
   /// Between ball and goal, outside of the penalty area.
   robotlink::Pose2 defender(const robotlink::Vector2& ball) const;
-  /// Beside and behind the ball, on the side of the field that is wider; beside and before it near the own
+  /// Next to and behind the ball, on the side of the field that is wider; next to and before it near the own
   /// goal, and before the opponents' goal while the ball is in a corner there.
   robotlink::Pose2 supporter(const robotlink::Vector2& ball) const;
   /// Before the own penalty area, far enough from it for cleared balls to arrive.
   robotlink::Pose2 beforeArea(const robotlink::Vector2& ball) const;
 
   /// The point of the opponent's goal to which a ball is played: the middle of the widest gap between robots
-  /// (in the team's frame) that stand between it and the goal. From beside the goal, the far half of it is
+  /// (in the team's frame) that stand between it and the goal. From the side of the goal, its far half is
   /// meant.
   robotlink::Vector2 aim(const robotlink::Vector2& ball, const std::vector<robotlink::Vector2>& robots) const;
 
@@ -63,7 +63,7 @@ class TeamPlaces {
   bool isOutside(const robotlink::Vector2& place) const;
   /// The nearest place that is no closer to the walls than allowed.
   robotlink::Vector2 inside(const robotlink::Vector2& place) const;
-  /// The nearest place at which a robot fits beside the walls and the ramps in the corners.
+  /// The nearest place at which a robot fits next to the walls and the ramps in the corners.
   robotlink::Vector2 reachable(const robotlink::Vector2& place) const;
   /// The nearest place whose distance from walls and ramps is not less than `distance`.
   robotlink::Vector2 within(const robotlink::Vector2& place, double distance) const;

@@ -68,7 +68,7 @@ DriveVelocity CornerEscape::escape(const Clearance& clearance, const DriveLimits
     for (const double turn : {0.0, 0.1, -0.1, 0.3, -0.3}) {
       const DriveVelocity moving{direction * options_.backingSpeed, turn * options_.rotation};
       if (!clearance.safe(moving, limits, options_.latency)) continue;
-      // Avoids moving to and fro.
+      // Prevents moving back and forth.
       const double room =
           clearance.nearestAfter(moving, kMakingRoom) + (direction == direction_ ? kKeeping : 0);
       if (room <= most) continue;

@@ -17,7 +17,7 @@ Outline outlineOf(const robotlink::RobotDescription& robot);
 /// Missing values are those of a Pioneer 3-AT.
 DriveLimits limitsOf(const robotlink::RobotDescription& robot);
 
-/// What a driving solution knows about its surroundings, from the packages drive/state, range/sonar and
+/// The knowledge of a driving solution about its surroundings, from the packages drive/state, range/sonar and
 /// range/laser; the solution must declare that it uses them. Pressed bumpers and stalled wheels count as
 /// obstacles, too. One thread, that of the solution's process.
 class DriveSensing {
@@ -56,7 +56,7 @@ class DriveSensing {
   OdometryHistory odometry_;
   RangeMemory memory_{{}};
   std::vector<robotlink::Vector2> points_;
-  /// As computed by update().
+  /// The state computed by update().
   bool awake_ = false;
 };
 

@@ -68,7 +68,7 @@ const robotlink::ParameterTable<FollowPathOptions> kFollowPathTable{
     {FollowFields::kLostDeviationFieldNumber, &FollowPathOptions::lostDeviation, kAboveZero},
     {FollowFields::kFoundDeviationFieldNumber, &FollowPathOptions::foundDeviation, kAboveZero}};
 
-/// Steers by the sensors; stands without readings.
+/// Steers by the sensors; stands still without readings.
 class Roaming {
  public:
   Roaming(robotlink::SolutionContext& context, const Wanderer::Options& options)

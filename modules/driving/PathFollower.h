@@ -32,7 +32,7 @@ class PathFollower {
     /// Angle to the path above which it first turns on the spot, rad.
     double turnOnSpot = 0.9;
   };
-  /// What it is doing; kThere means that the goal, and its heading if any, is reached.
+  /// The current activity; kThere means that the goal, and its heading if any, is reached.
   enum class State { kNoPath, kDriving, kTurning, kThere };
   explicit PathFollower(const Options& options) : options_(options) {}
   void setOptions(const Options& options) { options_ = options; }

@@ -8,8 +8,8 @@ namespace modules {
 
 using robotlink::Vector2;
 
-// A point that is less than this fraction of its distance beside the robot's path blocks it, however near it
-// is.
+// A point whose lateral distance from the robot's path is less than this fraction of its distance blocks it,
+// however near it is.
 constexpr double kNearest = 0.95;
 
 PolarView::PolarView(std::span<const Vector2> points, double halfWidth, double reach) : reach_(reach) {

@@ -22,7 +22,7 @@ constexpr double kBehind = 0.15;
 constexpr double kThinning = 0.05;
 // An older scan says nothing about what a sonar hears now, s.
 constexpr double kRaysOutdated = 0.3;
-// How far beside a cone a ray may still explain its echo, rad.
+// How far outside a cone a ray may still explain its echo, rad.
 constexpr double kRayAside = 0.05;
 constexpr std::size_t kMaxCones = 256;
 

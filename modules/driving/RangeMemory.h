@@ -13,7 +13,7 @@ namespace modules {
 
 /// The obstacles seen around the robot during the last seconds, as points in the odometry frame, which is
 /// accurate enough for such a time. They must be remembered because sonars fire in turn and miss what is
-/// beside their cones, and a laser sees only one half. A newer scan replaces the laser's points within its
+/// outside their cones, and a laser sees only one half. A newer scan replaces the laser's points within its
 /// field of view; a newer cone removes points of sonars in the space that it found free. A sonar knows the
 /// distance of an echo but hardly its direction; what other cones found free helps to locate it. Memory is
 /// bounded. Not thread-safe.
@@ -25,7 +25,7 @@ class RangeMemory {
     /// The same for near points of a laser, s: no other sensor shows what is at a corner of the robot so
     /// precisely.
     double nearMemory = 10.0;
-    /// What counts as near, m.
+    /// The distance up to which points are near, m.
     double near = 1.2;
     /// The distance from the robot up to which points are kept, m.
     double reach = 5.0;

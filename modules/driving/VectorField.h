@@ -13,7 +13,7 @@ namespace modules {
 struct AvoidanceSituation {
   /// The requested velocity.
   DriveVelocity desired;
-  /// As measured by the wheels.
+  /// The velocity measured by the wheels.
   DriveVelocity now;
   /// Obstacles, m.
   std::span<const robotlink::Vector2> points;

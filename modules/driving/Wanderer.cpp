@@ -20,7 +20,7 @@ constexpr double kWidest = robotlink::radians(100);
 constexpr double kStraightness = 0.8;
 // The same for the preferred direction, and for the direction chosen before.
 constexpr double kLiking = 0.3, kSteadiness = 0.8;
-// At this fraction of the distance at which it begins to turn on the spot, it stands.
+// The robot stops at this fraction of the distance at which it begins to turn on the spot.
 constexpr double kTooNear = 0.6;
 // The angle on both sides of a direction that should be free, too, rad.
 constexpr double kBeside = 1.01 * PolarView::kSector;

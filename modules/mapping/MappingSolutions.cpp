@@ -37,7 +37,7 @@ const FieldDrawingKey kScanKey{"mapping/scan",
 const PlotKey kMatchKey{"mapping/match",
                         "How well the scan fits to the map, and how far the match is from dead reckoning"};
 
-/// A drawing has at most so many parts of walls; a map with more is drawn in part.
+/// A drawing has at most this many parts of walls; a map with more is drawn in part.
 constexpr std::size_t kMaxDrawn = 6000;
 /// The range of a laser whose robot description says nothing of it, m.
 constexpr double kLaserMaximum = 32;
@@ -123,7 +123,7 @@ std::shared_ptr<foxglove::Grid> emptyGrid(const GridFrame& frame) {
 /// The base of solutions of the task: reckons by the wheels from scan to scan, adds scans to the map, and
 /// sends and draws it. A derived class says where the robot was when it made a scan.
 ///
-/// The map begins where the robot stands, at the home of a map that it already has, so that both can be
+/// The map begins at the robot's position, at the home of a map that it already has, so that both can be
 /// compared, or else at 0, 0.
 class Mapper : public SelfLocalization {
  public:
@@ -157,7 +157,7 @@ class Mapper : public SelfLocalization {
 
  protected:
   virtual MappingOptions mappingOptions() const = 0;
-  /// Where the robot was when it made a scan, by dead reckoning from the last one and by the scan itself.
+  /// The robot's pose at a scan, by dead reckoning from the last one and by the scan itself.
   virtual Pose2 placed(const Pose2& predicted, const std::vector<RangeBeam>& scan) = 0;
   /// A scan was added to the map.
   virtual void added() {}
@@ -165,7 +165,7 @@ class Mapper : public SelfLocalization {
   virtual double headingDeviation() const = 0;
 
   const OccupancyMap& map() const { return map_; }
-  /// What the robot has driven and turned in all, m and rad.
+  /// The total distance that the robot has driven and turned, m and rad.
   double way() const { return way_; }
   double turned() const { return turned_; }
 
@@ -268,7 +268,7 @@ class Mapper : public SelfLocalization {
   /// The robot's pose at the last scan, and what the odometry said then.
   Pose2 robotInMap_;
   std::optional<Pose2> scanned_;
-  /// Where the last scan was added, and the same when the map was last sent.
+  /// The pose at which the last scan was added, and that at which the map was last sent.
   std::optional<Pose2> addedAt_, sentWith_;
   std::optional<Instant> sentAt_;
   double way_ = 0, turned_ = 0;

@@ -108,7 +108,7 @@ int OccupancyMap::percent(int column, int row) const {
   const std::int16_t value = logOdds_[frame_.index(column, row)];
   if (value == kUnseen) return -1;
   const double share = 1 - 1 / (1 + std::exp(kUnit * value));
-  // What counts as occupied is above 50 when it is rounded, too.
+  // Occupied cells are above 50 when rounded, too.
   return value > 0 ? std::max(51, static_cast<int>(std::lround(100 * share)))
                    : std::min(49, static_cast<int>(std::lround(100 * share)));
 }

@@ -25,7 +25,7 @@ class OccupancyMap {
     double limit = 4;
     /// A ray clears places up to this distance from its sensor, m; beyond it only its end counts.
     double clearTo = 12;
-    /// A map that would be larger does not grow any more.
+    /// A map stops growing before it would be larger.
     std::size_t mostCells = 4'000'000;
   };
   explicit OccupancyMap(const Options& options);

@@ -56,7 +56,7 @@ class ScanMatcher {
   }
   /// Raises the field around an occupied cell.
   void stamp(int column, int row);
-  /// Recomputes the field around a cell that is not occupied any more.
+  /// Recomputes the field around a cell that is no longer occupied.
   void renew(const OccupancyMap& map, int column, int row);
   void makeKernel(const Options& options);
 

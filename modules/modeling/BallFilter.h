@@ -80,7 +80,7 @@ class BallFilter {
   /// Call it once a frame; the arguments are those of LastBall::update().
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
-  /// As LastBall::forget().
+  /// Same as LastBall::forget().
   void forget();
   BallEstimate estimate() const { return estimate_; }
 

@@ -102,13 +102,13 @@ class PerceptBallModeler : public BallModeler {
   virtual typename Estimator::Options options() const = 0;
   /// Percepts with less confidence are ignored.
   virtual double minimumConfidence() const = 0;
-  /// After so many images in a row that should show the ball and do not, it is forgotten; 0: never.
+  /// The ball is forgotten after this many images in a row that should show it and do not; 0: never.
   virtual int absentImages() const { return 0; }
-  /// What the estimator has to show beyond the estimate.
+  /// Draws what the estimator has beyond the estimate.
   virtual void drawMore(const Estimator& /*estimator*/, const robotlink::Pose2& /*robotInOdometry*/) {}
 
  private:
-  /// Where a ball that is there is found in nearly each image: so far away, m, and in this part of the image.
+  /// The area in which a ball is found in nearly each image: this far away, m, and in this part of the image.
   static constexpr double kSureFrom = 0.25, kSureUpTo = 1.5, kSurePart = 0.8;
 
   /// Counts the images that should show the ball and do not.

@@ -42,7 +42,7 @@ class LandmarkLocalizer {
     double fieldLength = 4.2, fieldWidth = 2.7;
     /// Radians.
     double bearingDeviation = 0.04;
-    /// As a fraction of the distance.
+    /// The standard deviation as a fraction of the distance.
     double distanceDeviation = 0.12;
     /// Error after walking one meter, m; grows with the square root of the distance.
     double walkNoise = 0.1;

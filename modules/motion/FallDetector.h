@@ -15,7 +15,7 @@ namespace modules {
 /// only on the calls. Not thread-safe.
 class FallDetector {
  public:
-  /// What the robot lies on: its front, its rear (nose up), its back or a flank.
+  /// The side on which the robot lies: its front, its rear (nose up), its back or a flank.
   enum class Side { kNone, kFront, kRear, kBack, kLeft, kRight };
 
   /// Call it once a frame; values that are not finite are ignored.

@@ -15,7 +15,7 @@ struct FootPoint {
 /// phases [0, ground).
 struct FootCurve {
   FootMode mode = FootMode::kRectangle;
-  /// As fractions of the cycle.
+  /// Fractions of the cycle.
   double ground = 0.5, lift = 0.06, lowering = 0.06;
 
   /// `phase` is in [0, 1). The curve is continuous, also from 1 to 0.

@@ -32,7 +32,7 @@ HeadAngles HeadController::advance(const HeadCommand& desired, const std::option
   }
   const bool looksForBall =
       desired.kind == HeadCommand::Kind::kTrackBall || desired.kind == HeadCommand::Kind::kSearchBall;
-  // Where the head looked elsewhere, an old ball is looked for at its place first.
+  // After looking elsewhere, the head first looks for an old ball at its place.
   lookedFor_ = isKnown && looksForBall ? std::min(ball->age, lookedFor_ + dt) : 0;
   switch (desired.kind) {
     case HeadCommand::Kind::kLookAhead:

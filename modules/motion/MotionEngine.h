@@ -90,7 +90,7 @@ class MotionEngine {
   const std::string& refusal() const { return refusal_; }
 
  private:
-  /// What controls the legs.
+  /// The source of the leg motions.
   enum class Mode { kGait, kKeyFrames, kJoints };
   /// The request as it can be executed.
   MotionCommand resolved(const MotionCommand& desired);

@@ -154,7 +154,7 @@ std::string GridPlanner::wrongWithGoal() const {
 
 bool GridPlanner::nothingBetween(const Vector2& from, const Vector2& to) const {
   constexpr double kStep = 0.025;
-  // A robot that is said to be inside of something may leave it.
+  // A robot that is inside an obstacle by its pose may leave it.
   const double least = std::min(clearanceAt(from), 0.5 * frame_.cell);
   const int steps = 1 + static_cast<int>((to - from).norm() / kStep);
   for (int i = 1; i <= steps; ++i) {

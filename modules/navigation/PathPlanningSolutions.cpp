@@ -77,7 +77,7 @@ class PathPlanner : public robotlink::Solution {
   /// The standard deviation of the pose, m, above which nothing is planned.
   virtual double lostDeviation() const { return 1.0; }
   virtual PlannedPath plan(const Vector2& from, const Vector2& goal) = 0;
-  /// Looks at what has come, each time the task runs.
+  /// Examines the packages that have arrived, each time the task runs.
   virtual void observe(const robotlink::Input<robotcontrol::RobotPose>&) {}
   virtual void drawMore() {}
 
@@ -151,7 +151,7 @@ struct GridPlanningOptions : GridPlanner::Options {
   double lostDeviation = 1.0;
   /// The time between two plans, s.
   double period = 0.5;
-  /// What counts as an obstacle that is not on the map.
+  /// The criteria for an obstacle that is not on the map.
   SeenObstacles::Options seen;
   /// The standard deviation of the pose above which no obstacles are looked for, m.
   double obstacleDeviation = 0.25;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kObstacleCell = 0.1;
 constexpr std::size_t kMaxEntries = 20'000;
-/// A place needs at most so many passing rays to be free again, however often it was seen.
+/// A place needs at most this many passing rays to be free again, however often it was seen.
 constexpr int kMaxHits = 12;
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace modules {
 
 /// The places where a laser has recently seen something that the map does not have: a box, a closed door, a
-/// person who stands. A place counts when some rays have ended there, and does not any more when rays pass
+/// standing person. A place counts when some rays have ended there, and does not any more when rays pass
 /// it, or when it was not seen for a while. Not thread-safe.
 class SeenObstacles {
  public:
@@ -21,7 +21,7 @@ class SeenObstacles {
     double wallDistance = 0.2;
     /// Only rays shorter than this count, m: farther away an error of the heading moves walls.
     double range = 3;
-    /// For how long a place counts that is not seen any more, s.
+    /// For how long a place counts after it was last seen, s.
     double memory = 60;
     /// How many rays must have ended at a place.
     int confirmedBy = 3;

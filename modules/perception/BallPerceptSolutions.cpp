@@ -28,7 +28,7 @@ const ImageDrawingKey kEdgeKey{
     "ball-percept/edge",
     "The points of the ball's edge; those that the circle follows are orange (drawn in the image)"};
 
-/// Where this color meets red or pink, the camera mixes them to that of the ball: at red robots in front of
+/// Where this color meets red or pink, the camera mixes them to the ball's color: at red robots in front of
 /// the yellow goal, and between the bands of beacons.
 constexpr char kMixedColor[] = "yellow";
 

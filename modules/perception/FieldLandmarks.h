@@ -14,7 +14,7 @@ namespace modules {
 struct FieldLandmark {
   enum class Kind { kBeacon, kGoal };
   Kind kind = Kind::kBeacon;
-  /// As in the field's description.
+  /// The name in the field's description.
   std::string name;
   /// In the field, m: the axis of a beacon, or the center of a goal's floor.
   robotlink::Vector2 position = robotlink::Vector2::Zero();

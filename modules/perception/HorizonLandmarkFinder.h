@@ -19,9 +19,9 @@ class HorizonLandmarkFinder {
   struct Options {
     /// Distance between scan lines, pixels.
     int spacing = 2;
-    /// Where a line begins, pixels above the horizon.
+    /// The beginning of a line, pixels above the horizon.
     int above = 70;
-    // Where it ends, pixels below.
+    // The end of a line, pixels below the horizon.
     int below = 60;
     /// Minimum length of a run of one color, pixels.
     int minimumRun = 2;

@@ -10,7 +10,7 @@
 
 namespace modules {
 
-/// Another robot as seen in one image.
+/// Another robot, seen in one image.
 struct RobotObservation {
   /// Color class of its team's patches.
   int teamClass = 0;

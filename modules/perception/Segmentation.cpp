@@ -102,7 +102,7 @@ class Segmentation : public robotlink::Solution {
   std::optional<colortool::LightingRange> tableLighting_;
   // The table that was sent has not been evaluated yet.
   bool tableIsNew_ = true;
-  // As required by the table that was sent.
+  // The corrector required by the table that was sent.
   std::optional<colortool::ImageCorrector> corrector_;
   robotlink::Image correctedImage_;
   robotlink::Image classImage_;

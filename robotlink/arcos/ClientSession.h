@@ -115,7 +115,7 @@ class ClientSession {
   /// The line could not be opened, broke, or was closed by the robot, for the given reason.
   void linkClosed(const Error& why, Instant now);
 
-  /// What of a packet is new to a client; the data are in the getters below.
+  /// The new content of a packet for a client; the data are in the getters below.
   enum class News { kNothing, kIdentity, kConfiguration, kInformation, kScan };
   /// Processes a received packet.
   News take(const Packet& packet, Instant now);

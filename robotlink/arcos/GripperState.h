@@ -22,7 +22,7 @@ constexpr GripperState gripperState(std::uint8_t bits) {
   return {bit(0), bit(1), bit(2), bit(4), bit(5), bit(6)};
 }
 
-/// What a gripper does: the arguments of the command GRIPPER.
+/// The actions of a gripper: the arguments of the command GRIPPER.
 enum class GripperAction : std::uint8_t {
   kOpen = 1,
   kClose = 2,

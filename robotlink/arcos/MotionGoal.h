@@ -11,7 +11,7 @@ namespace robotlink::arcos {
 enum class MotionEnd {
   /// The robot stands at its goal.
   kArrived,
-  /// Its wheels are blocked: it has hit something.
+  /// The wheels of the robot are blocked: it has hit something.
   kStalled,
   /// The robot stopped short of the goal: it was stopped, its motors are off, or it missed the command.
   kStopped,
@@ -47,7 +47,7 @@ class MotionGoal {
   Pose2 last_;
   /// Distance traveled since the command, forwards minus backwards, m.
   double traveled_ = 0;
-  /// One of the two is set.
+  /// The distance or the heading of the goal; one of the two is set.
   std::optional<double> distance_, heading_;
 };
 

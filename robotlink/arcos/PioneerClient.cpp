@@ -8,9 +8,9 @@
 namespace robotlink::arcos {
 namespace {
 
-/// A packet whose rest has not come after this time never will.
+/// A packet whose rest has not arrived after this time is given up.
 constexpr Duration kPartialTime = std::chrono::milliseconds(100);
-/// What the laser's commands ask for: a reading each degree, and packets with reflectances.
+/// The arguments of the laser's commands: a reading each degree, and packets with reflectances.
 constexpr int kEachDegree = 100, kExtendedPackets = 2;
 
 }  // namespace

@@ -23,10 +23,10 @@ class PioneerClient {
   class Listener {
    public:
     virtual ~Listener() = default;
-    /// A packet has come, or was taken from the outgoing ones. `frame` has its bytes, valid during the call;
-    /// empty if it was handed over as a value.
+    /// Called when a packet was received, or was taken from the outgoing ones. `frame` has its bytes, valid
+    /// during the call; empty if it was handed over as a value.
     virtual void packetPassed(Direction, const Packet&, std::span<const std::uint8_t> /*frame*/, Instant) {}
-    /// Bytes have come that are no packet.
+    /// Called when bytes were received that are no packet.
     virtual void damageCame(const DamagedBytes&, Instant) {}
     /// The robot has identified itself: its odometry starts over.
     virtual void robotIdentified() {}
@@ -63,8 +63,8 @@ class PioneerClient {
   /// Processes a packet of a conversation between the robot and another client: its data count, and nothing
   /// is answered. Until then close() has to be called.
   void overhear(const Packet& packet, Direction direction, Instant now);
-  /// No byte has come for so long, although the line was listened to: gives up a packet whose rest will not
-  /// come any more.
+  /// Call this if no byte arrived for `duration`, although the line was listened to: gives up a packet whose
+  /// rest will not come any longer.
   void lineSilent(Duration duration);
 
   // --- To the robot
@@ -72,7 +72,7 @@ class PioneerClient {
   Result<void> send(const Packet& packet, Instant now) { return session_.send(packet, now); }
   /// Sends SETO, and expects the odometry to jump to its origin.
   Result<void> resetOdometry(Instant now);
-  /// Which commands ask a simulator for its laser; all have the same arguments. Old simulators know only the
+  /// The commands that ask a simulator for its laser; all have equal arguments. Old simulators know only the
   /// legacy ones.
   enum class LaserCommands { kUsual, kLegacy };
   /// Asks a simulator for scans of the angles from `startAngle` to `endAngle`, rad, with a reading for each
@@ -86,7 +86,7 @@ class PioneerClient {
   /// Drops what is to be sent: the line is another's now.
   void dropOutgoing() { (void)session_.takePackets(); }
 
-  // --- What is known
+  // --- The state
   const ClientSession& session() const { return session_; }
   const PacketParser::Counters& received() const { return parser_.counters(); }
   /// The state of this connection or of the last one.
@@ -111,7 +111,7 @@ class PioneerClient {
   std::optional<RangeScan> scan_;
   /// The angles of the first and the last reading, as they were asked for.
   double scanStart_ = -kPi / 2, scanEnd_ = kPi / 2;
-  /// As the listener received it.
+  /// Whether it is connected according to the listener.
   bool connected_ = false;
 };
 

@@ -160,7 +160,7 @@ Result<void> PioneerConnection::drain() {
   return {};
 }
 
-/// One turn: passes the bytes that arrive within `timeout` to the session and writes what the session sends.
+/// Does one turn: passes the bytes that arrive within `timeout` to the session and writes its outgoing bytes.
 /// The caller holds reading_.
 Result<PioneerConnection::Line> PioneerConnection::pump(Duration timeout) {
   const auto line = stream();

@@ -66,7 +66,7 @@ struct RobotState {
   std::uint8_t digitalIn = 0, digitalOut = 0;
   /// The port selected by ADSEL; 0 to 255 for 0 to 5 V.
   std::uint8_t analogIn = 0;
-  /// As in the packet: see StandardInformation.h.
+  /// The flags as in the packet: see StandardInformation.h.
   std::uint16_t flags = 0, faultFlags = 0;
 
   /// The latest reading of each sonar, in the order of their numbers.

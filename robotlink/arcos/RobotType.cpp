@@ -26,7 +26,7 @@ constexpr SonarPlace kP3dx[]{{69, 136, 90},     {114, 119, 50},     {148, 78, 30
 constexpr SonarPlace kPeopleBotHead[]{{-20, 136, 90}, {24, 119, 50},  {58, 78, 30},    {77, 27, 10},
                                       {77, -27, -10}, {58, -78, -30}, {24, -119, -50}, {-20, -136, -90}};
 
-/// What differs between the types of robots: the beginning of their subclass, and their sonars.
+/// The properties that differ between types of robots: the begin of the subclass, and the sonars.
 struct TypeRow {
   std::string_view begin;
   std::span<const SonarPlace> base, head;

@@ -42,7 +42,7 @@ class StateDecoder {
   struct Counts {
     int x = 0, y = 0;
   };
-  /// As in the last packet, before unwrapping.
+  /// The counts of the last packet, before unwrapping.
   std::optional<Counts> last_;
   /// Until then a position near the origin counts as the reset.
   std::optional<Instant> resetUntil_;

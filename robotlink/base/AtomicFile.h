@@ -17,7 +17,7 @@ namespace robotlink {
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view contents);
 
 /// Reads a whole file, or what is written into a pipe until its writer closes it. Fails if it cannot be
-/// opened or read, or is a pipe into which nothing is written for so long (file.io); if it is a directory
+/// opened or read, or is a pipe without data for `pipePatience` (file.io); if it is a directory
 /// (file.directory); if it is larger than `maxBytes` (file.too-large).
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = 64U << 20U,
                              std::chrono::milliseconds pipePatience = std::chrono::seconds(10));

@@ -24,14 +24,14 @@ struct GroundMap {
   };
   /// A named place of the map, a "Cairn" of the file format.
   struct Place {
-    /// Which of the format's types it is; kOther are types that the program does not use.
+    /// The type of the place in the file format; kOther is any type that the program does not use.
     enum class Kind { kGoal, kHome, kDock, kForbiddenLine, kForbiddenArea, kOther };
     Kind kind = Kind::kOther;
     /// The type as spelled in the file: "GoalWithHeading".
     std::string type;
     /// May be empty.
     std::string name;
-    /// Its position; the heading counts only if hasHeading.
+    /// The position of the place; the heading counts only if hasHeading.
     Pose2 pose;
     /// False for a plain "Goal", for lines and for areas.
     bool hasHeading = false;
@@ -54,7 +54,7 @@ struct GroundMap {
   /// Distance between neighboring points of a wall, m.
   double resolution = 0.02;
   std::vector<Place> places;
-  /// Where the map's origin is on Earth, for maps that are georeferenced: x points east, y north.
+  /// The place of the map's origin on Earth, for maps that are georeferenced: x points east, y north.
   std::optional<GlobalPosition> origin;
   /// Notes for the user, each with its line: entries of the file that this reader skipped, and data that the
   /// header promises and the file lacks.
@@ -71,7 +71,7 @@ struct GroundMap {
 
   /// Reads a file of the "2D-Map" family, the format of ARIA and MobileSim (2D-Map to 2D-Map-Ex4). The counts
   /// in its header are not trusted. Every problem is reported with file and line. Maps with more than a
-  /// million lines, four million points or 2000 km of walls are refused: no building has so many.
+  /// million lines, four million points or 2000 km of walls are refused: no building has that many.
   static tl::expected<GroundMap, Errors> load(const std::filesystem::path& file);
   /// The same for a text. `file` is the name that errors carry; its stem becomes the map's name.
   static tl::expected<GroundMap, Errors> parse(std::string_view text, const std::string& file);

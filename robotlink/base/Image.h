@@ -21,7 +21,7 @@ enum class PixelFormat : std::uint8_t {
   kNv12,
   kRgb8,  ///< bytes R G B
   kBgr8,  ///< bytes B G R
-  /// One byte a pixel: a gray value or a color class.
+  /// A byte per pixel: a gray value or a color class.
   kMono8,
 };
 /// All formats, to look one up by its encoding.

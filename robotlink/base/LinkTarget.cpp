@@ -6,7 +6,7 @@
 namespace robotlink {
 
 std::filesystem::path linkTarget(std::filesystem::path path) {
-  constexpr int kMaxLinks = 40;  // as many as the system follows itself
+  constexpr int kMaxLinks = 40;  // the same limit as the system's
   for (int i = 0; i < kMaxLinks; ++i) {
     std::error_code error;
     if (!std::filesystem::is_symlink(path, error)) break;

@@ -5,9 +5,9 @@
 
 namespace robotlink {
 
-/// A shared library of this project with what few need and what brings many libraries of others, so that it
-/// is loaded when it is needed first instead of at every start. It lies in lib/robotcontrol beside the folder
-/// of the programs, in a build folder as where they are installed. Never unloaded.
+/// A shared library of this project for rarely used functions that depend on many other libraries: it is
+/// loaded on first use instead of at every start. It is in lib/robotcontrol beside the folder
+/// of the programs, in build folders as well as in installations. Never unloaded.
 class OptionalModule {
  public:
   /// Loads "robotcontrol_video.so", say.

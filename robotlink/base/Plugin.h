@@ -14,7 +14,7 @@
 
 namespace robotlink {
 
-/// What a plug-in states about itself, with its function that registers what it has. A plain value.
+/// The description of a plug-in by itself, with the function that registers its parts. A plain value.
 struct PluginDescription {
   /// Unique among plug-ins: "ball-counter".
   const char* name;

@@ -5,8 +5,8 @@
 
 namespace robotlink {
 
-/// Returns a text of somebody else (a robot, a client, a file) as it may be shown in one line, also by a
-/// terminal, which control characters would make do things: valid UTF-8, in which white space is a space and
+/// Returns a text of another source (a robot, a client, a file) as it may be shown in one line, also by a
+/// terminal, in which control characters would have effects: valid UTF-8, in which white space is a space and
 /// any other control character, also those of the range C1, is '?'.
 std::string printable(const std::string& text);
 

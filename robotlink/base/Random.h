@@ -25,7 +25,7 @@ constexpr std::uint64_t hashBits(std::uint64_t seed, std::uint64_t stream, std::
 /// A small deterministic generator: the same seed gives the same numbers. bits() and uniform() are the same
 /// on every machine; normal() may differ in its last bits between mathematical libraries. Not thread-safe.
 /// Streams of one seed are independent, so that each user can have its own. Draw several numbers in braces,
-/// as in Vector2{random.normal(), random.normal()}: what stands in parentheses is computed in any order.
+/// as in Vector2{random.normal(), random.normal()}: arguments in parentheses are evaluated in any order.
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : seed_(hashBits(seed, stream, 0)) {}

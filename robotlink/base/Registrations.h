@@ -8,7 +8,7 @@
 
 namespace robotlink {
 
-/// Solutions, views, platforms, log formats and what else programs find in registries are registered by one
+/// Solutions, views, platforms, log formats and all other entries of registries are registered by one
 /// thread: before main() starts, and while plug-ins are loaded. Then the registries are sealed, before
 /// anything is opened, and are read-only for all threads.
 class Registrations {
@@ -21,7 +21,7 @@ class Registrations {
   static void refuse(const std::string& text);
 };
 
-/// The registrations of one plug-in. While it exists, what cannot be registered is noted instead of ending
+/// The registrations of one plug-in. While it exists, failed registrations are noted instead of ending
 /// the program. Unless they are kept, all registrations since its construction are undone by its destructor.
 /// One at a time.
 class RegistrationTrial {

@@ -12,7 +12,7 @@
 // are as OpenCV counts them: (0, 0) is the middle of the first one.
 namespace robotlink {
 
-/// OpenCV's part of a calibration. Any thread. What OpenCV refuses is nothing.
+/// OpenCV's part of a calibration. Any thread. Functions return nothing if OpenCV refuses the input.
 class CalibrationModule {
  public:
   using Points = std::vector<Vector2>;

@@ -7,7 +7,7 @@
 
 namespace robotlink {
 
-/// The declarations of all commands of the workbench, but for those that kinds of platforms declare: their
+/// The declarations of all commands of the workbench, except those that kinds of platforms declare: their
 /// names, arguments and help, without handlers. A new command has its row here, and its handler where it
 /// acts: `commands.attach("robot.stop", handler)`.
 std::vector<CommandTable::Command> commandCatalog();

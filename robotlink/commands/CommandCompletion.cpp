@@ -46,7 +46,7 @@ std::vector<std::string> textsOf(const CommandTable::Command& command, const std
   return wanted.type >= CommandTable::Type::kFile && texts.empty() ? filesOf(begun) : texts;
 }
 
-/// The words that stand for arguments by their order; `named` becomes the argument that the last word names,
+/// The words that represent arguments by their order; `named` becomes the argument that the last word names,
 /// whose value is typed next, or stays as it is.
 std::vector<std::string> wordsInOrder(const CommandTable::Command& command,
                                       const std::vector<CommandWord>& words, std::size_t& named) {

@@ -11,7 +11,7 @@ namespace robotlink {
 /// A word of a line, without its quotes.
 struct CommandWord {
   std::string text;
-  /// Where it begins in the line, in bytes from 1.
+  /// The position of the word in the line, in bytes from 1.
   int column = 1;
 };
 

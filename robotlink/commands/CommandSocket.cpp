@@ -101,10 +101,10 @@ struct CommandSocket::Client {
   ScriptRun run;
   /// Whether a line runs that is not answered yet.
   bool isBusy = false;
-  /// What could not be sent yet.
+  /// The part of the answers that could not be sent yet.
   std::string answers;
 
-  /// Reads what has come; returns false at its end. Nothing is read while a line runs, so that a client
+  /// Reads what has arrived; returns false at the end. Nothing is read while a line runs, so that a client
   /// cannot fill the memory.
   bool read() {
     std::array<char, 4096> buffer{};
@@ -140,7 +140,7 @@ Result<void> CommandSocket::open(const std::filesystem::path& folder) {
   if (!address) return tl::unexpected(address.error());
   const int listener = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   ::unlink(file.c_str());  // of a process that had the same id
-  // The mode is set before the file is there, so that nobody else can ever open it.
+  // The mode is set before the file exists, so that no other user can ever open it.
   const bool isOpen = listener >= 0 && ::fchmod(listener, S_IRUSR | S_IWUSR) == 0 &&
                       ::bind(listener, generic(*address), sizeof *address) == 0 &&
                       ::listen(listener, kMaxClients) == 0;
@@ -205,7 +205,7 @@ Result<CommandConnection> CommandConnection::connect(const std::filesystem::path
     const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (socket >= 0 && ::connect(socket, generic(*address), sizeof *address) == 0)
       return CommandConnection(socket);
-    if (errno == ECONNREFUSED) ::unlink(file.c_str());  // nobody listens any more
+    if (errno == ECONNREFUSED) ::unlink(file.c_str());  // no process listens any longer
     if (socket >= 0) ::close(socket);
   }
   const std::string which = pid > 0 ? "with the process id " + std::to_string(pid) : "here";

@@ -17,11 +17,11 @@ namespace robotlink {
 /// A client sends lines, each of at most LineReader::kMaxLine bytes; each is answered with a line "printed "
 /// and a text for each that it prints and, when it is done, with the line "ok", or "failed " and the reason;
 /// in texts and reasons a line feed is "\n" and a backslash "\\". A client that closes its connection cancels
-/// what it waits for. The line "folder PATH" sets to which folder files are relative. One thread, that of the
+/// what it waits for. The line "folder PATH" sets the base folder of files. One thread, that of the
 /// session; never blocks.
 class CommandSocket {
  public:
-  /// What the lines act on must outlive it.
+  /// Listens. The objects that the lines act on must outlive this one.
   explicit CommandSocket(ScriptRun::Workbench workbench);
   ~CommandSocket();
   CommandSocket(const CommandSocket&) = delete;
@@ -56,7 +56,7 @@ class CommandConnection {
   CommandConnection& operator=(CommandConnection&&) = delete;
   ~CommandConnection();
 
-  /// Sets to which folder the files in the lines are relative: by default, that of the workbench.
+  /// Sets the folder to which files in the lines are relative: by default, that of the workbench.
   Result<void> useFolder(const std::filesystem::path& folder);
   /// Sends a line; receive() waits until it is done. Fails if the workbench has ended, or if the line failed.
   Result<void> send(const std::string& line);

@@ -71,7 +71,7 @@ std::string typeInWords(const Argument& argument) {
   return argument.choices.empty() ? typeName(argument.type) : joined(argument.choices, "|");
 }
 
-/// What an argument is, for error messages: "factor: number, times real time".
+/// Describes an argument for error messages: "factor: number, times real time".
 std::string describe(const Argument& argument, bool withHelp) {
   std::string text = argument.name + ": " + typeInWords(argument);
   if (argument.initial) text += " = " + inLine(*argument.initial);
@@ -157,7 +157,7 @@ bool countFits(const Command& command, std::size_t given) {
 /// between them has an initial value.
 using Places = std::vector<std::optional<CommandWord>>;
 
-/// The first argument that no word stands for yet.
+/// Returns the first argument that has no word yet.
 std::size_t firstFree(const Places& places) {
   return static_cast<std::size_t>(std::ranges::find_if(places, [](const auto& place) { return !place; }) -
                                   places.begin());

@@ -15,8 +15,8 @@
 namespace robotlink {
 
 /// The table of all commands. Menus, toolbars, shortcuts, scripts and tests run them, so whatever a button
-/// can do, a script can do. Commands are declared in one place (CommandCatalog.h), without what they act on;
-/// their handlers are attached where that lives. Only in the GUI's thread. Error messages name the arguments
+/// can do, a script can do. Commands are declared in one place (CommandCatalog.h), without their objects;
+/// their handlers are attached where these are. Only in the GUI's thread. Error messages name the arguments
 /// that a command takes.
 class CommandTable {
  public:
@@ -38,7 +38,7 @@ class CommandTable {
     std::string name;
     Type type = Type::kText;
     std::string help = {};
-    /// Its value if it is left out; unset: it must be given, unless mayBeMissing.
+    /// The value if the argument is left out; unset: it must be given, unless mayBeMissing.
     std::optional<Value> initial = {};
     /// The only texts that it may be; empty: any.
     std::vector<std::string> choices = {};
@@ -49,7 +49,7 @@ class CommandTable {
     bool isOptional() const { return initial.has_value() || mayBeMissing; }
   };
   using Handler = std::function<Result<void>(const Values&)>;
-  /// What the text of the next argument may be now, after those before it: names of robots, views, keys.
+  /// Returns the possible texts of the next argument, given those before it: names of robots, views, keys.
   using Offer = std::function<std::vector<std::string>(const std::vector<std::string>& before)>;
   /// A command and what it does.
   struct Command {
@@ -58,9 +58,9 @@ class CommandTable {
     std::string help;
     /// In this order; no optional one precedes one that must be given.
     std::vector<Argument> arguments = {};
-    /// Called with the values, of the declared types. Empty: nobody has attached it.
+    /// Called with the values, of the declared types. Empty: no handler is attached.
     Handler run = {};
-    /// What completion offers beside the arguments' choices; may be empty.
+    /// Returns what completion offers in addition to the arguments' choices; may be empty.
     Offer offer = {};
   };
 
@@ -99,7 +99,7 @@ class CommandTable {
   std::map<std::string, Command> commands_;
 };
 
-/// Which optional argument a word like "--speed" or "--speed=2" names; the number of arguments if none.
+/// Returns the optional argument named by a word like "--speed" or "--speed=2"; their number if none.
 std::size_t namedArgument(const CommandTable::Command& command, const std::string& word);
 
 /// The arguments of a command as people read them: "<brightness: number> [warmth: number = 0]".

@@ -8,7 +8,7 @@
 
 namespace robotlink {
 
-/// Cuts bytes of somebody else into lines, which end with a line feed. Never keeps more than what was fed
+/// Splits untrusted bytes into lines, which end with a line feed. Never keeps more than what was fed
 /// last and kMaxLine bytes.
 class LineReader {
  public:
@@ -18,7 +18,7 @@ class LineReader {
   void feed(std::string_view bytes);
   /// The next complete line without its end; empty if there is none yet.
   std::optional<std::string> next();
-  /// Whether a line was longer than kMaxLine. Nothing follows it, since nobody knows what was meant.
+  /// Whether a line was longer than kMaxLine. Nothing follows it, since its meaning is unknown.
   bool isTooLong() const { return isTooLong_; }
 
  private:

@@ -12,8 +12,8 @@
 
 namespace robotlink {
 
-/// The truth of an expression over the streams of a session, from when this was made. It sees every message,
-/// so that what is true for a moment between two ticks is not missed. Streams without a robot are those of
+/// Evaluates an expression over the streams of a session, from its construction on. It sees every message,
+/// so that a value that is true only between two ticks is not missed. Streams without a robot are those of
 /// the selected one; `simulation.time` is the session's time in seconds, also on logs. Only in the thread
 /// that calls Session::tick(); the session must outlive it.
 class ScriptCondition {
@@ -31,16 +31,16 @@ class ScriptCondition {
   Result<bool> look();
   /// Whether it is true now; fails if a stream is missing.
   Result<bool> now();
-  /// Its value now, for people: a number, a text, the name of a choice; "not there" while no message had it.
+  /// Returns the value for people: a number, a text, the name of a choice; "not there" if no message had it.
   /// Fails if a stream is missing.
   Result<std::string> valueNow();
-  /// What is there, for people: "models/ball.position.x is 0.31", or why there are no values.
+  /// Returns the present values for people: "models/ball.position.x is 0.31", or why there are none.
   std::string values() const;
 
  private:
   /// Binds the expression to the streams that there are, if they have changed.
   void bind();
-  /// What can be done about a stream that is missing; empty if nobody knows.
+  /// Returns a remedy for a stream that is missing; empty if none is known.
   std::string hintFor(const Error& error) const;
   /// Takes the newest messages of the history.
   void takeNewest();

@@ -24,7 +24,7 @@ bool isBlank(char c) {
   return kScriptBlanks.find(c) != std::string_view::npos;
 }
 
-/// Where the comment of a line begins, outside of quotes; its length if there is none.
+/// Returns the begin of a line's comment, outside of quotes; the line's length if there is none.
 std::size_t endOf(const std::string& line) {
   char quote = 0;
   for (std::size_t at = 0; at < line.size(); ++at) {

@@ -36,7 +36,7 @@ struct ScriptLine {
   std::string value = {};
   /// How long is waited, at most for kWaitUntil.
   double seconds = 0;
-  /// Where `text` begins in the line, in bytes from 1.
+  /// The position of `text` in the line, in bytes from 1.
   int column = 1;
 };
 

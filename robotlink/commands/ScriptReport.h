@@ -6,7 +6,7 @@
 
 namespace robotlink {
 
-/// How a script went, or a file that it included.
+/// The outcome of a script, or of a file that it included.
 struct ScriptOutcome {
   std::string name;
   /// Real time.

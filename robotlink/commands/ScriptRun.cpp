@@ -224,7 +224,7 @@ Result<void> ScriptRun::begin(const std::string& line, Instant now) {
 Result<void> ScriptRun::beginCommand() {
   unanswered_.clear();
   refused_.reset();
-  // What another user of the window opened before is not this line's.
+  // A platform that another user of the window opened before does not belong to this line.
   if (workbench_.opening) static_cast<void>(workbench_.opening());
   isListing_ = true;
   auto done = workbench_.commands.runLine(line_.text, folder_);

@@ -31,7 +31,7 @@ class ScriptCondition;
 /// Real time is a parameter of tick(). One thread, that of the session; what it acts on must outlive it.
 class ScriptRun {
  public:
-  /// What scripts act on.
+  /// The objects that scripts act on.
   struct Workbench {
     CommandTable& commands;
     Session& session;
@@ -50,7 +50,7 @@ class ScriptRun {
   /// Begins to run lines that are in no file; errors name them by `name`, or have no position if that is
   /// empty. Variables of earlier lines are kept.
   void runLines(const std::string& name, const std::string& lines);
-  /// Sets to which folder files of commands and of lines are relative: by default, that of this program.
+  /// Sets the folder to which files of commands and of lines are relative: by default, that of this program.
   void setFolder(std::filesystem::path folder) { folder_ = std::move(folder); }
 
   /// Gets the lines of `print`, in tick(); without this they are lost.
@@ -66,7 +66,7 @@ class ScriptRun {
   bool isIdle() const { return sources_.empty(); }
   /// Why the script that was begun last failed, with file, line and column; unset if it did not.
   const std::optional<Error>& failed() const { return failed_; }
-  /// What ran since this was made, in the order of their begins: scripts, and files that they included.
+  /// Returns what ran since this object was made, ordered by begin: scripts, and files that they included.
   const std::vector<ScriptOutcome>& outcomes() const { return outcomes_; }
 
  private:
@@ -80,7 +80,7 @@ class ScriptRun {
     std::size_t outcome = 0;
     std::optional<Instant> since;
   };
-  /// What the line that runs now waits for.
+  /// The event that the current line waits for.
   enum class Waits { kNothing, kCommand, kCondition, kTime };
 
   void push(std::string name, std::filesystem::path folder, const std::string& text);
@@ -114,7 +114,7 @@ class ScriptRun {
   // The line that runs now.
   ScriptLine line_;
   Waits waits_ = Waits::kNothing;
-  /// When it began, and until when the session's time was seen to go on.
+  /// When it began, and when the session's time last advanced.
   Instant began_, movedAt_;
   /// In the session's time: what has passed since kTime began, and the newest that was seen.
   Duration timePassed_{0};

@@ -61,7 +61,7 @@ Rows colorTableRows() {
   };
 }
 
-/// What both kinds of exports take after view and target.
+/// Returns the arguments of both kinds of exports after view and target.
 std::vector<CommandTable::Argument> exportArguments(const CommandTable::Argument& target) {
   return {
       {"view", Type::kText, "its name: image, field, plots, ...; the second one is image#2"},

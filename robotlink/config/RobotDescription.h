@@ -23,7 +23,7 @@ struct RobotDescription {
     /// Upper software limit, rad.
     double maximum = 0;
     double maximumSpeed = 0;  ///< rad/s
-    /// Its angle when the robot stands, rad.
+    /// The angle of the joint when the robot stands, rad.
     double stance = 0;
     /// The joint that moves like this one when a motion is mirrored at the robot's plane of symmetry: that of
     /// the other side, or this one; its angle has the other sign there if `mirrorIsNegated`.
@@ -70,12 +70,12 @@ struct RobotDescription {
   };
   /// A camera that is fixed to the robot, or a camera on a tripod that is all there is.
   struct Camera {
-    /// Its frame: x along the optical axis, y to the left, z up. The robot's origin is on the ground.
+    /// The camera's frame: x along the optical axis, y left, z up. The robot's origin is on the ground.
     Pose3 inRobot = Pose3::Identity();
     /// The whole field of view across the image's width, rad. Pixels are square.
     double horizontalAngle = 0;
   };
-  /// What the voltages of the battery mean, V.
+  /// The thresholds of the battery's voltage, V.
   struct Battery {
     /// At this voltage the robot switches itself off.
     double empty = 0;

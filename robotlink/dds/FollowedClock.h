@@ -14,7 +14,7 @@
 namespace robotlink::dds {
 
 /// The clock of a robot's programs that do not have its platform: it shows the time of the program that has,
-/// whose ClockSource announces it ten times a second. It is late by what an announcement takes at best: some
+/// whose ClockSource announces it ten times a second. It lags by the shortest delay of an announcement: some
 /// ten microseconds on one machine, less than a millisecond in a good network. Before the first announcement
 /// it begins at zero. When the other program was started again, it is set back. Any thread.
 class FollowedClock final : public Clock {

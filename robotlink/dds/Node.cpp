@@ -48,7 +48,7 @@ std::string settingsOf(const NodeOptions& options) {
          "<Tracing><Verbosity>none</Verbosity></Tracing></Domain></CycloneDDS>";
 }
 
-/// What Cyclone DDS writes while this object lives in this thread. Otherwise it would write it to stderr.
+/// Collects the messages of Cyclone DDS while it lives in this thread. Otherwise they would go to stderr.
 class DdsTexts {
  public:
   DdsTexts() { current_ = this; }
@@ -59,8 +59,8 @@ class DdsTexts {
   /// The last one, without its line's end; empty: there was none.
   const std::string& last() const { return last_; }
 
-  /// From now on nothing that it writes gets to stderr, but why it aborts the program. What a line that is
-  /// cut means for users is said by those who miss others. Any thread.
+  /// From now on only messages about aborting the program go to stderr. The meaning of a lost connection
+  /// for users is reported by those who miss others. Any thread.
   static void takeAll() {
     [[maybe_unused]] static const bool isTaken = [] {
       dds_set_log_sink(take, nullptr);
@@ -72,7 +72,7 @@ class DdsTexts {
  private:
   static void take(void*, const dds_log_data_t* data) {
     const std::string text(data->message, data->size);
-    if (data->priority == DDS_LC_FATAL) std::cerr << text << std::flush;  // it aborts the program
+    if (data->priority == DDS_LC_FATAL) std::cerr << text << std::flush;  // DDS aborts the program
     if (current_ != nullptr) current_->last_ = printable(text.substr(0, text.find('\n')));
   }
 

@@ -41,7 +41,7 @@ class ProgramNet final : public ProgramLinks {
   Result<void> link(AnySender& sender, const std::string& from) override;
   Result<void> link(AnyReceiver& receiver, const std::string& from) override;
 
-  // For tests: the halves that were made last for an end; null if there is none any more.
+  // For tests: the halves that were made last for an end; null if there is none any longer.
   std::shared_ptr<SendingEnd> sendingEnd(const AnySender& sender) const;
   std::shared_ptr<ReceivingEnd> receivingEnd(const AnyReceiver& receiver) const;
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::chrono::milliseconds kClaimTime{300};
 constexpr std::chrono::milliseconds kClaimLook{10};
 
-/// The kinds of samples: somebody wants the name, or has it.
+/// The kinds of samples: a program wants the name, or has it.
 enum class Claim : std::uint8_t { kWanted = 1, kHeld = 2 };
 
 std::string presenceTopic(const std::string& robot) {
@@ -37,7 +37,7 @@ struct ProgramPresence::Implementation {
   explicit Implementation(Identity given) : identity(std::move(given)) {}
 
   void announce(Claim claim) const;
-  /// Where one is that has more right to the name; empty: none has been heard.
+  /// Returns the place of a program with more right to the name; empty: none has been heard.
   std::string superior();
   /// Reports those that have the same name, each once.
   void watch();
@@ -67,7 +67,7 @@ std::string ProgramPresence::Implementation::superior() {
   while (take(reader.get(), sample)) {
     const auto& other = sample.package;
     if (other.name != identity.program || other.sender == identity.where) continue;
-    // One of those that begin at the same time has to win.
+    // One of several programs that begin at the same time has to win.
     const bool isHeld = other.kind == static_cast<std::uint8_t>(Claim::kHeld);
     if (isHeld || other.number < number) return other.sender;
   }

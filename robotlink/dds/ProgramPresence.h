@@ -17,13 +17,13 @@ class ProgramPresence {
   struct Identity {
     std::string robot;
     std::string program;
-    /// Where the program runs, for users: "process 4711 on robot1.local". Whoever runs at the same place is
+    /// The place of the program, for users: "process 4711 on robot1.local". A program at the same place is
     /// the same program.
     std::string where;
   };
-  /// Claims the name; takes a moment, in which other programs are heard. Fails, with the place of the other,
-  /// if one has it. `report` gets a sentence, in a thread of DDS, if one is found to have it later, after a
-  /// cut of the network; it must not block.
+  /// Claims the name; takes a moment, to listen for other programs. Fails, with the place of the other one,
+  /// if one has the name. `report` gets a sentence, in a thread of DDS, if one is found to have it later,
+  /// after the network was divided; it must not block.
   static Result<std::unique_ptr<ProgramPresence>> claim(const std::shared_ptr<Node>& node,
                                                         const Identity& identity,
                                                         std::function<void(const std::string& text)> report);

@@ -62,7 +62,7 @@ Result<void> ReceivingEnd::open() {
                                   static_cast<ReceivingEnd*>(self)->followMatches();
                                 });
   dds_set_listener(reader_.get(), listener.get());
-  followMatches();  // those that came before there was a listener
+  followMatches();  // the matches made before there was a listener
   return {};
 }
 
@@ -109,7 +109,7 @@ void ReceivingEnd::takeSamples() {
     {
       const std::lock_guard lock(mutex_);
       isNew = *from != sender_;
-      if (isNew && known_.contains(*from)) continue;  // one that was replaced
+      if (isNew && known_.contains(*from)) continue;  // a sender that was replaced
     }
     // A sample may come before the notice that its sender is there.
     if (isNew) followMatches();
@@ -149,7 +149,7 @@ void ReceivingEnd::put(std::unique_ptr<Sample>& sample) {
   const std::lock_guard lock(mutex_);
   const std::uint64_t number = sample->package.number;
   if (owner_ == nullptr || number <= arrived_) return;  // a newer one was faster
-  // What was written since the last arrival was replaced on its way.
+  // Packages that were written since the last arrival were replaced on their way.
   const std::uint64_t lost = arrived_ != 0 ? number - arrived_ - 1 : 0;
   missed_.fetch_add(lost + (inbox_ ? 1 : 0), std::memory_order_relaxed);
   arrived_ = number;

@@ -69,7 +69,7 @@ class ReceivingEnd final : public Link {
   Guid guid_{};
   std::set<std::uint64_t> known_;
   bool refused_ = false;
-  /// What has arrived and was not taken, and a sample to be used again.
+  /// The sample that has arrived and was not taken, and one to be reused.
   std::unique_ptr<Sample> inbox_, spare_;
   std::uint64_t arrived_ = 0;
   std::uint64_t taken_ = 0;

@@ -20,14 +20,14 @@ constexpr std::uint32_t kAnnouncementDomain = 229;
 constexpr std::uint32_t kMaxAnnouncers = 256;
 constexpr std::size_t kMaxNames = 100;
 
-/// What stands for a robot that is only a body, in the place of its layout.
+/// The marker of a robot that is only a body, in place of its layout.
 constexpr char kBodyLayout[] = "(body)";
 
 std::string textIn(const char* text) {
   return text != nullptr ? text : "";
 }
 
-/// A text of somebody else in the network, as a terminal and a dialog may show it.
+/// Returns a text from the network as a terminal and a dialog may show it.
 std::string shownText(const std::string& text) {
   constexpr std::size_t kMaxText = 100;
   return printable(text.substr(0, kMaxText));
@@ -69,7 +69,7 @@ std::vector<AnnouncedRobot> robotsOf(const std::string& names, const std::string
   return robots;
 }
 
-/// Nothing: what somebody else in the network sent makes no sense.
+/// Returns the robots of a sample; nothing if the sample is invalid.
 std::optional<AnnouncedRobots> robotsIn(const robotlink_wire_Package& sample) {
   AnnouncedRobots robots;
   const auto* details = reinterpret_cast<const char*>(sample.data._buffer);
@@ -102,7 +102,7 @@ struct RobotAnnouncement::Implementation {
 
   AnnouncedRobots announced;
   std::vector<std::shared_ptr<Node>> nodes;
-  /// One for each node.
+  /// The writers, one for each node.
   std::vector<Entity> writers;
 };
 

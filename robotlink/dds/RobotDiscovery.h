@@ -11,11 +11,11 @@
 
 namespace robotlink::dds {
 
-/// One of the robots that a program announces. A plain value.
+/// A robot that a program announces. A plain value.
 struct AnnouncedRobot {
   /// "red1".
   std::string name;
-  /// Its kind, "ers210"; empty: not known.
+  /// The kind of the robot, "ers210"; empty: not known.
   std::string kind = {};
   /// The layout that its program runs in, "compact"; empty: not known.
   std::string layout = {};
@@ -24,11 +24,11 @@ struct AnnouncedRobot {
   bool operator==(const AnnouncedRobot&) const = default;
 };
 
-/// What a program announces that lets others watch and steer its robots (--listen). A plain value.
+/// The announcement of a program that lets others watch and steer its robots (--listen). A plain value.
 struct AnnouncedRobots {
   /// At least one.
   std::vector<AnnouncedRobot> robots;
-  /// Where they can be connected to.
+  /// The address to which clients connect.
   std::string address;
   std::uint16_t port = 0;
   bool isEncrypted = false;
@@ -59,8 +59,8 @@ class RobotAnnouncement {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// Lists the robots that are announced on networks, while they are: those that go are missed at once, or
-/// after a second if they cannot say so. Any thread.
+/// Lists the robots that are currently announced on networks. Robots that leave are removed at once, or
+/// after a second if they cannot announce it. Any thread.
 class RobotDiscovery {
  public:
   static Result<std::unique_ptr<RobotDiscovery>> open(std::vector<std::shared_ptr<Node>> nodes);

@@ -68,7 +68,7 @@ Result<void> SendingEnd::open() {
                                   static_cast<SendingEnd*>(self)->takeAnswers();
                                 });
   dds_set_listener(answers_.get(), listener.get());
-  takeAnswers();  // those that came before there were listeners
+  takeAnswers();  // the answers that arrived before there were listeners
   return {};
 }
 

@@ -16,7 +16,7 @@ namespace robotlink::dds {
 
 /// The sending half of the links from one sender to all receivers of its package in other programs; for the
 /// sender it is one link. A package is serialized and written once, however many receive it, and not at all
-/// while nobody does. Receivers come and go: an end without any is closed, but not for good.
+/// while none does. Receivers come and go: an end without any is closed, but not permanently.
 ///
 /// Each package that is offered is written at once, and the newest replaces what a receiver has not taken.
 /// It counts as delivered under the same conditions as on an InProcessLink: receivers answer what they take,
@@ -50,7 +50,7 @@ class SendingEnd final : public Link {
  private:
   /// A receiver in another program.
   struct Peer {
-    /// Its reader.
+    /// The identifier of the receiver's reader.
     Guid reader{};
     bool open = false;
     bool refused = false;
@@ -88,7 +88,7 @@ class SendingEnd final : public Link {
   std::map<std::uint64_t, Peer> peers_;
   std::uint64_t number_ = 0;
   Guid guid_{};
-  /// The last package, if it is for receivers that come later, too, and whether one has come.
+  /// The last package, if later receivers are to get it, too, and whether such a receiver has appeared.
   PackagePtr latched_;
   bool isLatchedDue_ = false;
   // Mirrors for readers without the lock.

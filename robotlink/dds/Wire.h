@@ -40,7 +40,7 @@ class Entity {
 
   dds_entity_t get() const { return handle_; }
   bool valid() const { return handle_ > 0; }
-  /// Its listener is not called any more; waits for calls.
+  /// Stops the calls of the entity's listener; waits for those in progress.
   void silence();
   void reset();
 
@@ -79,7 +79,7 @@ bool write(dds_entity_t writer, const Outgoing& outgoing);
 /// are left out. The result is the handle of the writer.
 std::optional<std::uint64_t> take(dds_entity_t reader, Sample& into);
 
-/// What a receiving end answers the sending end with: always its whole state.
+/// The answer of a receiving end to the sending end: always its whole state.
 struct Answer {
   enum class State : std::uint8_t { kOpen = 1, kClosed = 2, kRefused = 3 };
   State state = State::kOpen;

@@ -56,7 +56,7 @@ struct DebugContext::Frame {
     int key;
     google::protobuf::Message* content;
   };
-  // Its drawings and images; one message per key.
+  // The drawings and images of the frame; one message per key.
   std::vector<Begun> begun;
   std::deque<CompleteFrame> complete;
   std::size_t completeBytes = 0;
@@ -132,7 +132,7 @@ void DebugContext::take(DebugContext& other, const std::string& prefix, const st
   for (SharedDebugMessage& message : other.frame_->messages) {
     if (const auto* text = message.as<foxglove::Log>(); text != nullptr && message.path == streams::kLog) {
       auto signedText = std::make_shared<foxglove::Log>(*text);
-      // Its source is behind the name of the process, which the other context need not know.
+      // The source follows the name of the process, which the other context does not need to know.
       const std::string source = text->name().substr(std::min(text->name().find('/'), text->name().size()));
       signedText->set_name(process_ + source + " (" + author + ")");
       message.content = std::move(signedText);

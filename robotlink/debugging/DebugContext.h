@@ -33,7 +33,7 @@ enum class Level : std::uint8_t { kDebug, kInfo, kWarning, kError };
 /// process has sent since its queue was last taken. Passed to the constructors of solutions; only for the
 /// process's thread.
 ///
-/// Usage, so that nothing is computed unless someone requested it:
+/// Usage, so that nothing is computed unless it was requested:
 ///
 ///     if (debug.on(kCircleKey)) debug.imageDrawing(kCircleKey).circle(center, radius, colors::kOrange, 1);
 ///
@@ -52,7 +52,7 @@ class DebugContext {
   DebugContext(const DebugContext&) = delete;
   DebugContext& operator=(const DebugContext&) = delete;
 
-  /// Whether the code of a key shall run now. Each call counts: "n times" is true for n calls and then
+  /// Whether the code of a key is to run now. Each call counts: "n times" is true for n calls and then
   /// switches itself off; "every n" is true at each n-th call; "every n ms" at the first call and then at
   /// least n ms apart in frame time. A key that is off costs one branch.
   bool on(const DebugKey& key) {

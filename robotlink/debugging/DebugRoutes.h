@@ -40,7 +40,7 @@ std::string packageKey(const std::string& package);
 /// The package that a key requests; empty if the key is not for a package.
 std::string packageOfKey(const std::string& key);
 
-/// A solution that runs beside the active one of its task, on the same inputs, and is not used.
+/// A solution that runs in the shadow of the active one of its task: on the same inputs, without being used.
 struct ShadowName {
   std::string task;
   std::string solution;
@@ -48,7 +48,7 @@ struct ShadowName {
 };
 /// The debug key by which a solution runs in the shadow of the active one: "shadow/ball-model/kalman".
 std::string shadowKey(const std::string& task, const std::string& solution);
-/// What a key lets run in shadow mode; nothing if the key is not for that.
+/// Returns the solution that a key runs in shadow mode; nothing if the key is not for that.
 std::optional<ShadowName> shadowOfKey(const std::string& key);
 /// The prefix of the paths of what a solution publishes in shadow mode, "shadow/kalman/"; the path on which
 /// it would publish it otherwise follows.

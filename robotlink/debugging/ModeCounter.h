@@ -7,7 +7,7 @@
 namespace robotlink {
 
 /// Decides when something with a debug key's mode is due, with the same meaning of the modes as DebugContext,
-/// for what is not a DebugKey, such as packages on request. A plain value; internal to this folder.
+/// for things that are not DebugKeys, such as packages on request. A plain value; internal to this folder.
 class ModeCounter {
  public:
   /// Sets the mode and resets the counter; N_TIMES with n = 0 means OFF.

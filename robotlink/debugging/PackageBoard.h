@@ -40,19 +40,19 @@ class PackageBoard {
     bool shown = false;
     /// When it is published on request.
     ModeCounter mode;
-    /// Its key was switched on and it has not been published since.
+    /// Whether its key was switched on and it has not been published since.
     bool isAwaited = false;
     /// Published for the recorder in every frame, whatever the mode.
     bool recorded = false;
-    /// Whether a user's value takes the place of the package in this process: it has the sender, or the
+    /// Whether a user's value can replace the package in this process: it has the sender, or the
     /// receiver of a package that no task sends.
     bool settable = false;
-    /// The user's value that takes the place of all packages, and the one that takes that of the next; null:
+    /// The user's value that replaces all packages, and the one that replaces the next; null:
     /// none.
     PackagePtr held, once;
     /// The newest package of the task while another one was held.
     PackagePtr offered;
-    /// What is sent again at the end of the frame in which another one was released; null: nothing.
+    /// The package to be sent again at the end of the frame in which another one was released; null: none.
     PackagePtr restored;
   };
 

@@ -40,7 +40,7 @@ struct ParameterField {
   auto operator<=>(const ParameterField&) const = default;
 };
 
-/// What a solution knows about its parameters beyond their types.
+/// The rules of a solution for its parameters, beyond their types.
 struct ParameterRules {
   /// Makes a message with the built-in value of every field that has one, for a robot; empty: none has one.
   std::function<std::unique_ptr<google::protobuf::Message>(const RobotSetup&)> builtIn = {};

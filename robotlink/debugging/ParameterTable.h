@@ -13,7 +13,7 @@ namespace robotlink {
 
 /// How the fields of a parameter message correspond to the options of an algorithm: which field sets which
 /// option, and in what range it makes sense. The built-in values are those of the options themselves, so that
-/// they stand in one place.
+/// they are in one place.
 ///
 ///     const ParameterTable<Wanderer::Options> kTable{
 ///         {robotcontrol::WanderParameters::kSpeedFieldNumber, &Wanderer::Options::speed, kAtLeastZero},
@@ -34,7 +34,7 @@ class ParameterTable {
   };
   ParameterTable(std::initializer_list<Entry> entries) : entries_(entries) {}
 
-  /// Returns the options that the parameters ask for. What is not set, or makes no sense, stays as built in.
+  /// Returns the options that the parameters set. Values that are unset, or out of range, stay as built in.
   Options read(const google::protobuf::Message& parameters, Options builtIn = {}) const {
     for (const Entry& entry : entries_) {
       const std::optional<double> number = numberIn(parameters, entry.field);

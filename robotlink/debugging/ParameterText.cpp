@@ -163,7 +163,7 @@ std::vector<Span> spansOf(const TextEdits& edits, const Places& places, const Fi
   return spans;
 }
 
-/// What one message of the text is changed to; `there` is what the text has, and follows.
+/// Edits one message of the text; `there` is the message in the text, and is updated.
 void editMessage(TextEdits& edits, const Places& places, Message& there, const Message& before,
                  const Message& after, const Span* owner);
 

@@ -22,7 +22,7 @@ tl::expected<void, Errors> readParameterText(const std::string& text, const std:
 
 /// Writes each field whose value differs between `before` and `after`, which have one type, into the text of
 /// a parameter file: in its place, or where its message ends if the text does not have it. All other bytes
-/// stay as they are: comments, order, blanks, and values that somebody else has changed. Fails, also if the
+/// stay as they are: comments, order, blanks, and values that others have changed. Fails, also if the
 /// text cannot be read, rather than to return a text with other values.
 tl::expected<std::string, Errors> editedParameterText(const std::string& text, const std::string& file,
                                                       const google::protobuf::Message& before,

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kMaxJointTargets = 100;
 
-// ---- What can be wrong with a request itself
+// ---- Problems with a request itself
 
 std::string wrongKey(const Request& request) {
   using robotcontrol::KeyMode;
@@ -62,7 +62,7 @@ std::string wrongColorTable(const Request& request) {
   return wrongWith(request.set_color_table().table());
 }
 
-/// What is left out of a pose is 0, but a pose that is left out as a whole was forgotten.
+/// A coordinate that is left out of a pose is 0, but a pose that is left out as a whole was forgotten.
 std::string wrongGoal(const Request& request) {
   const robotcontrol::DriveGoal& goal = request.set_goal();
   if (!goal.cancelled() && !goal.has_pose_in_field()) return "the goal has no pose";
@@ -206,7 +206,7 @@ std::string wrongReplay(const Request& request) {
   return control.has_speed() ? wrongSpeed(control.speed(), kReplaySpeeds) : "";
 }
 
-// ---- What a request sets
+// ---- The subject of a request
 
 std::string keyOf(const Request& request) {
   return request.set_key().name();
@@ -220,7 +220,7 @@ std::string parametersOf(const Request& request) {
 std::string motionOf(const Request& request) {
   return request.set_motion().motion().name();
 }
-/// What is sent once takes the place of nothing that is held.
+/// A package that is sent once does not replace one that is held.
 std::string packageSet(const Request& request) {
   const auto& set = request.set_package();
   return set.package() + (set.mode() == robotcontrol::SetPackage::ONCE ? "\nonce" : "");
@@ -238,7 +238,7 @@ std::string theOnlyOne(const Request&) {
   return {};
 }
 
-// ---- What the user chose by it
+// ---- The user's choice in a request
 
 std::string solutionChosen(const Request& request) {
   return "solution " + request.select_solution().solution() + " of task " + request.select_solution().task();

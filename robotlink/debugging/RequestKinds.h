@@ -21,11 +21,11 @@ enum class RequestDoer : std::uint8_t {
   kRecording
 };
 
-/// What a request changes of a robot's program.
+/// The effect of a request on a robot's program.
 enum class RequestEffect : std::uint8_t {
-  kNone,        ///< what it does and shows stays as it is; the request is about something else, or only asks
-  kPublishing,  ///< what it publishes for views
-  kBehavior     ///< what it does
+  kNone,        ///< its behavior and output stay as they are; the request is about other things, or only asks
+  kPublishing,  ///< its publications for views
+  kBehavior     ///< its behavior
 };
 
 /// The properties of all requests of one kind. The table of all kinds is the only place that defines them;
@@ -40,15 +40,15 @@ struct RequestKind {
   /// Whether it overrides what the robot's layout and files say, and so holds for later programs of the
   /// robot, too, after a reset or in another layout.
   bool isOverride = false;
-  /// Whether a program continues with it that takes the place of the one that was asked, such as with a goal,
-  /// unless the robot was put back to its start. It does not hold for robots that are opened later.
+  /// Whether the next program of the same robot continues with it, such as with a goal, unless the robot was
+  /// put back to its start. It does not hold for robots that are opened later.
   bool isContinued = false;
-  /// What it sets: of two requests of one kind with the same subject the later one counts, and holds until
-  /// there is another. Null: it sets nothing, each request counts.
+  /// The subject that it sets: of two requests of one kind with the same subject the later one counts, and
+  /// holds until there is another. Null: it sets nothing, each request counts.
   Text subject = nullptr;
-  /// What is wrong with the request itself, for any robot; empty: nothing. Null: nothing can be wrong.
+  /// Returns the problem with the request itself, for any robot; empty if it is valid. Null: always valid.
   Text wrong = nullptr;
-  /// What the user chose by it, for a sentence about its loss: "solution red of task ball". Null or empty:
+  /// The user's choice, for a sentence about its loss: "solution red of task ball". Null or empty:
   /// nothing that would be missed.
   Text choice = nullptr;
   /// The task that it concerns, for RequestDoer::kTask; otherwise null.
@@ -65,25 +65,25 @@ struct RequestKind {
   bool isOfProgram() const { return doer == RequestDoer::kTask || doer == RequestDoer::kDebugProcess; }
 };
 
-/// One row for each kind, in the order in which overrides are applied to a program.
+/// The rows of all kinds, in the order in which overrides are applied to a program.
 std::span<const RequestKind> requestKinds();
 const RequestKind& kindOf(const robotcontrol::Request& request);
 
-/// "set debug key of red1"; what is asked of no robot has no "of".
+/// Returns "set debug key of red1"; without "of" if the request is for no robot.
 std::string inWords(const robotcontrol::Request& request);
 /// Returns the problem with the request itself; empty if it is valid.
 std::string wrongWith(const robotcontrol::Request& request);
-/// Why somebody elsewhere may not make the request, who must not reach files of this machine that nobody here
-/// has chosen; empty: it may be made from anywhere.
+/// Why the request may not come from a remote user, who must not reach files of this machine that no local
+/// user has chosen; empty: it may come from anywhere.
 std::string wrongFromElsewhere(const robotcontrol::Request& request);
 /// Whether a request for STOP engages it; only one that says false releases it.
 bool engagesStop(const robotcontrol::Request& request);
 /// Whether a color table can be used; one without cells can. Empty: it can.
 std::string wrongWith(const robotcontrol::ColorTable& table);
-/// Whether both set the same thing, so that the later one takes the place of the one before.
+/// Whether both set the same thing, so that the later one replaces the earlier one.
 bool setTheSame(const robotcontrol::Request& a, const robotcontrol::Request& b);
 
-/// A row in the table of someone who fulfills requests: a kind and its handler, a pointer to a member
+/// A row in a table of handlers: a kind of request and its handler, a pointer to a member
 /// function. Each fulfiller has one such table; tests/app/RequestFulfillersTest.cpp compares them with the
 /// table of kinds.
 template <typename Handler>

@@ -61,7 +61,7 @@ PackagePtr takeContent(DebugMessage& from) {
   return field == nullptr ? nullptr : PackagePtr(from.GetReflection()->ReleaseMessage(&from, field));
 }
 
-/// Keeps a queue beside the package that stands for it: std::get_deleter() finds it again.
+/// Keeps a queue together with the package that represents it: std::get_deleter() finds it again.
 struct Companion {
   std::shared_ptr<const SharedDebugQueue> queue;
   void operator()(const DebugQueue* package) const { delete package; }

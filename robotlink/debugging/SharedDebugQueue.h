@@ -17,14 +17,14 @@ class DebugQueue;
 namespace robotlink {
 
 /// A message of a debug queue inside a program: what robotcontrol.DebugMessage is in a file or on a wire, but
-/// its content is shared with whoever else has it, so that nothing is copied or serialized.
+/// its content is shared by all owners, so that nothing is copied or serialized.
 struct SharedDebugMessage {
   std::string path;  ///< below the robot's name, see Streams.h
-  /// Nothing: it came over a link and had no valid time.
+  /// The time of the message; unset if it came over a link and had no valid time.
   std::optional<Instant> time;
   /// A text, drawing, image, table, ..., or any package. Null: it came over a link and had none.
   PackagePtr content;
-  /// Published because of a RecordPackages request; nobody asked to see it.
+  /// Published because of a RecordPackages request; no one asked to see it.
   bool onlyRecorded = false;
 
   /// The content, if it is of type T, else null.
@@ -44,7 +44,7 @@ struct SharedDebugQueue {
   std::uint64_t dropped = 0;       ///< messages, since the process started
   std::uint64_t number = 0;        ///< of the queues of this process, from 1
   std::uint64_t requestsDone = 0;  ///< the number of the last request that took effect
-  std::uint64_t requestDone = 0;   ///< its id
+  std::uint64_t requestDone = 0;   ///< the id of this request
   std::vector<SharedDebugMessage> messages;
 
   /// Adds a message with an empty content, which the caller fills in before the queue is handed on.
@@ -71,7 +71,7 @@ std::shared_ptr<const SharedDebugQueue> fromWire(robotcontrol::DebugQueue queue)
 PackagePtr packageOf(std::shared_ptr<const SharedDebugQueue> queue);
 /// The queue of such a package, or of one that came over a link.
 std::shared_ptr<const SharedDebugQueue> queueIn(const PackagePtr& package);
-/// What a link writes in place of a package: one that has its contents with it is replaced by its wire form.
+/// Returns what a link writes for a package: a package that owns its contents is replaced by its wire form.
 PackagePtr wireForm(const PackagePtr& package);
 
 }  // namespace robotlink

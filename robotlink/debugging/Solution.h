@@ -104,7 +104,7 @@ class SolutionContext {
   virtual const google::protobuf::Message& parameterMessage() = 0;
 };
 
-/// One way to do a task. Constructed when it is selected and destroyed when another one is, so it always
+/// A way to do a task. Constructed when it is selected and destroyed when another one is, so it always
 /// starts in the same state. Runs in its process's thread. An exception stops the process. Constructors must
 /// be free of side effects: they also run to check whether a solution can be selected.
 class Solution {

@@ -85,7 +85,7 @@ struct TaskProcess::Implementation {
   std::uint64_t generation = 0;
   // The number of the last one.
   std::uint64_t requestsDone = 0;
-  // Its id.
+  // The id of this request.
   std::uint64_t requestDone = 0;
   std::uint64_t queuesSent = 0;
   std::uint64_t queuesTaken = 0;
@@ -149,7 +149,7 @@ Errors TaskProcess::Implementation::build(const Clock& clock) {
   return errors;
 }
 
-/// What cannot run here, such as an oracle without a simulator, is left out: nobody uses it.
+/// Starts the shadows. One that cannot run, such as an oracle without a simulator, is left out: it is unused.
 void TaskProcess::Implementation::startShadows() {
   robotcontrol::KeyMode always;
   always.set_kind(robotcontrol::KeyMode::ALWAYS);

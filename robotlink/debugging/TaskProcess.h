@@ -63,7 +63,7 @@ class TaskProcess final : public Process {
   /// The parameters of a solution, or of the active one if `solution` is empty. Null if there is no such task
   /// or solution.
   const SolutionParameters* solutionParameters(const std::string& task, const std::string& solution) const;
-  /// Whether a value of a user takes the place of a package in this process (SetPackage). Any time.
+  /// Whether a value of a user can replace a package in this process (SetPackage). Any time.
   bool canSet(const std::string& package) const;
   /// The newest value of a package that this process publishes on request; null: there is none yet, or
   /// another process publishes it.

@@ -19,7 +19,7 @@ class StopwatchTimes;
 
 namespace robotlink {
 
-/// One task of a process: its solutions with their parameters, the active one, and those that run in its
+/// A task of a process: its solutions with their parameters, the active one, and those that run in its
 /// shadow: on the same inputs, with debug messages of their own, but without being used. A package is new to
 /// a solution if it arrived since the solution last ran. Used by the process's thread; internal to this
 /// folder.
@@ -33,7 +33,7 @@ class TaskRunner {
     PackageBoard& board;
     /// Packages that its solutions do not send to others.
     const std::set<std::string>& withheld;
-    /// Where it notes what it does (Process::activity()); may be null.
+    /// The slot in which the task notes its activity (Process::activity()); may be null.
     std::atomic<const std::string*>* activity = nullptr;
   };
 
@@ -103,7 +103,7 @@ class TaskRunner {
   std::vector<const SolutionDescription*> solutions_;
   /// Keyed by solution.
   std::map<std::string, SolutionParameters> parameters_;
-  /// What Process::activity() returns while a solution runs, by solution.
+  /// The texts of Process::activity() while a solution runs, by solution.
   std::map<std::string, std::string> activities_;
   TaskInputs inputs_;
   std::string active_;

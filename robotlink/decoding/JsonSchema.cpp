@@ -196,7 +196,7 @@ DescriptorProto& JsonSchema::addMessage(const std::string& hint) {
   return message;
 }
 
-/// One type per schema, so that recursive schemas terminate.
+/// Adds one type per schema, so that recursive schemas terminate.
 std::string JsonSchema::messageFor(const json& properties, const std::string& hint) {
   if (const auto known = messages_.find(&properties); known != messages_.end()) return known->second;
   const std::string name = addMessage(hint).name();

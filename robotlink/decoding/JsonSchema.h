@@ -21,7 +21,7 @@ class JsonSchema {
     std::string typeName;
     bool repeated = false;
   };
-  /// The field of a message that stands for a row of an array of arrays.
+  /// The field of a message that represents a row of an array of arrays.
   static constexpr char kRowValues[] = "values";
 
   /// `root` must outlive this object.

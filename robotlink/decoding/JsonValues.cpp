@@ -50,7 +50,7 @@ std::optional<Number> integerOf(const json& value) {
   return robotlink::parsedNumber<Number>(value.get_ref<const std::string&>());
 }
 
-/// JSON has no infinite numbers: null often stands for NaN, and some programs write names.
+/// JSON has no infinite numbers: null often means NaN, and some programs write names.
 std::optional<double> numberOf(const json& value) {
   if (value.is_number()) return value.get<double>();
   if (value.is_null() || value == "NaN") return std::numeric_limits<double>::quiet_NaN();

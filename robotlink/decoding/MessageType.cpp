@@ -23,7 +23,7 @@ using google::protobuf::Message;
 
 namespace {
 
-/// Imports of imports, of which no schema of people's making has so many.
+/// The limit of imports of imports; no schema written by hand has that many.
 constexpr int kMaxImports = 100;
 
 bool fitsProtobuf(std::size_t size) {

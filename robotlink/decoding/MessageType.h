@@ -70,7 +70,7 @@ class MessageType {
   std::shared_ptr<const JsonType> json_;
   /// Null if the type is not one of ROS.
   std::shared_ptr<const ros::RosType> ros_;
-  /// What its messages are converted to; null: they are not.
+  /// The type to which its messages are converted; null: they are not.
   const ros::KnownType* knownRosType_ = nullptr;
 };
 

@@ -31,7 +31,7 @@ class BoundExpression {
   void forget(const std::string& stream);
   /// The values of the expression that no message has had so far, such as a misspelled field.
   std::vector<std::string> neverFound() const;
-  /// Its newest values for people: "models/ball.position.x is 0.31, hosting.state is RUNNING".
+  /// Returns the newest values for people: "models/ball.position.x is 0.31, hosting.state is RUNNING".
   std::string valuesInWords() const;
   /// The result for the newest values; see Expression::value().
   std::optional<double> value() { return expression_.value(values_); }
@@ -39,7 +39,7 @@ class BoundExpression {
   std::string resultInWords();
   /// See Expression::valueOrText().
   std::optional<FieldValue> valueOrText() { return expression_.valueOrText(values_); }
-  /// What a step to the next change compares: the value or, with a limit, whether it has reached that.
+  /// Returns the state that change steps compare: the value or, with a limit, whether it has reached that.
   std::optional<FieldValue> state(std::optional<double> limit);
 
  private:

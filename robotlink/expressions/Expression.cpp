@@ -12,7 +12,7 @@
 namespace robotlink {
 namespace {
 
-/// What the library says of a formula, as a sentence about the expression.
+/// Returns the library's error about a formula as a sentence about the expression.
 std::string problem(const mu::ParserError& error) {
   switch (error.GetCode()) {
     case mu::ecUNEXPECTED_EOF:

@@ -34,9 +34,9 @@ class Expression {
   std::optional<double> value(std::span<const std::optional<FieldValue>> values);
   /// The same; but of an expression that is nothing but one value that value, which may be a text.
   std::optional<FieldValue> valueOrText(std::span<const std::optional<FieldValue>> values);
-  /// As it was written.
+  /// Returns the text of the expression.
   const std::string& text() const;
-  /// As it was written, with other names of its streams.
+  /// Returns the text of the expression with other names of its streams.
   std::string withStreams(const std::function<std::string(const std::string& stream)>& nameOf) const;
 
  private:

@@ -9,10 +9,10 @@ namespace robotlink {
 
 /// A value of a stream that an expression uses.
 struct ExpressionInput {
-  /// As it was written: with the robot ("red1/models/ball") or without ("models/ball").
+  /// The stream as in the text: with the robot ("red1/models/ball") or without ("models/ball").
   std::string stream;
   FieldPath path;
-  /// Where its field begins in the expression, from 1.
+  /// The position of the field in the expression, from 1.
   int column = 1;
 };
 

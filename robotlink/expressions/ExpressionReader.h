@@ -34,7 +34,7 @@ struct ReadExpression {
   /// For each character of the formula, where it comes from in the expression, from 0; one more for the end.
   std::vector<int> places;
   std::vector<ExpressionInput> inputs;
-  /// Where streams are named in the expression, in order: from 0, and the length of the name.
+  /// The names of streams in the expression, in order: the position from 0, and the length.
   std::vector<std::pair<std::size_t, std::size_t>> streams = {};
   std::vector<TextCondition> conditions;
 };

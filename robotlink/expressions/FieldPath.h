@@ -45,7 +45,7 @@ class FieldPath {
   /// In words, which element of a list a message does not have: "no element is named headPan". Empty: it has
   /// all on the way.
   std::string missingElement(const google::protobuf::Message& message) const;
-  /// As it was written.
+  /// Returns the text of the path.
   const std::string& text() const { return text_; }
   bool operator==(const FieldPath& other) const { return text_ == other.text_; }
 
@@ -54,11 +54,11 @@ class FieldPath {
   struct Selector {
     std::string field, value;
   };
-  /// One field and, for lists, which element; without one, a list stands for its length.
+  /// A field and, for lists, the element; without one, a list means its length.
   struct Step {
     std::string field;
     std::variant<std::monostate, int, Selector> element;
-    /// Where the step begins in the text, from 1.
+    /// The position of the step in the text, from 1.
     int column = 1;
   };
 

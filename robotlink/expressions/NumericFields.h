@@ -16,7 +16,7 @@ namespace robotlink {
 // "position_in_robot.x", "joints[3].position" or, for elements with a name, "joints[headPan].position". Any
 // thread.
 
-/// What is listed; bools, enumerations and times are numbers.
+/// Selects the fields to be listed; bools, enumerations and times are numbers.
 enum class FieldChoice : std::uint8_t { kNumbers, kNumbersAndTexts };
 
 /// The paths of all numbers that messages of a type may have: up to five levels deep, the first 32 elements
@@ -28,8 +28,8 @@ std::vector<std::string> numericFields(const google::protobuf::Descriptor& type,
 std::vector<std::string> numericFields(const google::protobuf::Message& message,
                                        FieldChoice choice = FieldChoice::kNumbers);
 
-/// What stands in the brackets behind a repeated field for one of its elements: its name if it has one that a
-/// path can contain, otherwise its index.
+/// Returns the text in the brackets behind a repeated field for one of its elements: its name if it has one
+/// that a path can contain, otherwise its index.
 std::string elementKey(const google::protobuf::Message& element, int index);
 
 }  // namespace robotlink

@@ -17,7 +17,7 @@ class MotionDocument {
   explicit MotionDocument(std::string text = {}, std::string path = {});
 
   const std::string& text() const { return text_; }
-  /// What can be read of the text; lines with errors are missing.
+  /// Returns the readable part of the text; lines with errors are missing.
   const MotionFile& motion() const { return parse_.motion; }
   /// All errors of the text, in its order.
   const Errors& errors() const { return parse_.errors; }

@@ -32,7 +32,7 @@ void replaceWord(std::string& row, std::size_t number, std::string_view to) {
   std::size_t length = words[number].text.size();
   std::string put(to);
   if (begin > 0 && put.size() < length) put.insert(0, length - put.size(), ' ');
-  // A longer word takes the place of blanks before it, but for one.
+  // A longer word replaces blanks before it, except one.
   const std::size_t keep = number > 0 ? 1 : 0;
   while (put.size() > length && begin > keep && row[begin - 1] == ' ' &&
          (keep == 0 || row[begin - 2] == ' ')) {

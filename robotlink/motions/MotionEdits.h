@@ -50,7 +50,7 @@ std::string withoutLine(std::string_view text, int line);
 /// Exchanges two lines.
 std::string withLinesSwapped(std::string_view text, int a, int b);
 
-/// What a joint becomes when a motion is mirrored at the robot's plane of symmetry.
+/// The counterpart of a joint when a motion is mirrored at the robot's plane of symmetry.
 struct MirroredJoint {
   std::string joint;       ///< the joint that moves like this one in the mirror
   bool isNegated = false;  ///< whether its angle has the other sign there

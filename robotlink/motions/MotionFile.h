@@ -56,7 +56,7 @@ struct MotionRemark {
 
 using MotionStatement = std::variant<MotionRemark, MotionLabel, MotionTransition, KeyFrame, MotionHardness>;
 
-/// One line of a motion file.
+/// A line of a motion file.
 struct MotionLine {
   MotionStatement statement;
   /// Includes the leading `"` or `//`; empty if there is none.
@@ -89,9 +89,9 @@ struct MotionFile {
   /// The units of numbers in the text.
   AngleUnit angleUnit = AngleUnit::kDegrees;
   TimeUnit timeUnit = TimeUnit::kMilliseconds;
-  /// Whether a robot that walks first comes to a stand, or begins the motion at the end of its step.
+  /// Whether a walking robot first stops, or begins the motion at the end of its step.
   Begin begin = Begin::kStand;
-  /// Where the robot stands after the motion, in its frame before it: m, rad.
+  /// The pose of the robot after the motion, in its frame before it: m, rad.
   Pose2 odometry;
   std::vector<MotionLine> lines;
 

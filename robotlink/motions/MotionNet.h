@@ -33,7 +33,7 @@ struct MotionNet {
 
   using Transition = MotionJump;
   using Step = std::variant<Transition, KeyFrame, MotionHardness>;
-  /// One line of a motion; playing continues with the next node unless a transition is taken.
+  /// A line of a motion; playing continues with the next node unless a transition is taken.
   struct Node {
     Step step;
     /// Index of the motion that the node belongs to.
@@ -46,7 +46,7 @@ struct MotionNet {
   std::vector<std::string> joints;
   /// How a motion moves the robot.
   struct Displacement {
-    /// Where it stands afterward, in its frame before it: m, rad.
+    /// The pose of the robot afterward, in its frame before it: m, rad.
     Pose2 pose;
     /// How long the key frames of the motion take together.
     Duration duration{};
@@ -61,9 +61,9 @@ struct MotionNet {
   /// The node at the label "start" of the motion "extern".
   int entry = 0;
 
-  /// The index of a motion; -1 if there is none of that name.
+  /// Returns the index of a motion; -1 if there is none of that name.
   int find(std::string_view motion) const;
-  /// In what a motion begins; in a stand if there is none of that name.
+  /// Returns the posture in which a motion begins; a stand if there is none of that name.
   MotionFile::Begin begin(std::string_view motion) const;
 };
 

@@ -27,7 +27,7 @@ inline constexpr double kMaxMotionDegrees = 210;
 tl::expected<MotionFile, Errors> readMotion(std::string_view text, const std::string& path,
                                             const std::vector<std::string>& joints = {});
 
-/// What can be read of a text, and all errors; lines with errors are missing in the motion.
+/// The readable part of a text, and all errors; lines with errors are missing in the motion.
 struct MotionParse {
   MotionFile motion;
   Errors errors;

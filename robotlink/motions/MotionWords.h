@@ -15,7 +15,7 @@ struct MotionWord {
 /// The words of a line, without its comment; '=' is a word of its own. They refer to `row`.
 std::vector<MotionWord> motionWords(std::string_view row);
 
-/// Where the comment of a line begins, an index into `row`; its size if there is none.
+/// Returns the position of a line's comment, an index into `row`; its size if there is none.
 std::size_t motionCommentStart(std::string_view row);
 
 /// Splits a text into its lines, without their line breaks. An empty text, and one that ends in a line break,

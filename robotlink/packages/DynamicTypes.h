@@ -8,8 +8,8 @@
 // Types that are built at run time, from what files and servers say about their messages.
 namespace robotlink {
 
-/// Takes the errors of a schema that is being built, and prints none of them. A file from anywhere may hold
-/// anything: that building fails is the answer.
+/// Discards the errors of a schema that is being built, instead of printing them. A foreign file may
+/// hold anything: the failure of building it is sufficient.
 class SilentErrors final : public google::protobuf::DescriptorPool::ErrorCollector {
  public:
   void AddError(const std::string&, const std::string&, const google::protobuf::Message*, ErrorLocation,

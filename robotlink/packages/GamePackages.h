@@ -17,7 +17,7 @@ namespace robotlink {
 
 /// The state of the game from the referee, which the platform sends; see Game.proto.
 inline constexpr Package<robotcontrol::GameState> kGameState{"game/state"};
-/// What the robot sends to its team, to the platform.
+/// The robot's message to its team, for the platform.
 inline constexpr Package<robotcontrol::TeamMessage> kTeamMessage{"team/message"};
 /// Messages of the others of its team, from the platform.
 inline constexpr Package<robotcontrol::TeamMessages> kTeamMessages{"team/messages"};
@@ -25,7 +25,7 @@ inline constexpr Package<robotcontrol::TeamMessages> kTeamMessages{"team/message
 inline constexpr Package<robotcontrol::FieldLinePercepts> kFieldLines{"percepts/lines"};
 /// Whether the robot was picked up, has fallen, or touches something.
 inline constexpr Package<robotcontrol::RobotState> kRobotState{"percepts/robot-state"};
-/// What has truly happened to the robot's body, from a simulated platform.
+/// The true state of the robot's body, from a simulated platform.
 inline constexpr Package<robotcontrol::RobotState> kOracleState{"oracle/state"};
 /// The ball as the team sees it.
 inline constexpr Package<robotcontrol::TeamBall> kTeamBall{"models/team-ball"};

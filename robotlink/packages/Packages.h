@@ -107,7 +107,7 @@ inline constexpr Package<robotcontrol::RobotPose> kRobotPose{"models/pose"};
 inline constexpr Package<robotcontrol::PlayersModel> kPlayersModel{"models/players"};
 /// The requested gait, speed or special motion of a legged robot.
 inline constexpr Package<robotcontrol::MotionRequest> kMotionRequest{"behavior/motion"};
-/// What the head shall look at.
+/// The requested target of the head.
 inline constexpr Package<robotcontrol::HeadMode> kHeadMode{"behavior/head"};
 /// Angles for the joints of the head.
 inline constexpr Package<robotcontrol::HeadRequest> kHeadRequest{"motion/head"};

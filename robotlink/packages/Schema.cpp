@@ -32,7 +32,7 @@ class NeededTypes {
   }
 
  private:
-  /// What is needed of a file.
+  /// The parts that are needed of a file.
   struct Part {
     std::set<const pb::Descriptor*> messages;
     std::set<const pb::EnumDescriptor*> enums;

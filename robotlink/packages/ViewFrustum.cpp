@@ -9,7 +9,7 @@
 namespace robotlink {
 namespace {
 
-/// What is nearer to the camera is not seen, m.
+/// The smallest visible distance from the camera, m.
 constexpr double kNearest = 0.05;
 
 }  // namespace

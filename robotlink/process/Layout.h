@@ -82,7 +82,7 @@ struct Layout {
   std::vector<Process> processes;
   /// Empty: one program runs all processes.
   std::vector<Program> programs = {};
-  /// Solutions that run beside those of their tasks from the start, without being used.
+  /// Solutions that run in shadow mode from the start: on the same inputs, without being used.
   std::vector<Task> shadows = {};
 
   /// The program that runs a process; null if the layout names none.

@@ -12,7 +12,7 @@ namespace robotlink {
 struct Layout;
 struct LayoutLink;
 
-/// What is wrong with the programs of a layout: names that are repeated, programs without processes,
+/// Checks the programs of a layout. Problems are names that are repeated, programs without processes,
 /// processes that are in none or in several or that do not exist, and hosts of which only some are named. A
 /// part of checkLayout().
 Errors checkPrograms(const Layout& layout);

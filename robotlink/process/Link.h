@@ -39,7 +39,7 @@ class Link {
   virtual void close() = 0;
   /// Whether nothing is passed on: an end was stopped, or the program at the other end does not run.
   virtual bool closed() const = 0;
-  /// Whether it is closed for good. A link between programs opens again when the other one runs again.
+  /// Whether it is closed permanently. A link between programs opens again when the other one runs again.
   virtual bool ended() const { return closed(); }
   /// How many senders it has had: it grows when the program of the sender was started again. Always 0 within
   /// a program.

@@ -47,8 +47,8 @@ class Process : public EndOwner {
   /// at most `limit` at a time, because the clock may be set.
   bool waitForFrame(std::chrono::milliseconds limit);
 
-  /// What the process waits for, for users: "package camera/image of simulation", "its package joints/request
-  /// to be taken", "its period". Only from the thread that runs it.
+  /// Describes what the process waits for, for users: "package camera/image of simulation", "its package
+  /// joints/request to be taken", "its period". Only from the thread that runs it.
   std::string waitsFor() const;
   /// The time at which the current or last frame started, by the process's clock.
   Instant frameTime() const { return frameTime_; }
@@ -62,7 +62,7 @@ class Process : public EndOwner {
   bool stopped() const { return stopped_.load(std::memory_order_acquire); }
   /// The text of the exception that it threw; empty if it did not throw.
   std::string failure() const;
-  /// What the process does at this moment, for users: "ball-percept (region)", a task with its solution; null
+  /// Returns the current activity, for users: "ball-percept (region)", a task with its solution; null
   /// between tasks and outside of frames. The text lives as long as the process. Any thread.
   const std::string* activity() const { return activity_.load(std::memory_order_relaxed); }
   /// The number of frames that ran to their end.
@@ -71,7 +71,7 @@ class Process : public EndOwner {
  protected:
   /// Phase 2: reads receivers, computes, sends. Called in the executor's thread.
   virtual void execute() = 0;
-  /// Where the parts of a process note what they do; see activity().
+  /// The slot in which the parts of a process note their activity; see activity().
   std::atomic<const std::string*>& activitySlot() { return activity_; }
 
  private:

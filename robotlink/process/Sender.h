@@ -37,7 +37,7 @@ class AnySender {
   /// The type of the sent packages, "robotcontrol.BallModel"; empty before the first.
   std::string typeName() const;
 
-  /// Adds a link; drops links that were closed for good.
+  /// Adds a link; drops links that were closed permanently.
   void connect(std::shared_ptr<Link> link);
   void addTap(Tap tap);
 

@@ -11,7 +11,7 @@ namespace robotlink {
 /// Plain data, filled from the registry of solutions (robotlink/debugging) or by a test. Names are those of
 /// layout files: "ball-percept", "region".
 struct TaskCatalog {
-  /// One way to do a task.
+  /// A way to do a task.
   struct Solution {
     std::string name;
     std::string help;

@@ -40,7 +40,7 @@ class ThreadExecutor {
   void clockAdvanced();
   /// Stops all processes and joins their threads. Processes cannot be started again.
   void stop();
-  /// The same, but waits only so long. Returns false if there are frames that have not ended by then: this
+  /// The same, but waits at most `limit`. Returns false if there are frames that have not ended by then: this
   /// object, their processes and what these use must exist until hasEnded().
   bool stopWithin(std::chrono::milliseconds limit);
   bool hasEnded() const;

@@ -147,7 +147,7 @@ Result<void> IdlReader::readDeclaration() {
 Result<void> IdlReader::readStruct() {
   const auto name = takeName();
   if (!name) return tl::unexpected(name.error());
-  if (tokens_.take(";")) return {};  // it is only announced
+  if (tokens_.take(";")) return {};  // the struct is only declared
   if (const auto brace = expect("{"); !brace) return brace;
   const std::string fullName = scope() + *name;
   names_[fullName] = fullName;
@@ -330,7 +330,7 @@ const std::string* IdlReader::findName(const Member& member) const {
   }
 }
 
-/// Replaces the name of a type by what it stands for.
+/// Replaces the name of a type by the type that it is an alias of.
 Result<void> IdlReader::resolve(Member& member) const {
   for (int aliases = 0; !member.typeName.empty(); ++aliases) {
     const std::string* name = findName(member);

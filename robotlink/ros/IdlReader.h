@@ -12,7 +12,7 @@ namespace robotlink::ros {
 /// Reads a message definition in OMG IDL (.idl) with those of everything that it contains, as logs and
 /// servers have them (schema encodings ros2idl and omgidl): several files, each perhaps behind a line of '='
 /// and a line "IDL: name". Read are modules, structs, enumerations, typedefs and constants; annotations are
-/// ignored but for @value. Arrays of several dimensions have all their values in one list. Not read are
+/// ignored except @value. Arrays of several dimensions have all their values in one list. Not read are
 /// unions, bit masks, structs with a base, optional members, and sequences of lists.
 ///
 /// Errors have the line in the text; the file in them is `name`. Pure function.

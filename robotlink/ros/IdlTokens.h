@@ -14,7 +14,7 @@ class IdlTokens {
 
   /// The current token; empty at the end.
   std::string_view current() const { return current_; }
-  /// Its line, from 1.
+  /// Returns the line of the current token, from 1.
   int line() const { return line_; }
   /// Moves on, and returns the token that was the current one.
   std::string_view take() {

@@ -17,7 +17,7 @@ namespace robotlink::ros {
 struct Encoding {
   /// Whether numbers are big-endian.
   bool isBigEndian = false;
-  /// Numbers are aligned to their size, but to no more than this. 1: not at all.
+  /// The maximum alignment: numbers are aligned to their size, up to this. 1: not at all.
   std::size_t alignment = 1;
   /// Whether texts end with a NUL, which their length includes; structs without fields have one byte; seconds
   /// are signed and nanoseconds are not.
@@ -43,12 +43,12 @@ class Input {
   /// Whether numbers are in the order of this machine.
   bool isNative() const { return encoding_.isBigEndian == (std::endian::native == std::endian::big); }
 
-  /// Skips the padding in front of a number of so many bytes.
+  /// Skips the padding in front of a number of `size` bytes.
   void align(std::size_t size) {
     const std::size_t mask = std::min(size, encoding_.alignment) - 1;
     at_ = std::min(bytes_.size(), begin_ + ((at_ - begin_ + mask) & ~mask));
   }
-  /// Takes bytes; null if there are not so many.
+  /// Takes `count` bytes; null if there are fewer.
   const std::uint8_t* take(std::uint64_t count) {
     if (count > rest()) return nullptr;
     const std::uint8_t* taken = bytes_.data() + at_;
@@ -79,7 +79,7 @@ class Input {
     }
     return false;
   }
-  /// What went wrong where.
+  /// Returns the problem with its position.
   Error error() const {
     const std::string place = std::to_string(problemAt_);
     return {"ros.message", "at byte " + place + ": " + (problem_ != nullptr ? problem_ : ""), {place}, {}};

@@ -48,7 +48,7 @@ void assignPoint(foxglove::Point3& to, const MessageView& from) {
   to.set_z(from.number("z"));
 }
 
-/// One marker on its way to an entity.
+/// Converts a marker to parts of an entity.
 class MarkerShape {
  public:
   MarkerShape(const MessageView& marker, foxglove::SceneEntity& entity) : marker_(marker), entity_(entity) {
@@ -157,7 +157,7 @@ class MarkerShape {
     *arrow.mutable_color() = color_;
     *arrow.mutable_pose() = pose_;
     if (marker_.count("points") < 2) {
-      // As rviz has it: the head takes 0.23 of the length, and is as wide as the marker.
+      // As in rviz, the head takes 0.23 of the length, and is as wide as the marker.
       arrow.set_shaft_length(0.77 * scale_.x());
       arrow.set_head_length(0.23 * scale_.x());
       arrow.set_shaft_diameter(scale_.y() / 2);

@@ -104,7 +104,7 @@ PackagePtr frameTransforms(const Message& message) {
   return transforms;
 }
 
-/// What is nearer or farther than the laser measures is no reading: 0.
+/// Converts a laser scan. Distances outside of the laser's range become 0: they are no readings.
 PackagePtr laserScan(const Message& message) {
   const MessageView from(&message);
   auto scan = std::make_shared<foxglove::LaserScan>();

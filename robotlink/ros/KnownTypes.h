@@ -12,7 +12,7 @@ class Message;
 
 namespace robotlink::ros {
 
-/// A type of ROS for which there is a well-known schema of Foxglove that says the same, and that views,
+/// A type of ROS for which there is a well-known schema of Foxglove with the same meaning, and that views,
 /// searches for texts and exports of images know.
 struct KnownType {
   /// The full name of the Protobuf type that RosType makes of it.

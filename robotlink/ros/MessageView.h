@@ -18,7 +18,7 @@ class Vector3;
 
 namespace robotlink::ros {
 
-/// Access to a message's fields by their names. What is not there, or is of another type, is 0 or empty: a
+/// Access to a message's fields by their names. Missing fields, and those of another type, are 0 or empty: a
 /// definition may call anything sensor_msgs/Image. The message must outlive it.
 class MessageView {
  public:
@@ -50,7 +50,7 @@ class MessageView {
   const google::protobuf::Message* message_;
 };
 
-// What many messages contain: `from` is the message with these fields.
+// Assign parts that many messages contain: `from` is the message with these fields.
 void assign(google::protobuf::Timestamp& to, const MessageView& from);
 void assign(foxglove::Vector3& to, const MessageView& from);
 void assign(foxglove::Quaternion& to, const MessageView& from);

@@ -20,7 +20,7 @@ struct FieldPlan {
   const google::protobuf::FieldDescriptor* field = nullptr;
   Kind kind = Kind::kStruct;
   Shape shape = Shape::kSingle;
-  /// As in Field.
+  /// The count of Field.
   std::uint64_t count = 0;
   /// The plan of a field that is a struct.
   const StructPlan* inner = nullptr;

@@ -9,7 +9,7 @@
 
 namespace robotlink::ros {
 
-/// Limits of what one message may contain; definitions come from files of anybody. Protobuf supports 100
+/// Limits of what one message may contain; definitions come from untrusted files. Protobuf supports 100
 /// levels.
 inline constexpr int kMaxDepth = 64;
 inline constexpr std::size_t kMaxFields = 10'000;

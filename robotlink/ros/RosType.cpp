@@ -65,7 +65,7 @@ std::uint64_t leastBytes(Kind kind) {
   return 0;
 }
 
-/// Where all parts of a message are. It goes before its type does.
+/// The memory of all parts of a message. It is destroyed before its type.
 struct MessageMemory {
   explicit MessageMemory(std::shared_ptr<const RosType> of) : type(std::move(of)) {}
   std::shared_ptr<const RosType> type;

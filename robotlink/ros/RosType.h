@@ -25,7 +25,7 @@ class RosType {
  public:
   /// `name` is the type's as the log or the server has it ("sensor_msgs/msg/Image"), `schemaEncoding` is
   /// "ros1msg", "ros2msg", "ros2idl" or "omgidl", `messageEncoding` "ros1" or "cdr". Fails if the definition
-  /// has errors, or if an encoding is none of these.
+  /// has errors, or if an encoding is not one of these.
   static Result<std::shared_ptr<const RosType>> of(const std::string& name, std::string_view schemaEncoding,
                                                    std::string_view definition,
                                                    std::string_view messageEncoding);

@@ -119,7 +119,7 @@ std::optional<PointFilter::Point> PointFilter::apply(Window& step, Point point) 
     forget(step.points.front().value);
     step.points.pop_front();
   }
-  // What rounding has left does not stay.
+  // The residue of rounding is removed.
   if (step.points.empty()) step.sum = 0;
   step.points.push_back(point);
   step.sum += point.value;

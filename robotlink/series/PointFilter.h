@@ -14,7 +14,7 @@
 namespace robotlink {
 
 /// Computes one series from another, point by point, in order of time: some steps, one after the other, as
-/// text "derivative | average 0.5". What is no number passes and counts for nothing else. One thread.
+/// text "derivative | average 0.5". Values that are no numbers pass and are ignored otherwise. One thread.
 class PointFilter {
  public:
   using Point = Series::Point;
@@ -24,7 +24,7 @@ class PointFilter {
     const char* name;
     /// The meaning of its number; null: it has none.
     const char* number;
-    /// What users get who do not choose the number.
+    /// The number for users who do not choose one.
     double usual = 0;
   };
 

@@ -39,7 +39,7 @@ void Series::summarize() {
     Level& level = levels_[i];
     while (level.end() < end_ / span) {
       const std::size_t first = level.end() * kFan, end = first + kFan;
-      // What was dropped does not count; entries above it are never asked for.
+      // Dropped points do not count; entries above them are never requested.
       level.entries.push_back(
           i == 0 ? extentOfPoints(first, end)
                  : extentOfEntries(levels_[i - 1], std::max(first, levels_[i - 1].first), end));
@@ -66,7 +66,7 @@ Series::Extent Series::extentOfEntries(const Level& level, std::size_t begin, st
 Series::Extent Series::extent(std::size_t begin, std::size_t end) const {
   Extent extent;
   std::size_t from = begin_ + begin, to = begin_ + end;
-  // The ragged ends of each level, from the points upwards; what is between them is asked of the next level.
+  // The ragged ends of each level, from the points upwards; the part in between is taken from the next level.
   for (std::size_t i = 0; from < to; ++i) {
     const bool isTop = i == levels_.size();
     const std::size_t whole = isTop ? to : std::min((from + kFan - 1) / kFan * kFan, to);

@@ -33,7 +33,7 @@ class Series {
   };
   /// The points in one of several equal parts of a range of time, [begin, end) by their indices.
   struct Column {
-    std::size_t part = 0;  ///< Which of the parts, from 0.
+    std::size_t part = 0;  ///< The index of the part, from 0.
     std::size_t begin = 0, end = 0;
     double first = 0, last = 0;  ///< The values of its first and its last point.
     Extent extent;
@@ -76,7 +76,7 @@ class Series {
   /// Points that are allocated, and dropped, at a time.
   static constexpr std::size_t kBlock = 1024;
   static constexpr std::size_t kFan = 16;
-  /// Up to so many points a column, each of them is looked at.
+  /// The number of points per column up to which each point is looked at.
   static constexpr std::size_t kFew = 32;
 
  private:

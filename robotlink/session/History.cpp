@@ -16,7 +16,7 @@ constexpr Duration kMargin = std::chrono::seconds(2);
 /// So many messages are looked at in one tick, which takes some milliseconds.
 constexpr int kLookedAtOnce = 2000;
 
-/// What of an archive can be read, in order of time.
+/// Returns the readable stretches of an archive, in order of time.
 std::vector<Stretch> readable(const HistoryArchive& archive) {
   const auto all = archive.stretch();
   if (!all) return {};
@@ -131,7 +131,7 @@ std::optional<History::Step> History::stepped(const std::string& stream, Instant
   if (isGap && at - messages.begin() >= static_cast<std::ptrdiff_t>(store_.find(stream)->lookedAt))
     return Step{looked->to + Duration(1), true};
   if (at == messages.end()) return std::nullopt;
-  // What held at the end of a hole is shown from there on.
+  // The message that was valid at the end of a hole is shown from there on.
   const bool isInHole = looked && at->time < looked->from && !isShowable(at->time);
   return Step{isInHole ? looked->from : at->time};
 }
@@ -226,7 +226,7 @@ void History::keepAround() {
   const Instant shown = timeline_.shown();
   const auto& looked = store_.lookedAt();
   if (!looked || shown < looked->from || shown > looked->to) {
-    // What the timeline shows must be there, unless somebody else has set its time.
+    // The shown instant must be there, unless another object has set the time of the timeline.
     if (!store_.has(shown)) return;
     store_.lookAt({shown - kBefore, shown + kBehind});
   }
@@ -239,7 +239,7 @@ void History::keepAround() {
 
 void History::tick() {
   store_.lowerBound();
-  // The platform was reset, and what is shown is yet to come.
+  // The platform was reset, and the shown instant is in the future.
   const bool wasReset = store_.newest() < std::exchange(newest_, store_.newest());
   if (timeline_.live()) {
     if (store_.lookedAt() || reading_) goLive();

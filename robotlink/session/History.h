@@ -13,8 +13,8 @@
 
 namespace robotlink {
 
-/// Looking back in a session while its robots continue: decides which instant the timeline shows, and sees to
-/// it that its messages are in the store: they stay there, or are read from the archive first. Until they
+/// Looking back in a session while its robots continue: decides which instant the timeline shows, and ensures
+/// that its messages are in the store: they stay there, or are read from the archive first. Until they
 /// are read, the timeline shows what it showed before, so that all views show one instant, completely.
 ///
 /// In the thread that ticks the session.
@@ -61,7 +61,7 @@ class History {
   bool isReading() const { return reading_.has_value(); }
   /// How far the chosen instant is behind the newest one; zero while live.
   Duration behind() const;
-  /// What can be shown, in order of time; between these stretches messages were dropped.
+  /// Returns the stretches that can be shown, in order of time; between them messages were dropped.
   std::vector<Stretch> kept() const;
 
   /// Called by the session in each tick.
@@ -71,13 +71,13 @@ class History {
   struct Steps {
     std::vector<std::string> streams;
     int count = 0;
-    /// Where they go on.
+    /// The instant from which they continue.
     Instant from = {};
-    /// Which messages count; empty: all.
+    /// Whether a message at an instant counts; empty: all do.
     std::function<bool(Instant)> isThere = {};
-    /// What was shown before.
+    /// The instant that was shown before.
     Instant begin = {};
-    /// The instant that was read for them, which may be far from where they go on.
+    /// The instant that was read for them, which may be far from where they continue.
     std::optional<Instant> read = {};
   };
   /// Takes what was read.
@@ -89,13 +89,13 @@ class History {
     /// Whether it is only the next place about which nothing is known yet, rather than a message.
     bool isUnknown = false;
   };
-  /// Where the next step leads; unset: there is no more message.
+  /// Returns the target of the next step; unset: there is no further message.
   std::optional<Step> stepped(const std::string& stream, Instant from, bool forward) const;
-  /// The same by whichever of some streams is next.
+  /// The same for the stream among some whose message is next.
   std::optional<Step> stepped(const std::vector<std::string>& streams, Instant from, bool forward) const;
   /// The latest instant not later than `time` that can be shown; `time` if there is none.
   Instant lastKept(Instant time) const;
-  /// What of the archive can be read around an instant; unset: nothing.
+  /// Returns the readable stretch of the archive around an instant; unset: none.
   std::optional<Stretch> archivedAt(Instant time) const;
   /// Looks at what is around the shown instant, and requests what is missing there.
   void keepAround();
@@ -109,7 +109,7 @@ class History {
   std::optional<Instant> requested_;
   /// The newest instant at the last tick.
   Instant newest_;
-  /// What remains to be stepped when the chosen instant was read.
+  /// The steps that remained when the chosen instant was read.
   Steps steps_;
   bool isMissed_ = false;
 };

@@ -20,9 +20,9 @@ struct Stretch {
   bool operator==(const Stretch&) const = default;
 };
 
-/// Where a session's history puts messages that no longer fit into memory, and from where they are read again
-/// when they are looked at. All functions return at once; reading and writing is done elsewhere. Called by
-/// one thread, the session's.
+/// The store to which a session's history moves messages that no longer fit into memory, and from which it
+/// reads them when they are looked at. All functions return at once; reading and writing is done elsewhere.
+/// Called by one thread, the session's.
 class HistoryArchive {
  public:
   /// A stretch that was read.
@@ -37,7 +37,7 @@ class HistoryArchive {
   /// Messages that were added together, for threads that read values over time. It is a value; its file may
   /// be removed meanwhile.
   struct Piece {
-    /// What is complete with it.
+    /// The time for which messages are complete with it.
     Stretch held;
     /// The times of the first and the last message of each stream, by path; never null.
     std::shared_ptr<const std::map<std::string, Stretch>> times;
@@ -64,20 +64,20 @@ class HistoryArchive {
   /// All that can be read now, in the order in which it was added; that of each stream is in order of time.
   virtual std::vector<Piece> pieces() const { return {}; }
 
-  /// Changes how many bytes may be taken where the messages are; the oldest go beyond it. With 0 nothing is
-  /// added any more. After a problem, adding begins again.
+  /// Changes the limit of the bytes that the archive may take; the oldest messages beyond it go. With 0
+  /// nothing is added any longer. After a problem, adding begins again.
   virtual void setLimit(std::uint64_t bytes) = 0;
   virtual std::uint64_t limit() const = 0;
 
-  /// What can be read, but for the holes; unset: nothing.
+  /// Returns the range that can be read, except the holes; unset: nothing.
   virtual std::optional<Stretch> stretch() const = 0;
-  /// What was lost within stretch(), in order of time, since too much waited to be put there.
+  /// Returns what was lost within stretch(), in order of time, because too much waited to be stored.
   virtual std::vector<Stretch> holes() const = 0;
   /// Whether little waits to be put there, so that more can be added than what robots send.
   virtual bool hasRoom() const = 0;
   /// Whether what is added now is lost, since too much waits.
   virtual bool isLosing() const = 0;
-  /// What the messages take where they are, in bytes.
+  /// Returns the size of the messages where they are stored, in bytes.
   virtual std::uint64_t bytes() const = 0;
   /// Each stream's share of the messages, in bytes of memory that they took.
   virtual std::map<std::string, std::uint64_t> shares() const = 0;

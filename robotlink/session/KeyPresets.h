@@ -17,7 +17,7 @@ namespace robotlink {
 /// (Presets.h has what users save now): one text file each (<folder>/<name>.keys.json, with a version),
 /// written as a whole or not at all. A preset is a KeyTable of which only names and modes count. Keys that
 /// are off are not saved, so applying a preset switches all other keys off. Keys that the program does not
-/// know (any more) are kept. One thread at a time.
+/// know (any longer) are kept. One thread at a time.
 class KeyPresets {
  public:
   explicit KeyPresets(std::filesystem::path folder) : folder_(std::move(folder)) {}

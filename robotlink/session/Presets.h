@@ -39,8 +39,8 @@ struct Preset {
   bool operator==(const Preset&) const = default;
 };
 
-/// What differs between two presets in the parts that both have, a line each: "keys: image/camera is off, not
-/// always". Layouts of views are not compared.
+/// Returns the differences of two presets in the parts that both have, a line each: "keys: image/camera is
+/// off, not always". Layouts of views are not compared.
 std::vector<std::string> differences(const Preset& now, const Preset& wanted);
 
 /// The debug keys of the selected robot that are on, and the active solutions of its tasks.

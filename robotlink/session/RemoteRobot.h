@@ -15,14 +15,14 @@ namespace robotlink {
 /// value.
 struct LineGap {
   Instant from;
-  /// Nothing while it lasts.
+  /// The end of the gap; unset while it lasts.
   std::optional<Instant> to = {};
   /// Why: a sentence.
   std::string reason = {};
   bool operator==(const LineGap&) const = default;
 };
 
-/// What of a stream did not come over the line, as the robot's end of it counts. A plain value.
+/// The messages of a stream that did not arrive, as the robot's end counts them. A plain value.
 struct MissingMessages {
   /// Messages that were replaced by newer ones before they were sent, because the line was too narrow or a
   /// lower rate was chosen; and messages that were lost.
@@ -30,16 +30,16 @@ struct MissingMessages {
   bool operator==(const MissingMessages&) const = default;
 };
 
-/// How a robot whose program runs elsewhere is connected with a session. A plain value.
+/// The connection of a remote robot with a session. A plain value.
 struct RemoteRobot {
-  /// Where it is: "ws://192.168.1.7:8765".
+  /// The robot's address: "ws://192.168.1.7:8765".
   std::string url;
   bool isConnected = false;
   /// For users: "connected, 12 ms, 1.3 MB/s", "silent for 3 s: ...".
   std::string state = {};
   /// In order of time.
   std::vector<LineGap> gaps = {};
-  /// Keyed by the streams' paths in the session; those that came whole have no entry.
+  /// Keyed by the streams' paths in the session; those that arrived completely have no entry.
   std::map<std::string, MissingMessages> missing = {};
   /// Whether its server is of another program, so that it has no solutions, keys or processes as others have.
   bool isForeign = false;

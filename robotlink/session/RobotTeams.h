@@ -18,7 +18,7 @@ std::vector<std::string> teamNames(Session& session);
 std::vector<std::string> robotAndTeamNames(Session& session);
 /// The robots of a team now, in the order of the session's.
 std::vector<std::string> robotsOfTeam(Session& session, const std::string& team);
-/// The robots that a name stands for now: the robot that is called so, or else all of that team. Empty: there
+/// Returns the robots that a name denotes now: the robot of this name, or else all of that team. Empty: there
 /// are none.
 std::vector<std::string> robotsNamed(Session& session, const std::string& name);
 

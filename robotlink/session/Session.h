@@ -61,7 +61,7 @@ class Session {
     /// The result of a request, in tick(), before its own handler gets it, and after.
     std::function<void(const robotcontrol::RequestResult&)> result = {};
     std::function<void(const robotcontrol::RequestResult&)> handled = {};
-    /// What is passed to the refusal handler.
+    /// Called for a refusal, see RefusalHandler.
     RefusalHandler refusal = {};
   };
 

@@ -10,9 +10,9 @@
 
 namespace robotlink {
 
-/// Knows which streams of a session are read by whom: by each view while it is updated. What is read then by
+/// Tracks which readers use which streams of a session: each view while it is updated. What is read then by
 /// find() and latest() of the store, or noted by noteRead(), counts as read by it, until the next period
-/// begins. So nobody has to say what is read, and reading costs one more operation on a number.
+/// begins. So readers need not declare what they read, and reading costs one more operation on a number.
 ///
 /// Up to kMaxReaders have names of their own; those beyond share the last one. The store must outlive it. One
 /// thread, the store's.

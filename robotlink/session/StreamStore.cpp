@@ -20,7 +20,7 @@ constexpr Duration kRateWindow = std::chrono::seconds(1);
 constexpr Duration kSweepPeriod = std::chrono::milliseconds(100);
 /// Beyond the limit, this share of it is dropped at once.
 constexpr std::size_t kDropShare = 32;
-/// When the limit was lowered, so much is dropped in a tick: little enough for the GUI's thread, and for the
+/// If the limit was lowered, this much is dropped in a tick: little enough for the GUI's thread, and for the
 /// archive to have it written before long.
 constexpr std::size_t kLowerBytes = std::size_t{16} << 20U;
 
@@ -122,7 +122,7 @@ void StreamStore::dropOldest(Stream& stream, std::size_t count, std::vector<Stre
   const auto begin = stream.messages.begin() + static_cast<std::ptrdiff_t>(stream.lookedAt);
   const auto end = begin + static_cast<std::ptrdiff_t>(count);
   if (archive_) dropped.insert(dropped.end(), begin, end);
-  // What is looked at includes what was the newest message at its begin.
+  // A stretch that is looked at includes the newest message at its begin.
   const auto isLookedAt = [this](const StreamMessage& message, const StreamMessage& following) {
     return looked_ && message.time <= looked_->to && following.time > looked_->from;
   };

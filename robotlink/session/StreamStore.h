@@ -15,10 +15,10 @@ namespace robotlink {
 
 /// The bounded history of all streams of a session. Messages are never copied: views share them. Up to
 /// horizon() it is complete: of each stream it has the newest message at that instant, however old, and all
-/// later ones, so that what changes rarely (tables, transforms) is never lost.
+/// later ones, so that rarely changing messages (tables, transforms) are never lost.
 ///
-/// What exceeds the limits is dropped, oldest first, into the archive if there is one. A stretch of time that
-/// is looked at stays among the messages of its streams, beside what the limits allow; between it and the
+/// Older messages beyond the limits are dropped into the archive, if there is one. A stretch of time that
+/// is looked at stays among the messages of its streams, beyond what the limits allow; between it and the
 /// horizon there may be a gap, see has().
 ///
 /// Used by one thread, the GUI's; producers push to Session. The messages of one process in one stream arrive
@@ -73,7 +73,7 @@ class StreamStore {
   /// Drops everything and increments generation().
   void clear();
 
-  /// Where dropped messages go; null: nowhere. It must outlive the store's use.
+  /// Sets the archive for dropped messages; null: none. It must outlive the store's use.
   void setArchive(HistoryArchive* archive) { archive_ = archive; }
   /// Sets the current reader of streams, as one bit; 0: a reader that is not counted. find() and latest()
   /// note it in Stream::readers. StreamReaders has their names.
@@ -94,7 +94,7 @@ class StreamStore {
   Instant horizon() const { return horizon_; }
   /// Whether the messages of an instant are here: it is not before the horizon, or it is looked at.
   bool has(Instant time) const;
-  /// What is looked at; unset: nothing.
+  /// Returns the stretch that is looked at; unset: none.
   const std::optional<Stretch>& lookedAt() const { return looked_; }
   /// Looks at a stretch that is not before the horizon: its messages stay from now on.
   void lookAt(Stretch stretch);

@@ -14,16 +14,16 @@ struct ErrorCounts {
   std::size_t there = 0, missed = 0, reported = 0, invented = 0;
 };
 
-/// What is compared with the simulator's truth, by the name of its quantity ("position"), with its unit.
+/// The comparison of a quantity ("position") with the simulator's truth, with its unit.
 struct ErrorQuantity {
   ErrorSamples amounts;
   std::string unit;
-  /// Where the things of this quantity are others than those of the package; else all are 0.
+  /// The counts if the things of this quantity are others than those of the package; else all are 0.
   ErrorCounts own;
 };
 
 /// The unit of quantities whose amounts are 1 where a report was wrong and 0 where it was right: only their
-/// mean says something.
+/// mean is meaningful.
 inline constexpr char kShareOfTime[] = "share of time";
 
 }  // namespace robotlink

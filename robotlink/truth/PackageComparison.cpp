@@ -26,7 +26,7 @@ using robotcontrol::RobotState;
 
 /// How far away a thing may be that counts as missed if it is not reported, m.
 constexpr double kNear = 2;
-/// What is reported farther than this from each thing of its kind is invented: m, and a share of the
+/// A report farther than this from each thing of its kind is invented: m, and a share of the
 /// distance.
 constexpr double kInvented = 0.3, kInventedShare = 0.25;
 /// The relative error counts up to this distance, m; nearer things than the second are taken as that far.
@@ -35,7 +35,7 @@ constexpr double kRelativeUpTo = 1.5, kRelativeFrom = 0.1;
 constexpr double kJustSeen = 0.1;
 /// Landmarks are looked at up to this distance, m, at about half of their height, m.
 constexpr double kLandmarkDistance = 4, kLandmarkHeight = 0.2;
-/// Another robot's height of which the center is looked at, m.
+/// The height of another robot's center, for deciding whether it is visible, m.
 constexpr double kRobotHeight = 0.1;
 /// The legs whose collisions are compared, as packages name them.
 constexpr const char* kLegs[] = {"front left", "front right", "hind left", "hind right"};
@@ -50,7 +50,7 @@ struct Thing {
   bool isDue = false;
 };
 
-/// What a robot sees, as its true camera shows it.
+/// Returns the view of a robot's true camera.
 ViewFrustum viewOf(const OracleWorld& truth) {
   return ViewFrustum(truth.camera());
 }
@@ -246,7 +246,7 @@ void compareEvent(const std::string& name, const std::string& event, Instant tim
     errors.add(name + " delay", "s", seconds(*delay));
 }
 
-/// What happened to the body, as a solution and as the oracle say it.
+/// Compares the state of the body according to a solution with that of the oracle.
 void compareState(const RobotState& state, const RobotState& truth, PackageErrors& errors) {
   const Instant time = instant(state.timestamp());
   compareEvent("picked up", "picked up", time, truth.picked_up(), state.picked_up(), errors);

@@ -9,12 +9,12 @@
 
 namespace robotlink {
 
-/// How far what a solution publishes is from the truth.
+/// The errors of a solution's packages in comparison with the truth.
 struct PackageErrors : ErrorCounts {
   std::map<std::string, ErrorQuantity> quantities;
   /// From the reading that a package is based on until it was published, s of the platform's time.
   ErrorSamples latency;
-  /// What is going on, by the name of what happens.
+  /// The events in progress, by name.
   std::map<std::string, EventErrors> events;
 
   void add(const std::string& quantity, const char* unit, double amount) {

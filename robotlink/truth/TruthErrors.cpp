@@ -23,7 +23,7 @@ namespace {
 
 // The truth of an image that a slow process has looked at is still there.
 constexpr std::size_t kMaxTruths = 1000;
-/// Some more than come in the time in which the truth may be late.
+/// Slightly more than arrive in the time by which the truth may be late.
 constexpr std::size_t kMaxWaiting = 2000;
 // Between two truths that follow each other.
 constexpr Duration kSameTime = std::chrono::milliseconds(20);

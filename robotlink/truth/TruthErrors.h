@@ -34,7 +34,7 @@ struct ErrorSource {
 /// so that each has errors of its own, though solutions are switched while it runs.
 ///
 /// A percept counts as missed if its object's center was in the image and nearer than 2 m, whatever stood in
-/// front of it. What a model does not know counts as missed only while it could: within 2 m. While a robot is
+/// front of it. A thing that a model lacks counts as missed only within 2 m. While a robot is
 /// penalized, as game/state says, it stands beside the field, and nothing is compared. See EventErrors for
 /// what happens to its body.
 ///
@@ -59,8 +59,8 @@ class TruthErrors {
   static std::string_view comparedPackage(std::string_view path);
 
   void add(const std::string& robot, const SharedDebugQueue& queue);
-  /// One message of a robot, with its path below the robot's name and the time when it was published; what
-  /// is not read is skipped.
+  /// Adds a message of a robot, with its path below the robot's name and the time when it was published;
+  /// messages that are not needed are skipped.
   void add(const std::string& robot, const std::string& path, Instant published, const PackagePtr& value);
   /// Forgets everything, such as after a reset of the simulation.
   void clear();

@@ -36,7 +36,7 @@ class BallReplacer final : public Controller {
     bool wanted = outside_.values[0] > patience_;
     for (const ViewEvent& event : world.events())
       wanted |= event.kind == ViewEvent::Kind::kKeyPressed && event.key == key_;
-    // Where something is in the way it is tried again in the next step.
+    // If something is in the way, the next step tries again.
     if (!wanted || !world.place(ball_, {place_[0], place_[1], 0}, height_)) return;
     leftAt_ = world.time();
     outside_.values[0] = 0;

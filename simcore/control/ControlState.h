@@ -21,7 +21,7 @@ struct ControlState {
   bool isDone = false;
   /// Whether the controllers are being called.
   bool isRunning = false;
-  /// What the controllers of a snapshot were, until Simulation::resumeControllers().
+  /// The state of the controllers of a snapshot, until Simulation::resumeControllers().
   Controllers::Memory restored = {};
   /// A hash of all events so far; 0 if there were none.
   std::uint64_t digest = 0;

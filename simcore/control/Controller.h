@@ -18,8 +18,8 @@
 
 namespace simcore {
 
-/// A controller's interface to the world that it controls: its ports by their paths, its models, and what
-/// people do in views. SI units, the world's frame. Only to be used during Controller::step() and the
+/// A controller's interface to the world that it controls: its ports by their paths, its models, and the
+/// events of users in views. SI units, the world's frame. Only to be used during Controller::step() and the
 /// constructor.
 class ControlledWorld {
  public:
@@ -51,7 +51,7 @@ class ControlledWorld {
   virtual robotlink::Result<void> place(const std::string& model, const robotlink::Pose2& pose,
                                         std::optional<double> height) = 0;
 
-  /// What people did since the step before, in its order.
+  /// The events of users since the previous step, in their order.
   virtual std::span<const ViewEvent> events() const = 0;
 
   /// The first value of a port. Throws std::runtime_error if it cannot be read, which switches a controller
@@ -76,9 +76,9 @@ class Controller {
 
   virtual void step(ControlledWorld& world) = 0;
 
-  /// What it must remember where a simulation continues in another scene, or in a snapshot: any bytes, which
-  /// restore() gets in another object of the same kind and parameters. Those of an older program may come,
-  /// too.
+  /// Returns the state to keep when a simulation continues in another scene or in a snapshot: any bytes,
+  /// which restore() gets in another object of the same kind and parameters. The bytes may be those of an
+  /// older program.
   virtual std::string state() const { return {}; }
   virtual void restore(std::string_view /*state*/) {}
 };

@@ -27,7 +27,7 @@ std::string shortNumberOf(double value) {
   return stream.str();
 }
 
-/// What is wrong with a value; empty if nothing is.
+/// Returns the problem with a value; empty if it is valid.
 std::string wrongValue(const ControllerParameter& parameter, const std::string& value) {
   if (parameter.type != Type::kNumber && parameter.type != Type::kNumbers)
     return value.empty() && parameter.required ? "is empty" : "";

@@ -12,8 +12,8 @@
 
 namespace simcore {
 
-/// Reports what is wrong with a description by itself: a kind that is not registered, unknown, repeated or
-/// missing parameters, values of a wrong type or out of range. `object` is the path of what has it, for
+/// Reports the problems of a description by itself: a kind that is not registered, unknown, repeated or
+/// missing parameters, values of a wrong type or out of range. `object` is the path of its owner, for
 /// users; empty for the world.
 void checkController(const ControllerDescription& description, const std::string& object,
                      robotlink::Errors& errors);

@@ -32,7 +32,7 @@ struct ControllerParameter {
   Type type = Type::kNumber;
   /// A sentence for users.
   std::string help = {};
-  /// What it is if a scene does not say it; without one a scene must.
+  /// The value if a scene does not specify the parameter; if empty, a scene must.
   std::string initial = {};
   bool required = false;
   /// The range of its numbers; there is none if maximum <= minimum.

@@ -25,7 +25,7 @@ struct DrawnShape {
 };
 
 /// A view that a controller adds: it looks like a sensor, with a path, a type, a shape, a unit and a range.
-/// The controller changes its contents whenever it likes, but neither its size nor what it is.
+/// The controller may change its contents at any time, but not its size or its kind.
 struct ControllerOutput {
   enum class Kind : std::uint8_t { kValues, kImage, kDrawing };
   /// More shapes in a drawing, or more points in one of them, are an error of the controller.

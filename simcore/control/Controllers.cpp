@@ -95,7 +95,7 @@ void Controllers::make(std::size_t index, ControlledWorld& world) {
       throw std::runtime_error("it has other outputs than before the reset");
   });
   if (!hasStarted_ || running.controller) return;
-  // Views go on reading what there was.
+  // Views continue to read the previous outputs.
   for (ControllerOutput& output : before) clearOutput(output);
   running.outputs = std::move(before);
 }
@@ -140,7 +140,7 @@ std::vector<std::string> Controllers::states() const {
   std::vector<std::string> states;
   for (const auto& running : all_) {
     std::string state;
-    // What cannot be remembered is forgotten.
+    // A state that cannot be determined is dropped.
     try {
       if (running->controller) state = running->controller->state();
     } catch (...) {
@@ -163,7 +163,7 @@ void Controllers::restore(const Memory& memory, std::uint64_t step) {
     if (!all_[i]->controller) continue;
     guard(i, step, [&] { all_[i]->controller->restore(memory.states[i]); });
   }
-  // What they show now is that of their start, or of being restored.
+  // The outputs now show the state after the start or after being restored.
   std::size_t next = 0;
   for (const auto& running : all_) {
     for (ControllerOutput& output : running->outputs) {

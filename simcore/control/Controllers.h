@@ -16,7 +16,7 @@
 
 namespace simcore {
 
-/// How a controller of a simulation fares. A plain value.
+/// The status of a controller of a simulation. A plain value.
 struct ControllerStatus {
   /// "lift/elevator", or "referee" of the world.
   std::string path;
@@ -34,7 +34,7 @@ struct ControllerStatus {
 /// those of the world, and switches off those that throw or whose outputs are wrong. One thread at a time.
 class Controllers {
  public:
-  /// Nothing runs before start(). The world must outlive it.
+  /// Creates controllers that do not run before start(). The world must outlive this object.
   explicit Controllers(const WorldDescription& world);
   ~Controllers();
   Controllers(const Controllers&) = delete;
@@ -51,17 +51,17 @@ class Controllers {
   std::span<const ControllerStatus> status() const { return status_; }
   /// In the order of the controllers; the pointers are valid until start().
   std::span<const ControllerOutput* const> outputs() const { return outputs_; }
-  /// What controllers are at an instant, for snapshots of a simulation.
+  /// The state of controllers at an instant, for snapshots of a simulation.
   struct Memory {
-    /// What each of them remembers.
+    /// The state of each controller, as it returned it.
     std::vector<std::string> states = {};
-    /// What they show, in the order of outputs().
+    /// The contents of the outputs, in the order of outputs().
     std::vector<ControllerOutput> shown = {};
     /// Why and in which step each was switched off; empty while it is on.
     std::vector<std::pair<std::string, std::uint64_t>> troubles = {};
   };
   Memory memory() const;
-  /// Has controllers that have just started go on by a memory of the same scene.
+  /// Restores controllers that have just started from a memory of the same scene.
   void restore(const Memory& memory, std::uint64_t step);
 
   /// A hash of all outputs; 0 if there are no controllers.

@@ -98,7 +98,7 @@ class Elevator final : public Controller {
     }
   }
 
-  /// Goes on in its direction while somebody calls there, then in the other one.
+  /// Continues in its direction while there are calls ahead, then turns around.
   void chooseTarget() {
     for (int turn = 0; turn < 2; ++turn, up_ = !up_) {
       const auto next = nextCall();

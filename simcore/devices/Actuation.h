@@ -14,7 +14,7 @@ namespace simcore {
 
 class StateStream;
 
-/// Executes the commands of servos, motors and guided models, and knows what became of them. One thread at a
+/// Executes the commands of servos, motors and guided models, and tracks their state. One thread at a
 /// time.
 class Actuation {
  public:
@@ -28,7 +28,7 @@ class Actuation {
   /// The command of a guide: as many finite values as its port has, which are limited; others are ignored.
   void guide(std::size_t guide, std::span<const double> values);
 
-  /// Has a servo go on as one of another simulation does; what is requested is limited to its own range.
+  /// Has a servo continue as one of another simulation does; its command is limited to its own range.
   void takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo);
 
   /// The same of a guide.
@@ -63,7 +63,7 @@ class Actuation {
   };
   struct GuideMotor {
     std::array<double, 6> wanted{};
-    /// What a vehicle or a following model is commanded in this step.
+    /// The command of a vehicle or a following model in this step.
     std::array<double, 6> present{};
     /// Velocities that were reached so far, in the model's frame.
     Vector3 velocity = Vector3::Zero(), rate = Vector3::Zero();
@@ -83,7 +83,7 @@ class Actuation {
   std::array<double, 6> approached(std::size_t index);
   /// Sets the wheels and steering joints of a vehicle for a command.
   void turnWheels(const GuidedMotion& motion, const GuideMeans& means, const std::array<double, 6>& command);
-  /// What a guide should do: velocity and turning rate in the model's frame.
+  /// Computes the target motion of a guide: velocity and turning rate in the model's frame.
   static void wantedMotion(const GuidedMotion& motion, const std::array<double, 6>& wanted, Vector3& velocity,
                            Vector3& rate);
 

@@ -27,7 +27,7 @@ class Doors {
   /// Call this after each step of the physics, whose number is `step`.
   void afterStep(std::uint64_t step, const Reading& reading);
 
-  /// Opens a door for its time, or closes it at once; if its sensor still sees somebody it opens again.
+  /// Opens a door for its time, or closes it at once; if its sensor still detects something, it opens again.
   void command(std::size_t door, bool open, std::uint64_t step);
   /// A door continues as another one that opens and closes in the same simulation; its servo does so, too.
   void takeOver(std::size_t door, const Doors& before, std::size_t other) {

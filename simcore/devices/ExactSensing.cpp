@@ -12,7 +12,7 @@ namespace {
 
 using SourceKind = SensorSource::Kind;
 
-/// Where a body is on the ground that moves with constant speeds along a circle.
+/// Returns the pose of a body on the ground that moves with constant speeds along a circle.
 robotlink::Pose2 alongArc(const robotlink::Pose2& from, double way, double turn) {
   const double direction = from.heading + turn / 2;
   const double chord = std::abs(turn) < 1e-9 ? way : way * std::sin(turn / 2) / (turn / 2);

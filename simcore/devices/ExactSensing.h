@@ -31,7 +31,7 @@ class ExactSensing {
   void read(std::size_t index, std::vector<double>& values) const;
 
  private:
-  /// What a sensor remembers from step to step.
+  /// The state of a sensor that is kept from step to step.
   struct Memory {
     /// Accelerometers: velocity in the last step, and acceleration minus gravity, in the world.
     Vector3 velocity = Vector3::Zero(), specificForce = Vector3::Zero();

@@ -10,7 +10,7 @@ namespace simcore {
 
 class StateStream;
 
-/// The forces that somebody applies to bodies by hand: springs that drag them to a point, and pushes. A
+/// The forces that a user applies to bodies by hand: springs that drag them to a point, and pushes. A
 /// spring is as strong as it takes to move the body's model with about 2.5 Hz, critically damped, and never
 /// stronger than the step of the physics allows. Bodies are numbered as those of Physics. One thread at a
 /// time.

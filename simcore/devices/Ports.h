@@ -87,7 +87,7 @@ struct GuideMeans {
   // Null if the model has none; they are those of the world.
   const VehicleDescription* vehicle = nullptr;
   const WalkDescription* walk = nullptr;
-  /// Its first wheel, in the numbering of Physics.
+  /// The first wheel of the model, in the numbering of Physics.
   std::size_t firstWheel = 0;
   /// The servos of VehicleDescription::steering.
   std::vector<std::size_t> steering = {};

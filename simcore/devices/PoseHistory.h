@@ -13,14 +13,14 @@ namespace simcore {
 
 class StateStream;
 
-/// The poses of all bodies in the last steps, for sensors that measure what was. It holds nothing until it is
-/// given how far back it has to reach. One thread at a time.
+/// The poses of all bodies in the last steps, for sensors that measure the past. It is empty until
+/// reachBack() is called. One thread at a time.
 class PoseHistory {
  public:
   /// The longest that it reaches back, in steps; a delay of a second and the exposure of an image.
   static constexpr std::size_t kMaxSteps = 300;
 
-  /// Reaches back at least so many steps from now on.
+  /// Reaches back at least `steps` steps from now on.
   void reachBack(std::size_t steps);
   bool isWanted() const { return steps_ > 0; }
   /// Forgets everything.

@@ -84,7 +84,7 @@ void Sensing::transferSamples(StateStream& stream, std::size_t index, std::uint6
     sample.values.resize(sources_[index].size);
     for (double& value : sample.values) stream.raw(value);
   }
-  // One that has a timing always has a sample that can be read.
+  // A sensor with a timing always has a sample that can be read.
   stream.require(state.clock.has_value() != state.samples.empty());
 }
 

@@ -63,7 +63,7 @@ class Sensing {
     /// Only if it has a timing; then its samples, in the order of time, of which the first can be read.
     std::optional<SampleClock> clock;
     std::deque<Sample> samples;
-    /// Whether somebody chose the errors, instead of the scene.
+    /// Whether a user chose the errors, instead of the scene.
     bool chosen = false;
     bool isOn(const Noise& of) const { return of.on || chosen; }
   };

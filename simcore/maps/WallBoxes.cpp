@@ -23,7 +23,7 @@ constexpr double kLongestMarked = 100'000;
 
 WallBox boxOf(const GroundMap::Line& line) {
   const Vector2 along = line.to - line.from;
-  // Its ends extend as far as its sides, so that corners are closed.
+  // The ends of a box extend as far as its sides, so that corners are closed.
   return {(line.from + line.to) / 2,
           {along.norm() + kLineThickness, kLineThickness},
           std::atan2(along.y(), along.x())};

@@ -67,7 +67,7 @@ class PartCollector {
     aiString name;
     material.Get(AI_MATKEY_NAME, name);
     aiColor3D color;
-    // Assimp's own default material stands for none.
+    // Assimp's own default material means that there is none.
     if (std::string(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME ||
         material.Get(AI_MATKEY_COLOR_DIFFUSE, color) != AI_SUCCESS) {
       return std::nullopt;

@@ -23,7 +23,7 @@ struct MeshPart {
   std::optional<Rgb> color;
 };
 
-/// Reads the meshes of scenes (COLLADA, STL, OBJ and what else Assimp knows), each file once. A scene shares
+/// Reads the meshes of scenes (COLLADA, STL, OBJ and others known to Assimp), each file once. A scene shares
 /// one; one thread at a time.
 class MeshFiles {
  public:

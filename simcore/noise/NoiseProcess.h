@@ -18,14 +18,14 @@ class StateStream;
 /// and step. One thread at a time.
 class NoiseProcess {
  public:
-  /// Which random numbers a sensor has: no two sensors have the same (domain, index).
+  /// Identifies the random numbers of a sensor: no two sensors have the same (domain, index).
   struct Stream {
     std::uint64_t domain = 0, index = 0;
   };
   /// `biases`: how many channels have a bias and a drift of their own; the others share the last one.
   NoiseProcess(Stream stream, std::size_t biases, double step, std::vector<NoiseModel> noise);
 
-  /// Replaces the noise from this step on. What has drifted stays, unless there is no noise any more.
+  /// Replaces the noise from this step on. The drift so far stays, unless there is no noise any longer.
   void change(std::vector<NoiseModel> noise, std::uint64_t seed, std::uint64_t step);
   /// Writes or reads all on which later samples depend. `step` is the present one of the simulation.
   void transfer(StateStream& stream, std::uint64_t seed, std::uint64_t step);
@@ -53,7 +53,7 @@ class NoiseProcess {
   double normal();
   double erroneous(std::size_t channel, double value, double white) const;
   const NoiseModel& of(std::size_t channel) const {
-    // What has drifted stays where the noise was taken away.
+    // The drift so far stays when the noise is removed.
     static constexpr NoiseModel kNone{};
     if (noise_.empty()) return kNone;
     return noise_[channel < noise_.size() ? channel : noise_.size() - 1];

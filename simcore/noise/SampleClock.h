@@ -17,7 +17,7 @@ class SampleClock {
 
   /// The number of the sample that is taken in a step, if there is one and it is not lost.
   std::optional<std::uint64_t> sampleAt(std::uint64_t seed, std::uint64_t step) const;
-  /// The step of the newest sample that can be read in a step, not before step `oldest`, which stands for
+  /// The step of the newest sample that can be read in a step, not before step `oldest`, which represents
   /// everything before it.
   std::uint64_t readable(std::uint64_t seed, std::uint64_t step, std::uint64_t oldest) const;
   /// Steps between a sample and its being readable.

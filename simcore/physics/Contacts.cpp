@@ -27,7 +27,7 @@ constexpr double kMinBounceVelocity = 0.05;  // m/s
 /// The upward component of a contact's normal from which the other solid is a floor or a ramp rather than an
 /// obstacle.
 constexpr double kFloor = 0.7;
-/// What is pushed overlaps less than that, m, unless it cannot get away.
+/// The overlap to which a solid that is pushed is limited, m, unless it cannot get away.
 constexpr double kSqueezed = 0.004;
 
 dGeomID asGeom(dSpaceID space) {
@@ -49,7 +49,7 @@ bool rolls(OdeWorld& ode, const OdeGeom& geom) {
   return geom.wheel >= 0 && !modelOf(ode, geom).kinematic;
 }
 
-/// What moves the solids in a space. Its data is its OdeModel; the space of statics has none.
+/// The cause of motion of the solids in a space. Its data is its OdeModel; the space of statics has none.
 enum class MovedBy : std::uint8_t { kNothing, kCommands, kForces, kSleeps };
 MovedBy movedBy(dGeomID space) {
   const auto* model = static_cast<const OdeModel*>(dGeomGetData(space));
@@ -62,7 +62,7 @@ MovedBy movedBy(dGeomID space) {
 bool needNoContacts(dGeomID a, dGeomID b) {
   const MovedBy first = movedBy(a), second = movedBy(b);
   if (first == MovedBy::kForces || second == MovedBy::kForces) return false;
-  // What sleeps is woken by what comes.
+  // A sleeping model is woken by one that approaches.
   const bool sleeps = first == MovedBy::kSleeps || second == MovedBy::kSleeps;
   return !sleeps || (first != MovedBy::kCommands && second != MovedBy::kCommands);
 }

@@ -15,7 +15,7 @@ struct Overlap {
   double depth = 0;
   /// The model that it overlaps; -1 if there is none.
   int model = -1;
-  /// How many pairs of solids overlap; no more are looked at than kMaxOverlaps.
+  /// How many pairs of solids overlap; at most kMaxOverlaps are looked at.
   std::size_t pairs = 0;
 };
 

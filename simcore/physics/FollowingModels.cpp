@@ -20,7 +20,7 @@ namespace {
 // In m; sinking in less than that is only touching.
 constexpr double kTouching = 0.0005;
 
-/// One following model in one step.
+/// A step of a following model.
 class FollowerStep {
  public:
   FollowerStep(OdeWorld& ode, OdeFollower& follower)

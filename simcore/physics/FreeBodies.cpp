@@ -18,7 +18,7 @@ constexpr int kTurnIterations = 16;
 
 /// rad/s.
 constexpr double kNoTurn = 1e-3;
-// What is slower rests: m/s, and rad/s.
+// Below these speeds a body is at rest: m/s, and rad/s.
 constexpr double kRests = 0.001, kRestsTurning = 0.01;
 
 bool isSlower(const dReal* velocity, double limit) {
@@ -81,7 +81,7 @@ void prepareFreeBodies(OdeWorld& ode) {
     std::copy_n(dBodyGetPosition(body.id), 3, body.position);
     std::copy_n(dBodyGetQuaternion(body.id), 4, body.rotation);
     if (!body.wobbles) continue;
-    // What rests needs no torque of ours; ODE's is as good, whatever was done before.
+    // A body at rest needs no torque of ours; ODE's is as good, whatever was done before.
     if (isSlower(dBodyGetAngularVel(body.id), kNoTurn))
       dBodySetGyroscopicMode(body.id, 1);
     else

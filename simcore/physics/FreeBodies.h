@@ -23,9 +23,9 @@ void prepareFreeBodies(OdeWorld& ode);
 /// Counts the contacts of a body in this step; it may be null.
 void countContact(dBodyID body);
 
-/// After a step: what stands on at least three points and hardly moves stays where it is. The solver's small
-/// errors would let it creep otherwise, by millimeters a minute. What rolls has fewer points, and what slides
-/// gains more speed in a step unless it is within 2 % of the limit of friction.
+/// After a step: keeps bodies in place that stand on at least three points and hardly move. Small errors of
+/// the solver would let them creep, by millimeters a minute. A rolling body has fewer points, and a sliding
+/// one gains more speed in a step unless it is within 2 % of the limit of friction.
 void letFreeBodiesRest(OdeWorld& ode);
 
 }  // namespace simcore

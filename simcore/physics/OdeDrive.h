@@ -47,9 +47,9 @@ struct OdeWheel {
   /// Whether its rim has free rollers, and the angle from the rolling direction to that in which they push.
   bool hasRollers = false;
   double pushAngle = 0;
-  /// Its share of the weight if all wheels carry equally, N.
+  /// The wheel's share of the weight if all wheels carry equally, N.
   double restLoad = 0;
-  /// Its present load, N.
+  /// The present load of the wheel, N.
   double load = 0;
 };
 
@@ -94,7 +94,7 @@ struct OdeDrive {
   Footprint footprint;
   /// Whether it touches something at its present pose.
   bool touches = false;
-  /// Where the distance of obstacles was last computed...
+  /// The place where the distance of obstacles was last computed...
   robotlink::Vector2 freeAt = {0, 0};
   /// ...and how far the model can move from there without meeting a static obstacle.
   double freeWay = 0;

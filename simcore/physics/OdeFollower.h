@@ -14,7 +14,7 @@ struct OdeFollower {
   /// Whether it is commanded to move, over the ground; otherwise only its joints do, and it stays where it
   /// is.
   bool travels = true;
-  /// What it is commanded: m/s along its own axes, and rad/s.
+  /// The commanded velocity: m/s along its own axes, and rad/s.
   double ahead = 0, sideways = 0, turning = 0;
   /// Whether movable models are pushed; otherwise it stops at them, too.
   bool pushes = true;

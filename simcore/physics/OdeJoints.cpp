@@ -108,7 +108,7 @@ dJointID addUniversal(OdeWorld& ode, const JointDescription& joint, const Ends& 
 
 void addFixed(OdeWorld& ode, const JointDescription& joint, const Ends& ends, const Vector3& anchor) {
   OdeMeasuredJoint* measured = joint.isMeasured ? &ode.measuredJoints.emplace_back() : nullptr;
-  // What is one body needs no joint.
+  // Links that are one body need no joint.
   if (ends.child == ends.parent) return;
   const dJointID id = attached(dJointCreateFixed(ode.world, nullptr), ends);
   dJointSetFixed(id);

@@ -21,15 +21,15 @@ void resist(OdeWorld& ode);
 /// between two values of opposite signs, 3 mrad apart for the head of an ERS-210, so that a servo would never
 /// rest.
 double jointPosition(const OdeWorld& ode, std::size_t hinge);
-// Its speed, and its axis in the world.
+// The speed of a joint, and its axis in the world.
 double jointRate(dJointID joint);
 Vector3 jointAxis(dJointID joint);
-/// Where what it exerts is measured, in the world: the anchor of a hinge, the child's center of mass for a
-/// slider.
+/// Returns the point of reference of a joint's reaction, in the world: the anchor of a hinge, the center of
+/// mass of a slider's child.
 Vector3 jointAnchor(dJointID joint);
 /// Moves it at a speed with at most this torque or force.
 void driveJoint(dJointID joint, double speed, double limit);
-/// What driveJoint() set.
+/// The values set by driveJoint().
 struct MotorSetting {
   double speed = 0, limit = 0;
 };

@@ -17,7 +17,7 @@ constexpr double kCreep = 0.0005;
 /// The rollers of a rim resist with this share of what it can transmit.
 constexpr double kRollerResistance = 0.02;
 constexpr double kLoadSmoothing = 0.5;
-/// As a fraction of the load at rest: a wheel that is about to land grips a little.
+/// The minimum load as a fraction of that at rest: a wheel that is about to land grips a little.
 constexpr double kMinLoad = 0.1;
 // A contact is with the flank if the axial component of its normal is larger than this.
 constexpr double kFlank = 0.6;

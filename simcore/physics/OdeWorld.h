@@ -25,7 +25,7 @@ struct OdeWrench {
   Vector3 force = Vector3::Zero(), torque = Vector3::Zero();
 };
 
-/// From where a hinge measures its angle: directions at right angles to its axis that are the same at 0.
+/// The reference of a hinge's angle: directions at right angles to its axis that are the same at 0.
 struct OdeHingeZero {
   Vector3 axisInParent = Vector3::UnitZ(), inParent = Vector3::UnitX(), inChild = Vector3::UnitX();
 };
@@ -62,9 +62,9 @@ struct OdeBody {
   Vector3 centerInLink = Vector3::Zero();
   /// Only if it is a part of another link's body.
   Pose3 linkInBody = Pose3::Identity();
-  /// Its geoms are consecutive in OdeWorld::geoms.
+  /// The index of its first geom; its geoms are consecutive in OdeWorld::geoms.
   std::size_t firstGeom = 0;
-  /// Nothing moves it.
+  /// Whether it is held, so that nothing moves it.
   bool pinned = false;
 };
 
@@ -83,7 +83,7 @@ struct OdePair {
   }
 };
 
-/// A contact whose force somebody reads.
+/// A contact whose force is read.
 struct OdeContactRecord {
   const OdeGeom* first = nullptr;
   const OdeGeom* second = nullptr;
@@ -94,7 +94,7 @@ struct OdeContactRecord {
   const dJointFeedback* exerted = nullptr;
 };
 
-/// A contact of what sleeps, as it was when that fell asleep.
+/// A contact of a sleeping model, as it was when the model fell asleep.
 struct OdeAsleepContact {
   /// The solids, indices of OdeWorld::geoms.
   std::uint32_t first = 0, second = 0;
@@ -151,13 +151,13 @@ struct OdeModel {
   dJointID push = nullptr, turn = nullptr;
   /// Follows its odometry, or what it is commanded, instead of forces.
   bool kinematic = false;
-  /// Whether one with a drive has come down to what is below it since it was put where it is.
+  /// Whether a model with a drive has settled on the ground since it was placed.
   bool hasGround = false;
   /// The index in OdeWorld::followers of a model that pushes what it touches; -1 for other models.
   int follower = -1;
   /// Whether it touched anything but a floor in the last step.
   bool touchesObstacle = false;
-  /// Its bodies, if the model may sleep.
+  /// The bodies of the model, if it may sleep.
   std::vector<OdeFreeBody*> sleepers;
   /// While it sleeps: the first of the models that fell asleep with it, because they touch.
   int group = kAwake;
@@ -192,7 +192,7 @@ struct OdeWorld {
   dSpaceID statics = nullptr;
   /// All static geoms.
   StaticGrid grid;
-  /// Whether there are so many static geoms that contacts are found by the grid.
+  /// Whether there are so many static geoms that the grid is used for finding contacts.
   bool usesGrid = false;
   /// Whether a static plane is steeper than a floor; then the drives cannot use their footprints.
   bool hasSteepPlanes = false;
@@ -202,7 +202,7 @@ struct OdeWorld {
   dGeomID ray = nullptr;
   /// ODE's threading of this world: none.
   dThreadingImplementationID threading = nullptr;
-  /// What steps the islands.
+  /// The threads that step the islands.
   std::unique_ptr<IslandThreads> islands;
   /// A deque because ODE keeps pointers to its elements.
   std::deque<OdeGeom> geoms;
@@ -217,11 +217,11 @@ struct OdeWorld {
   /// Whether that is a servo which turns it to a position as fast as it can, rather than by gains.
   std::vector<bool> hingeIsStiff;
   std::vector<int> hingeModels;
-  /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
+  /// The reactions of the hinges in the last step. A deque because ODE keeps pointers to its elements.
   std::deque<dJointFeedback> hingeForces;
   /// In the order of the models and their joints.
   std::deque<OdeMeasuredJoint> measuredJoints;
-  /// What each of them exerted in the mean, since its model was last seen to move.
+  /// The mean reactions of the hinges since their model was last seen to move.
   std::vector<OdeWrench> restForces;
   std::vector<OdeModel> models;
   /// Bodies that no joint holds, and those that may sleep. A deque because ODE keeps pointers to its

@@ -146,7 +146,7 @@ class WorldBuilder {
   }
 
   /// Whether a model may rest on others: it has no wheels and is not guided, no joint ties it to the world,
-  /// and in none are forces measured that nobody would compute.
+  /// and none of its joints has measured forces, which would not be computed then.
   bool maySleep(const ModelInstance& model) const {
     const ModelDescription& type = *model.type;
     if (!ode_.sleeps || type.drive || type.vehicle || type.guided || model.follows()) return false;

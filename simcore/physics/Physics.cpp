@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kBlockedSteps = 25;
 
-/// What a joint exerts on its first body, about a point in the world.
+/// Returns the reaction of a joint on its first body, about a point in the world.
 Physics::Wrench wrenchAbout(const Vector3& point, const dJointFeedback& exerted, dBodyID body) {
   const dReal* center = dBodyGetPosition(body);
   const Vector3 arm = Vector3(center[0], center[1], center[2]) - point;
@@ -135,7 +135,7 @@ double Physics::anchorGap(std::size_t hinge) const {
 
 void Physics::setMotor(std::size_t hinge, double velocity, double maximumTorque) {
   wakeIfDrivenOtherwise(*ode_, hinge, velocity, maximumTorque);
-  // What sleeps keeps what it is compared with.
+  // A sleeping model keeps the values that commands are compared with.
   if (!ode_->models[static_cast<std::size_t>(ode_->hingeModels[hinge])].isAsleep())
     driveJoint(ode_->hinges[hinge], velocity, maximumTorque);
 }
@@ -328,7 +328,7 @@ void Physics::setMotion(int model, const std::vector<BodyMotion>& motion) {
     const std::size_t i = entry.firstBody + was.link;
     if (was.link >= entry.bodyCount || !ode_->hasBody(i)) continue;
     const dBodyID body = ode_->bodies[i].id;
-    // Its center of mass may have been another one before its parts were changed.
+    // The center of mass may have been elsewhere before the parts of the body were changed.
     if (ode_->bodies[i].centerInLink != was.centerInLink) {
       const Vector3 shift = was.rotation * (ode_->bodies[i].centerInLink - was.centerInLink);
       was.position += shift;

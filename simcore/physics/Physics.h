@@ -56,7 +56,7 @@ class Physics {
   double torque(std::size_t hinge) const;
   /// How fast it turns, rad/s.
   double rate(std::size_t hinge) const;
-  /// What the joint exerted on its child in the last step, about its anchor, in the world; N and N m.
+  /// The reaction of a joint on its child in the last step, about its anchor, in the world; N and N m.
   struct Wrench {
     Vector3 force = Vector3::Zero(), torque = Vector3::Zero();
   };
@@ -82,7 +82,7 @@ class Physics {
     bool blocked = false;
   };
   SideState sideState(std::size_t side) const;
-  /// What setRimSpeed() set.
+  /// Returns the speed set by setRimSpeed().
   double rimTarget(std::size_t side) const;
 
   /// Commands a wheel of a vehicle, numbered through all vehicles: the speed of its rim, m/s, and the most
@@ -135,7 +135,7 @@ class Physics {
   struct BodyMotion {
     Vector3 position, velocity, angularVelocity;
     Eigen::Quaterniond rotation;
-    /// Where that center is in the frame of its first link, and the number of this link in its model.
+    /// The center of mass in the frame of the body's first link, and the number of this link in its model.
     Vector3 centerInLink = Vector3::Zero();
     std::size_t link = 0;
   };
@@ -179,7 +179,7 @@ class Physics {
     Vector3 force = Vector3::Zero();
   };
   std::vector<Contact> contacts() const;
-  /// Where the reaction of a hinge is measured, in the world.
+  /// Returns the point of reference of a hinge's reaction, in the world.
   Vector3 anchorOf(std::size_t hinge) const;
 
   /// Writes or reads everything on which later steps and readings depend.

@@ -18,7 +18,7 @@ namespace {
 
 /// How far rotations of a file may be from being ones.
 constexpr double kRotationTolerance = 1e-6;
-/// What moves or turns faster in a file has left the world long ago, m/s and rad/s.
+/// The maximum speeds in a file, m/s and rad/s; a faster body has left the world long ago.
 constexpr double kMaxMotion = 1e4;
 
 /// Overwrites what ODE has of a body, which it returns as constant.

@@ -26,7 +26,7 @@ constexpr Quiet kQuiet{0.0005, 0.003};
 /// links that stands on the ground: with 20 of them, the legs of a standing ERS-210 tremble by up to 6.7 mrad
 /// and 0.7 mm in half a second, with 200 of them, or an exact solver, by nothing.
 constexpr Quiet kQuietOnServo{0.001, 0.008};
-// What sleeps is not woken by a motor that is driven otherwise only by that much: rad/s (a servo asks for it
+// A sleeping model is not woken by changes of a motor's command below these: rad/s (a servo asks for it
 // if its target is 0.0002 rad elsewhere), and a share of the torque.
 constexpr double kSameSpeed = 0.02, kSameLimit = 0.01;
 
@@ -96,7 +96,7 @@ void averageForces(OdeWorld& ode, const OdeModel& model) {
   }
 }
 
-/// What touches each other, of the models that could sleep.
+/// The groups of models that touch each other, among those that could sleep.
 class TouchingModels {
  public:
   explicit TouchingModels(OdeWorld& ode)
@@ -190,7 +190,7 @@ void wakeGroup(OdeWorld& ode, int group) {
   std::erase_if(ode.asleepContacts, [&](const OdeAsleepContact& one) { return one.group == group; });
 }
 
-/// What the motors of a model are asked for: while it sleeps, that is what others are compared with.
+/// Transfers the commands of a model's motors: while it sleeps, other commands are compared with these.
 void transferMotors(StateStream& stream, const OdeWorld& ode, const OdeModel& model) {
   for (std::size_t i = model.firstHinge; i < model.firstHinge + model.hingeCount; ++i) {
     MotorSetting motor = motorOf(ode.hinges[i]);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies that rest are not computed until something touches or moves them.
 //
-// What sleeps are models without wheels that nothing guides and no joint ties to the world, together with all
+// Models sleep that have no wheels and that nothing guides and no joint ties to the world, together with all
 // such models that they touch, directly or through others: when all bodies of each of them have stayed within
 // fractions of a millimeter for half a second on at least three points, and none touches anything else that
-// can move. A robot sleeps while its servos are asked for what they do already. What they touch stays as
-// it was, as do the forces, of joints those in the mean of the time for which they stayed. ODE's own
+// can move. A robot sleeps while its servos are asked for what they do already. Their contacts stay as
+// they were, as do the forces; those of joints are the mean of the time at rest. ODE's own
 // auto-disabling would let a body sleep on one that moves slowly, forgets contacts, and keeps counters that
 // cannot be read for a snapshot.
 #pragma once

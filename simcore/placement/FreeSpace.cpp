@@ -29,7 +29,7 @@ double distanceToNearest(const Vector2& point, const std::vector<Vector2>& other
 /// A connected set of free cells.
 struct FreeSpace::Part {
   std::vector<Cell> cells;
-  // One of its cells is at the border of the grid.
+  // Whether one of the cells is at the border of the grid.
   bool open = false;
 };
 

@@ -65,7 +65,7 @@ FloorSolid floorSolidOf(const Shape& shape, const Pose3& pose) {
 
 /// The floor and the solids on it.
 struct Surroundings {
-  // Its height.
+  // The height of the floor.
   std::optional<double> floor;
   std::vector<FloorSolid> solids;
 

@@ -18,7 +18,7 @@ class StateStream;
 
 /// Computes the images of depth and class cameras, of facette cameras, and of cameras that sense radiation.
 /// Their noise depends only on seed, sensor and step, so it does not matter how often, or whether, images are
-/// requested. What it needs is made when it is needed first. One thread at a time.
+/// requested. Its parts are created on first use. One thread at a time.
 class ImageSensing {
  public:
   /// `own[i]` are the bodies of the model that carries sensors[i]. `sensors` must outlive it.

@@ -12,7 +12,7 @@
 
 namespace simcore {
 
-/// Computes what the surfaces that rays hit send back of radiation classes; see RadiationClass. Lamps and
+/// Computes the radiation of classes that surfaces hit by rays send back; see RadiationClass. Lamps and
 /// emitters cast shadows of all instances that cast any. One thread at a time.
 class RadiationLight {
  public:
@@ -39,7 +39,7 @@ class RadiationLight {
   struct Point {
     Eigen::Vector3f position, normal;
   };
-  /// What comes from one place.
+  /// The light that arrives from one place.
   struct Source {
     Eigen::Vector3f position;
     float attenuation = 0;
@@ -51,7 +51,7 @@ class RadiationLight {
   };
   Sensed sensedClass(const std::string& name) const;
   Point pointOf(const BundleHit& hit, const Eigen::Vector3d& direction, const Pose3& frame) const;
-  /// What arrives of each source, as a factor of its intensity.
+  /// Computes the light that arrives from each source, as a factor of its intensity.
   void light(const Point& point);
   bool isVisible(const Source& source, const Eigen::Vector3f& point) const;
   float valueOf(const Sensed& sensed, const RenderInstance* instance, std::size_t index) const;

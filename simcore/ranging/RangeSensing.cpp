@@ -71,7 +71,7 @@ void RangeSensing::measure(std::size_t index, const Noise& noise, std::span<doub
     std::ranges::transform(hits, ranges.begin(), &FanHit::distance);
   }
   if (noise.on || chosen_[index]) {
-    // Nothing is added where there is no echo.
+    // No noise is added where there is no echo.
     noise_[index].apply(noise.seed, noise.step, ranges.data(), ranges.size(),
                         [&](double range) { return range < sensor.maximum; });
   }

@@ -47,7 +47,7 @@ class RangeSensing {
   std::vector<RayFan> fans_;
   /// Index in fans_; identical sensors share a fan.
   std::vector<std::size_t> fanOf_;
-  /// Keyed by sensor; and whether somebody chose its errors, instead of the scene.
+  /// The noise of each sensor, and whether a user chose its errors, instead of the scene.
   std::vector<NoiseProcess> noise_;
   std::vector<bool> chosen_;
   RayCaster caster_;

@@ -19,7 +19,7 @@ RayInstructions fastestRayInstructions();
 /// must have the instructions. The caller releases it.
 RTCDevice newRayDevice(RayInstructions instructions = fastestRayInstructions());
 
-/// Which instances of a body a tree contains.
+/// Selects the instances of a body that a tree contains.
 enum class Contents {
   /// Only instances that cast shadows, for shadow rays.
   kCasters,

@@ -11,7 +11,7 @@ using robotlink::Image;
 using robotlink::PixelFormat;
 
 constexpr double kInstantsApart = 0.001;
-// A lens shows at most this tangent, and its pinhole image is at most so many times as wide and high.
+// The largest tangent that a lens shows, and the most times that its pinhole image is as wide and as high.
 constexpr double kWidestTangent = 4;
 constexpr int kMaxTimes = 4;
 

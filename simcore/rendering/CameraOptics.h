@@ -19,7 +19,7 @@ class CameraOptics {
  public:
   static constexpr int kMaxInstants = 16;
 
-  /// Where the camera is: on a body of the scene.
+  /// The mounting of the camera on a body of the scene.
   struct Mount {
     int body = 0;
     Pose3 cameraInBody = Pose3::Identity();
@@ -36,13 +36,13 @@ class CameraOptics {
   /// `background` where nothing is, with `width` columns.
   void distortLabels(std::uint8_t background, int width, robotlink::Image& labels) const;
 
-  /// Where the lens shows what a pinhole camera shows at (x, y), both in tangents; see LensDistortion.
+  /// Returns where the lens shows what a pinhole camera shows at (x, y), in tangents; see LensDistortion.
   static Eigen::Vector2d distorted(const LensDistortion& lens, const Eigen::Vector2d& pinhole);
   /// The reverse; it is found by iteration, to 1e-9 where the lens does not fold the image.
   static Eigen::Vector2d undistorted(const LensDistortion& lens, const Eigen::Vector2d& seen);
 
  private:
-  /// Where a pixel's color comes from in the pinhole image: coordinates of pixels' centers; negative if
+  /// The origin of a pixel's color in the pinhole image: coordinates of pixels' centers; negative if
   /// nothing is there.
   struct Source {
     float x = 0, y = 0;

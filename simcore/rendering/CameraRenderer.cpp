@@ -35,8 +35,8 @@ struct LightColor {
 
   explicit LightColor(double warmth)
       : red(1 - std::max(-warmth, 0.0)), green(1 - std::abs(warmth) / 2), blue(1 - std::max(warmth, 0.0)) {}
-  /// What a camera makes of it that amplifies the channels so that the light for which it is balanced is
-  /// white; the one that it amplifies most stays as it is.
+  /// The color of the light as seen by a camera whose white balance makes another light white; the channels
+  /// are scaled so that none exceeds 1.
   explicit LightColor(const LightAdjustment& lighting) : LightColor(lighting.warmth) {
     if (lighting.whiteBalance == 0) return;
     const LightColor white(lighting.whiteBalance);
@@ -138,7 +138,7 @@ void aimSpot(const Lamp& lamp, const Pose3& worldInCamera, ShadeLamp& result) {
   result.spotOffset = -outer * result.spotFactor;
 }
 
-/// What renderers of a scene share: the scene as it is drawn, where everything is, and the shadows. While
+/// The data that renderers of a scene share: the scene as it is drawn, all poses, and the shadows. While
 /// place() is not called, any number of threads may read it.
 class RenderStage {
  public:
@@ -394,7 +394,7 @@ void CameraRenderer::Implementation::renderDepth(const Pose3& cameraInWorld, con
   auto out = depth.begin();
   for (int y = 0; y < camera.height; ++y) {
     const float* const row = buffer.inverseDepth + static_cast<std::ptrdiff_t>(y) * buffer.stride;
-    // What is not there has an inverse depth of 0.
+    // Pixels that show nothing have an inverse depth of 0.
     for (int x = 0; x < camera.width; ++x) *out++ = 1 / row[x];
   }
 }

@@ -25,7 +25,7 @@ namespace simcore {
 /// poses. render() allocates nothing once it has drawn an image of the same size.
 class CameraRenderer {
  public:
-  /// Which instructions to use; for tests.
+  /// Selects the instructions to use; for tests.
   enum class Arithmetic {
     /// The widest instructions that both program and processor support.
     kFastest,
@@ -68,7 +68,7 @@ class CameraRenderer {
   /// optical axis, m, infinity if there is nothing; `depth` has width * height elements. The lens has no
   /// influence. Afterwards label() and labelValues() label this image.
   void renderDepth(const Pose3& cameraInWorld, const CameraModel& camera, std::span<float> depth);
-  /// As label(), but with any numbers, into an array like that of renderDepth().
+  /// Works like label(), but with any numbers, into an array like that of renderDepth().
   void labelValues(std::span<const float> labels, float background, std::span<float> image);
   /// Adds noise to an image that was made of rendered ones, as render() does.
   void addNoise(const ImageNoise& noise, robotlink::Image& image) const;

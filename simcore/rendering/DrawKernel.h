@@ -139,7 +139,7 @@ SIMCORE_INLINE unsigned setUp(const DrawJob& job, const VisibilityBuffer& buffer
   return lanes;
 }
 
-/// One triangle of a setup while its rows are being drawn; each array has the values of the three edges and
+/// A triangle of a setup while its rows are being drawn; each array has the values of the three edges and
 /// of 1 / depth.
 struct Edges {
   const float *x, *y, *z, *threshold;

@@ -25,7 +25,7 @@ class FrameMemory {
   int rowsPerStrip() const { return rowsPerStrip_; }
   /// A strip whose rows the caller sets.
   Strip strip();
-  /// One list per lamp.
+  /// The lists of unsure pixels, one per lamp.
   std::vector<UnsurePixels>& unsure() { return unsure_; }
 
  private:

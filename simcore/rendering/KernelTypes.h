@@ -17,7 +17,7 @@ struct MeshStreams {
   int vertexGroups = 0;
   /// Groups of eight triangles.
   int triangleGroups = 0;
-  /// One entry for each vertex; components x, y, z.
+  /// The positions of the vertices: components x, y, z.
   const float* position[3] = {};
   /// Four floats for each vertex, the last of them 0.
   const float* normal = nullptr;
@@ -58,7 +58,7 @@ struct VisibilityBuffer {
   int width = 0, height = 0;
   /// At least 8 more than width, because eight lanes may be accessed from any pixel on.
   int stride = 0;
-  /// One entry for each pixel; rows are `stride` apart.
+  /// The values of the pixels; rows are `stride` apart.
   float* inverseDepth = nullptr;
   std::int32_t* triangle = nullptr;
   /// d.y by x; `stride` values.
@@ -109,7 +109,7 @@ struct UnsureGroup {
 struct UnsurePixels {
   int count = 0;
   UnsureGroup* groups = nullptr;
-  /// What the lamp adds if it is visible.
+  /// The light that the lamp adds if it is visible.
   float* light = nullptr;
   /// From the lamp to the surface point, in the world.
   float* direction[3] = {};
@@ -129,7 +129,7 @@ struct ShadeLamp {
   /// Six faces of gridSize^2 cells, and the `nearest` of each; null if there are no shadows.
   const LampCell* cells = nullptr;
   const float* nearest = nullptr;
-  /// Where unsure pixels are collected.
+  /// Collects unsure pixels.
   UnsurePixels* unsure = nullptr;
 };
 

@@ -69,11 +69,11 @@ SIMCORE_INLINE Int8 hashed(Int8 counter, NoiseKey key) {
 }
 
 /// The eight bytes at a place with noise: round(scale * s) is added to each, where s is the sum of four
-/// uniform bytes minus its mean: nearly Gaussian (Irwin-Hall). What is below 0 or above 255 is left so.
+/// uniform bytes minus its mean: nearly Gaussian (Irwin-Hall). Values below 0 or above 255 are left so.
 SIMCORE_INLINE Int8 withNoise(const std::uint8_t* bytes, Int8 counter, NoiseKey key, float scale) {
   // Four uniform bytes, minus their mean of 4 * 127.5.
   const Int8 sum = sumOfBytes(hashed(counter, key)) - 510;
-  // Where the result is not below 0, adding 0.5 and truncating rounds.
+  // For results of 0 or more, adding 0.5 and truncating rounds.
   return truncated(__builtin_convertvector(loadBytes(bytes), Float8) +
                    __builtin_convertvector(sum, Float8) * scale + 0.5F);
 }

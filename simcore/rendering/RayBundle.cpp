@@ -7,7 +7,7 @@
 namespace simcore {
 namespace {
 
-// A packet covers so many columns and rows, a group so many packets.
+// The columns and rows of a packet, and the numbers of packets along each in a group.
 constexpr int kPacketColumns = 4, kPacketRows = 2, kGroupColumns = 4, kGroupRows = 4;
 
 /// The cone around directions of unit length.

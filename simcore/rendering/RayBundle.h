@@ -49,7 +49,7 @@ class RayBundle {
   std::vector<Group> groups_;
 };
 
-/// What one ray of a bundle hit.
+/// The hit of a ray of a bundle.
 struct BundleHit {
   /// The maximum if there is no hit.
   float distance = 0;

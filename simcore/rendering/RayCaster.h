@@ -18,7 +18,7 @@ namespace simcore {
 /// in its frame, built once, and there is no tree over the bodies. Any number of threads may measure at the
 /// same time, but not during setPoses().
 class RayCaster {
-  /// What a ray hit.
+  /// The hit of a ray.
  public:
   struct Hit {
     double distance = 0;

@@ -237,7 +237,7 @@ void settle(UnsurePixels& pixels, int stride, float* light) {
         ((splatInt(static_cast<std::int32_t>(lanes)) & lane) != splatInt(0)) & ((says & 1) != splatInt(0));
     const Float8 added = lit ? load<Float8>(pixels.light + group.pixel) : splat(0);
     store(light + group.pixel, load<Float8>(light + group.pixel) + added);
-    // What remains in the lanes is traced one by one.
+    // The remaining lanes are traced one by one.
     group.lanes &= ~lanes;
   }
 }

@@ -50,7 +50,7 @@ std::string problemOf(tinyxml2::XMLError error) {
   }
 }
 
-/// What counts as the contents of a file.
+/// Returns the contents of a file, or the text that replaces them.
 robotlink::Result<std::string> contentsOf(const fs::path& file, const SceneFiles::Texts& texts) {
   if (!texts.empty()) {
     std::error_code unknown;
@@ -330,7 +330,7 @@ std::optional<fs::path> SceneFiles::addModelOf(const std::string& source, const 
   const bool isName = source.find_first_of("/.") == std::string::npos;
   auto model = search_.findModel(isName ? "model://" + source : source, file_);
   if (!model && isName) model = search_.findRobot(source);
-  // As other files that commands read.
+  // A path is relative to the working directory, like that of other files in commands.
   std::error_code unknown;
   if (!model && fs::is_regular_file(source, unknown))
     model = fs::absolute(source, unknown).lexically_normal();

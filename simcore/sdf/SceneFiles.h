@@ -39,7 +39,7 @@ struct SceneInclude {
   std::string layout;
   /// See SceneRobot::role.
   std::string role;
-  /// What its <robotcontrol:motion> says, and that's attribute `objects`; empty if it has none.
+  /// The text of its <robotcontrol:motion> and of the latter's attribute `objects`; empty if it has none.
   std::string motion, motionAtObjects;
   /// Line of the <include>, for error messages.
   int line = 0;

@@ -130,8 +130,8 @@ class Checker {
     if (!description) return check(child, nullptr);
     // The parameters of a plugin are arbitrary.
     if (description->GetCopyChildren()) return true;
-    // What is newer than the SDFormat that libsdformat describes is read by readSolidShapes(), and so is what
-    // is no shape at all.
+    // Shapes newer than libsdformat's SDFormat are read by readSolidShapes(), and so are elements that are no
+    // shape at all.
     if (std::string_view(parent.Name()) == "geometry" && !known) return check(child, nullptr);
     if (!known) {
       omit(child, tag(child) + " in " + tag(parent),

@@ -26,8 +26,8 @@ void checkSdfTree(tinyxml2::XMLDocument& document, const std::string& file, cons
                   robotlink::Errors& errors, LeftOuts& leftOut);
 
 /// Checks the models of a file, or of its world: repeated names, joints without ends, and impossible masses,
-/// sizes, inertias, axes and frames. What is wrong is removed or replaced by what is usual, so that one error
-/// is no reason for others, and all are found at once.
+/// sizes, inertias, axes and frames. Wrong parts are removed or replaced by defaults, so that one error
+/// does not cause others, and all are found at once.
 void checkSdfNames(tinyxml2::XMLElement& root, const std::string& file, robotlink::Errors& errors,
                    LeftOuts& leftOut);
 

@@ -75,7 +75,7 @@ sdf::ElementPtr SdfElements::build(const XMLElement& source, const sdf::ElementP
     addAttributes(source, description, *element);
     addValue(source, description, *element);
   } catch (const sdf::Exception&) {
-    // Its assertions, which nothing that was checked should reach.
+    // An assertion of libsdformat, which no element that was checked should trigger.
     errors_.push_back({"scene.sdf",
                        objectPath(source) + ": libsdformat cannot read this <" + source.Name() + ">",
                        {},

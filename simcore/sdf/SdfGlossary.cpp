@@ -12,7 +12,7 @@
 namespace simcore {
 namespace {
 
-/// One of our own elements, as SCENES.md describes it. `attributes` are names, separated by blanks.
+/// The help for one of our own elements, as in SCENES.md. `attributes` are names, separated by blanks.
 struct OwnElementHelp {
   const char* parent;
   const char* name;
@@ -254,7 +254,7 @@ sdf::ElementPtr descriptionOf(const SdfGlossary::Path& path, const sdf::ElementP
   for (auto name = path.begin() + 1; name != path.end(); ++name) {
     if (!walked.back()->HasElementDescription(*name)) return nullptr;
     sdf::ElementPtr next = walked.back()->GetElementDescription(*name);
-    // What is in itself, such as a model in a model, is described where it is outermost.
+    // An element that contains itself, such as a model in a model, is described where it is outermost.
     if (!next->ReferenceSDF().empty() && next->GetElementDescriptionCount() == 0) {
       const auto outer =
           std::ranges::find(walked, *name, [](const sdf::ElementPtr& one) { return one->GetName(); });

@@ -30,10 +30,10 @@ struct SdfElementHelp {
   std::vector<SdfAttribute> attributes;
 };
 
-/// One of our own elements in an element of this name; nothing if it may not be there.
+/// Returns our own element in an element of this name; nothing if it may not be there.
 std::optional<SdfElementHelp> ownSdfElement(const std::string& name, const std::string& parent);
 
-/// What may be written where in a scene file, with explanations: libsdformat's definition of SDFormat 1.9 and
+/// Describes which elements are allowed where in a scene file: libsdformat's definition of SDFormat 1.9 and
 /// our own elements. For editors; immutable, so any thread may ask.
 class SdfGlossary {
  public:

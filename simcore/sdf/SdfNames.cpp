@@ -125,7 +125,7 @@ class NameChecker {
     }
   }
 
-  /// What is reported is removed, so that the rest is read.
+  /// Reports and removes a wrong attribute, so that the rest is read.
   void checkFrame(XMLElement& element, const char* attribute, const Scope& scope) {
     const std::string frame = element.Attribute(attribute) != nullptr ? element.Attribute(attribute) : "";
     const bool isElsewhere = frame.find("::") != std::string::npos || frame.starts_with("__");
@@ -150,7 +150,7 @@ class NameChecker {
              std::to_string(kMaxFrames) + " can be in one <" + parent.Name() + ">");
   }
 
-  /// What repeats a name is reported and removed, so that the rest is read.
+  /// Reports and removes elements that repeat a name, so that the rest is read.
   void checkUnique(XMLElement& parent, std::initializer_list<std::string_view> elements) {
     std::set<std::string> names;
     for (auto* child = parent.FirstChildElement(); child != nullptr;) {

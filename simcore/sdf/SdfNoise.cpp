@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kMaxNoise = 1e6;
 
-/// One of our own elements that says a property of noise.
+/// One of our own elements for a property of noise.
 struct OwnNoise {
   const char* name;
   double NoiseModel::*value;

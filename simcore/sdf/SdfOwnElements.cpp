@@ -24,7 +24,7 @@ struct OwnElement {
   int numbers = 0;
 };
 
-// Where errors of a sensor may be described.
+// The elements in which errors of a sensor may be described.
 constexpr std::array<std::string_view, 6> kWithErrors = {
     "sensor", "robotcontrol:speed_sensor", "robotcontrol:load_sensor", "robotcontrol:position_sensor"};
 

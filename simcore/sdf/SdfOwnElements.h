@@ -19,7 +19,7 @@ inline constexpr std::string_view kOwnPrefix = "robotcontrol:";
 /// it.
 void useOwnPrefix(tinyxml2::XMLElement& root);
 
-/// What is wrong with one of our own elements.
+/// The problem with one of our own elements.
 struct OwnProblem {
   const char* id;
   std::string text;

@@ -24,7 +24,7 @@ std::array<double, 3> anglesOf(double x, double y, double z, double w) {
   if (!(length > 0)) return {};
   x /= length, y /= length, z /= length, w /= length;
   const double sine = std::clamp(2 * (w * y - z * x), -1.0, 1.0);
-  // Where it points straight up or down, only the sum of roll and yaw is known.
+  // If the x-axis points straight up or down, only the sum of roll and yaw is known.
   if (std::abs(sine) > 1 - 1e-12)
     return {0, std::copysign(robotlink::kPi / 2, sine), std::copysign(2 * std::atan2(x, w), -sine)};
   return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), std::asin(sine),
@@ -45,7 +45,7 @@ std::string objectPath(const XMLElement& element) {
 
 int sourceLine(const XMLElement& element) {
   const tinyxml2::XMLNode* at = &element;
-  // What was added while a file was read has the line of what it was added to.
+  // An element that was added while a file was read has the line of its parent.
   while (at->GetUserData() == nullptr && at->GetLineNum() <= 0 && at->Parent() != nullptr) at = at->Parent();
   const auto set = reinterpret_cast<std::uintptr_t>(at->GetUserData());
   return set != 0 ? static_cast<int>(set) : at->GetLineNum();

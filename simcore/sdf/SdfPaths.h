@@ -37,8 +37,8 @@ std::vector<std::string> wordsOf(const tinyxml2::XMLElement& element);
 bool isFiniteNumber(const std::string& word);
 /// Whether a <pose> has a quaternion, x y z w, instead of three angles.
 bool hasQuaternion(const tinyxml2::XMLElement& pose);
-/// What a <pose> says, also in degrees or as a quaternion: x y z roll pitch yaw, m and rad. Nothing if it has
-/// other than as many numbers as it should.
+/// Returns a <pose>, also one in degrees or with a quaternion: x y z roll pitch yaw, m and rad. Nothing if
+/// the number of its numbers is wrong.
 std::optional<std::array<double, 6>> poseIn(const tinyxml2::XMLElement& pose);
 /// A <robotcontrol:layout> of a file: names stay, paths (with a slash or .yaml) are those from the file's
 /// folder.

@@ -47,7 +47,7 @@ WorldDescription readSdfWorld(const SdfSources& sources, bool& includesRead);
 /// Converts the six numbers of an SDFormat <pose>: x y z roll pitch yaw.
 Pose3 poseFromNumbers(const std::array<double, 6>& numbers);
 
-/// What a <robotcontrol:motion> says: "physics" or "kinematic", and what its attribute `objects` says:
+/// Returns the mode of a <robotcontrol:motion>: "physics" or "kinematic", with its attribute `objects`:
 /// "push", "stop" or nothing. Unset for anything else.
 std::optional<MotionMode> motionModeOf(const std::string& text, const std::string& atObjects);
 inline constexpr const char* kMotionRule =

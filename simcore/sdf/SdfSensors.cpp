@@ -153,8 +153,8 @@ bool hasOwn(const sdf::ElementPtr& element) {
   return false;
 }
 
-/// Calls `read`. What is wrong with a sensor as SDFormat has it only leaves that sensor out; one of ours has
-/// to be right. Returns false if it is left out.
+/// Calls `read`. A problem with a standard sensor of SDFormat only leaves that sensor out; our own sensors
+/// have to be right. Returns false if it is left out.
 template <typename Read>
 bool readOrLeaveOut(const sdf::Sensor& sensor, const SdfContext& context, Read read) {
   const sdf::ElementPtr element = sensor.Element();

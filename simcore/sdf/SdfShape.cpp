@@ -46,7 +46,7 @@ PlacedShape planeOf(const sdf::Plane& plane, const sdf::ElementPtr& element, con
   return result;
 }
 
-/// Box, sphere, cylinder, capsule, plane; empty if the geometry is none of them.
+/// Returns a box, sphere, cylinder, capsule or plane; empty if the geometry is none of these.
 Shapes readBasicShape(const sdf::Geometry& geometry, const SdfContext& context) {
   const sdf::ElementPtr element = geometry.Element();
   const auto size = [&](double value, const char* what) {
@@ -117,7 +117,7 @@ Shapes readPolylines(const sdf::Geometry& geometry, const SdfContext& context) {
   return {meshShape(std::make_shared<const Mesh>(std::move(*mesh)))};
 }
 
-/// The parts that <submesh> names, or all; moved so that they are centered if it says so.
+/// The parts that <submesh> names, or all; centered if it requires that.
 Shapes partsOf(const MeshFiles::Parts& parts, const sdf::Mesh& source, const SdfContext& context) {
   const std::string& wanted = source.Submesh();
   std::vector<const MeshPart*> chosen;

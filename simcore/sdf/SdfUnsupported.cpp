@@ -136,7 +136,7 @@ constexpr Row kRows[] = {
     {"enable_metrics", "sensor", kNoNeed, Harmless::kAlways},
 };
 
-/// What is read of an element, or reported as a part of it.
+/// The children of an element that are read, or are reported as a part of it.
 struct ReadRow {
   std::string_view parent, children;
 };

@@ -14,8 +14,8 @@ int sdfMinorVersion(const std::string& version);
 /// The versions that are read.
 constexpr int kOldestSdf = 2, kNewestSdf = 12;
 
-/// Rewrites a document of SDFormat 1.`minor` (kOldestSdf to 8) as one of 1.9. What changed between the
-/// versions is described by the files *.convert of libsdformat; of these, the rules for elements that the
+/// Rewrites a document of SDFormat 1.`minor` (kOldestSdf to 8) as one of 1.9. The changes between the
+/// versions are described by the files *.convert of libsdformat; of these, the rules for elements that the
 /// simulator reads are followed. libsdformat's own converter is not used because it takes 40 ms per model.
 void upgradeSdf(tinyxml2::XMLDocument& document, int minor);
 

@@ -43,7 +43,7 @@ constexpr UrdfCost kUrdfCosts[] = {{"model", 2.5},   {"world", 2.5},  {"actor", 
                                    {"sensor", 0.5},  {"visual", 0.2}, {"collision", 0.2}};
 constexpr double kOtherCost = 0.02, kMaxCost = 700;  // MB
 
-/// What URDF has and SDFormat, or this simulator, has not.
+/// An element of URDF that SDFormat, or this simulator, does not have.
 struct UrdfUnknown {
   std::string_view element, parent;
   const char* why;

@@ -25,8 +25,8 @@ struct UrdfParts {
   std::set<std::string> moving;
 };
 
-/// What is wrong with a URDF, with its lines. libsdformat, which converts it, writes its reasons to the
-/// console only, if it has any, and leaves links out whose numbers it cannot read. Also URDFs are refused
+/// Returns the problems with a URDF, with their lines. libsdformat, which converts it, writes its reasons to
+/// the console only, if it has any, and leaves links out whose numbers it cannot read. Refuses also URDFs
 /// whose conversion would take more than 700 MB. Adds what SDFormat does not have, and prepares `robot` for
 /// being converted.
 robotlink::Errors checkUrdf(tinyxml2::XMLElement& robot, const std::string& file, UrdfParts& parts,

@@ -76,17 +76,17 @@ struct GuidedMotion {
 
 /// How a model moves that can move by itself.
 enum class MotionMode : std::uint8_t {
-  /// As the simulation's options say.
+  /// The model moves as the simulation's options say.
   kUnset,
   /// The forces of its motors move it.
   kPhysics,
-  /// As it is commanded, without forces: it pushes what can be moved, and stops at the rest.
+  /// The model moves as it is commanded, without forces: it pushes movable objects, and stops at the rest.
   kKinematic,
   /// The same, but it stops at whatever is in its way.
   kStopping,
 };
 
-/// What a robot does that is requested to walk: the odometry model of its gait. A plain value; {ahead,
+/// The walking of a robot on request: the odometry model of its gait. A plain value; {ahead,
 /// sideways, turning}.
 struct WalkDescription {
   std::string name = "walk";
@@ -113,7 +113,7 @@ struct VehicleWheel {
   double radius = 0;  ///< m
   /// The joint that steers it, an index of VehicleDescription::steering; -1 if none does.
   int steering = -1;
-  // Its center, and the direction in which it rolls forwards, in the model, with all joints at 0.
+  // The center of the wheel, and the direction in which it rolls forward, in the model, with all joints at 0.
   robotlink::Vector3 center = robotlink::Vector3::Zero(), forward = robotlink::Vector3::UnitX();
   bool operator==(const VehicleWheel&) const = default;
 };

@@ -60,7 +60,7 @@ struct ImageNoise {
   /// Standard deviation in gray values.
   double sigma = 0;
   std::uint64_t seed = 0;
-  /// One per camera.
+  /// The stream of random numbers, one per camera.
   std::uint64_t stream = 0;
   /// Number of the image.
   std::uint64_t frame = 0;

@@ -16,11 +16,11 @@ struct ControllerArgument {
 
 /// A controller that a scene's files choose for a model or for the world. A plain value.
 struct ControllerDescription {
-  /// As it is registered: "elevator".
+  /// The name under which it is registered: "elevator".
   std::string kind;
   /// Unique in its model, or among those of the world; that of the kind unless the file says another one.
   std::string name;
-  /// What precedes the names of parts of its model: "arm::" if it is that of a model in a model.
+  /// The prefix of the names of parts of its model: "arm::" if it is that of a nested model.
   std::string prefix = {};
   std::vector<ControllerArgument> arguments = {};
   robotlink::FilePosition where = {};

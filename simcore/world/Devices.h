@@ -43,7 +43,7 @@ struct CameraSensor {
 /// The servo of a joint: it turns to a requested angle with limited speed and torque. That of a prismatic
 /// joint moves to a requested position; then all is in m, m/s and N.
 struct Servo {
-  /// Such as "red1/legFL1/request".
+  /// The port of the command, such as "red1/legFL1/request".
   PortInfo info;
   /// Radians.
   double minimum = 0, maximum = 0;
@@ -51,11 +51,11 @@ struct Servo {
   double maximumSpeed = 0;
   /// Newton meters.
   double maximumTorque = 0;
-  /// What its command is, and how it follows it.
+  /// The kind of the command, and how the servo follows it.
   MotorControl control = {};
 };
 
-/// Where a door's sensor is found.
+/// The reference to a door's sensor.
 struct DoorSensor {
   enum class Kind : std::uint8_t { kNone, kNumber, kRange };
   Kind kind = Kind::kNone;
@@ -82,9 +82,9 @@ struct Guide {
   GuidedMotion motion;
 };
 
-/// What became of an actuator's last command.
+/// The state of an actuator after its last command.
 struct ActuatorState {
-  /// Its position (servos), speed or torque is that of the command, but for 1 % of its range.
+  /// Whether its position (servos), speed or torque is that of the command, within 1 % of its range.
   bool reached = false;
   /// Since the command, what it moves has touched nothing but floors: of a servo the links below its joint,
   /// of a drive or a guide the whole model.

@@ -21,9 +21,9 @@ struct ContactForce {
   robotlink::Vector3 force = robotlink::Vector3::Zero();
 };
 
-/// What a hinge or a slider exerted on its child in the last step.
+/// The reaction of a hinge or a slider on its child in the last step.
 struct JointForce {
-  /// Its path: "red1/joint:legFL1".
+  /// The path of the joint: "red1/joint:legFL1".
   std::string joint;
   robotlink::Vector3 anchor = robotlink::Vector3::Zero();
   robotlink::Vector3 force = robotlink::Vector3::Zero();
@@ -31,13 +31,13 @@ struct JointForce {
   robotlink::Vector3 torque = robotlink::Vector3::Zero();
 };
 
-/// A force that somebody applies by hand.
+/// A force that a user applies by hand.
 struct HandForce {
   enum class Kind : std::uint8_t { kDrag, kPush };
   Kind kind = Kind::kDrag;
   /// The path of the link.
   std::string link;
-  /// Where it acts, and for kDrag where it pulls to.
+  /// The point on which the force acts, and for kDrag the one to which it pulls.
   robotlink::Vector3 point = robotlink::Vector3::Zero(), target = robotlink::Vector3::Zero();
   robotlink::Vector3 force = robotlink::Vector3::Zero();
 };

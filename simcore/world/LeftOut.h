@@ -13,9 +13,9 @@ struct LeftOut {
   robotlink::FilePosition where;
   /// The object that has it, by the names of what contains it: "world/robot/arm/skin".
   std::string object;
-  /// What it is, for users: "<kp>".
+  /// The part that was left out, for users: "<kp>".
   std::string what;
-  /// What that means: "contacts have the stiffness of the solver".
+  /// The consequence of leaving it out: "contacts have the stiffness of the solver".
   std::string why;
   bool operator==(const LeftOut&) const = default;
 };

@@ -16,7 +16,7 @@ struct PortInfo {
   std::string type;
   /// Dimensions: {} for a scalar, {3} for a vector, {height, width, channels} for an image.
   std::vector<int> shape;
-  /// Such as "rad", "m", "m/s^2"; empty if there is none.
+  /// The unit, such as "rad", "m", "m/s^2"; empty if there is none.
   std::string unit;
   /// The range of its numbers, in the unit; unknown if maximum <= minimum.
   double minimum = 0, maximum = 0;

@@ -25,7 +25,7 @@ struct ClassIntensity {
   double intensity = 0;
 };
 
-/// What a surface reflects (a factor) and emits of a class.
+/// The reflection (a factor) and the emission of a surface for a class.
 struct SurfaceRadiation {
   std::string name;
   double reflects = 0, emits = 0;

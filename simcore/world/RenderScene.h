@@ -53,15 +53,15 @@ struct Lamp {
   /// Red, green and blue, 0 to 1.
   Eigen::Vector3f color = {1, 1, 1};
   Kind kind = Kind::kPoint;
-  /// Where the light goes, in the world, of unit length; without meaning for a point light.
+  /// The direction of the light in the world, of unit length; meaningless for a point light.
   Eigen::Vector3f direction = {0, 0, -1};
   /// Only for spots, rad, the full angles of two cones: within the inner one the light is full, between the
   /// two it falls off with the cosine of the angle, beyond there is none.
   float innerAngle = 0, outerAngle = 0;
 };
 
-/// Where a lamp's light comes from: a directional one is far away against its direction, so that its rays are
-/// nearly parallel, and near enough for floats.
+/// Returns the origin of a lamp's light: a directional one is far away against its direction, so that its
+/// rays are nearly parallel, and near enough for floats.
 Eigen::Vector3f placeOf(const Lamp& lamp);
 /// The intensity of the channel that a lamp has most of.
 inline float peakOf(const Lamp& lamp) {
@@ -89,7 +89,7 @@ struct RenderScene {
   float ambient = 0.4F;
   /// The color where there is nothing.
   Rgb background;
-  /// What image sensors see beside colors.
+  /// The data that image sensors see in addition to colors.
   SceneRadiation radiation = {};
   /// The true class of each instance: 0 if it has none, otherwise the index of its color's name in
   /// `labelNames` plus 1. The names are sorted.

@@ -18,7 +18,7 @@ struct SceneRobot {
   /// The process layout of its program: the name of a shipped one, or a file with its whole path. Empty: that
   /// of its description.
   std::string layout = {};
-  /// What it is in its team from the start ("goalie"); empty: the team decides.
+  /// The role of the robot in its team from the start ("goalie"); empty: the team decides.
   std::string role = {};
 
   bool operator==(const SceneRobot&) const = default;
@@ -46,7 +46,7 @@ struct ModelToAdd {
   /// model://NAME, the name of a model's folder, a kind of robot (SceneRobot::description), or a model's
   /// file.
   std::string model;
-  /// Its name in the scene; empty: the model's, or its team's, with the next free number if it is a robot or
+  /// The name in the scene; empty: the model's, or its team's, with the next free number if it is a robot or
   /// the name is taken.
   std::string name = {};
   /// In the world.

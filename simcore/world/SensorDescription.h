@@ -48,7 +48,7 @@ struct SensorDescription {
     kForceTorque,
     kOdometry,
     kBattery,
-    /// What ImageSensor measures.
+    /// The measurement of an ImageSensor.
     kImage,
   };
   Kind kind = Kind::kCamera;

@@ -24,7 +24,7 @@ struct NoiseModel {
 
 /// All errors of a sensor: of its numbers and of its timing. A plain value; the default changes nothing.
 struct SensorErrors {
-  /// One for all channels, or one for each. Empty: there is no noise.
+  /// The noise of all channels, or of each. Empty: there is no noise.
   std::vector<NoiseModel> noise = {};
   /// How long a sample takes until it can be read, s, 0 to kMaxDelay.
   double delay = 0;
@@ -50,7 +50,7 @@ class StateStream;
 void transferNoise(StateStream& stream, std::vector<NoiseModel>& noise);
 void transferErrors(StateStream& stream, SensorErrors& errors);
 
-/// The first thing that is wrong with errors that somebody chose, in words for users; empty if nothing is.
+/// Returns the first problem with errors that a user chose, in words for users; empty if there is none.
 const char* wrongErrors(const SensorErrors& errors);
 
 }  // namespace simcore

@@ -39,7 +39,7 @@ class StateStream {
   bool good() const { return good_ && reader_.good(); }
   /// Whether everything was read that there is.
   bool complete() const { return good() && reader_.complete(); }
-  /// What was read is not possible unless `holds`. Has no effect on what this program has written itself.
+  /// Marks a state that was read as invalid unless `holds`. Has no effect on a state of this program.
   void require(bool holds) {
     if (isReading_ && isForeign_ && !holds) good_ = false;
   }

@@ -20,10 +20,10 @@ struct ViewEvent {
   int button = 0;
   /// For the mouse: the ray from the eye through the cursor, in the world, m. The direction is of length 1.
   robotlink::Vector3 origin = robotlink::Vector3::Zero(), direction = robotlink::Vector3::UnitX();
-  /// What the ray hits first at the step in which the event enters: a visual as "MODEL/LINK/VISUAL", and its
+  /// The first hit of the ray at the step in which the event enters: a visual as "MODEL/LINK/VISUAL", and its
   /// model. Empty if it hits nothing. The simulation fills these in.
   std::string object = {}, model = {};
-  /// Where it hits, in the world, m.
+  /// The point that the ray hits, in the world, m.
   robotlink::Vector3 point = robotlink::Vector3::Zero();
 
   bool isOfMouse() const { return kind >= Kind::kMousePressed; }

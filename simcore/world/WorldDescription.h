@@ -58,7 +58,7 @@ struct VisualDescription {
   std::string colorName;
   bool teamColor = false;
   bool castsShadow = true;
-  /// What it reflects and emits of radiation classes.
+  /// The reflection and emission of radiation classes by the surface.
   std::vector<SurfaceRadiation> radiation;
 };
 
@@ -90,7 +90,7 @@ struct JointDescription {
   enum class Kind : std::uint8_t { kHinge, kFixed, kSlider, kBall, kUniversal };
   std::string name;
   Kind kind = Kind::kHinge;
-  /// Its child has another joint to a parent: it does not say where the child is.
+  /// Whether the child has another joint to a parent: then this one does not determine the child's pose.
   bool closesCycle = false;
   /// Index of a link; -1 is the world.
   int parent = -1;
@@ -166,7 +166,7 @@ struct ModelDescription {
   std::string field;
   /// Never moves.
   bool isStatic = false;
-  /// Its contacts with robots are counted.
+  /// Whether its contacts with robots are counted.
   bool isBall = false;
   std::vector<LinkDescription> links;
   std::vector<JointDescription> joints;
@@ -204,7 +204,7 @@ struct ModelInstance {
   std::string layout;
   /// See SceneRobot::role.
   std::string role;
-  /// What its <include> chooses; kUnset: what its type says.
+  /// The mode that its <include> chooses; kUnset: the mode of its type.
   MotionMode motion = MotionMode::kUnset;
   MotionMode chosenMotion() const { return motion != MotionMode::kUnset ? motion : type->motion; }
   /// Whether it moves in the plane as it is commanded, and its joints, without forces.
@@ -218,7 +218,7 @@ struct WorldDescription {
   std::string name;
   /// The rules of the game that is played in it (resources/games/<game>.yaml); empty: there is none.
   std::string game;
-  /// Where the file says so.
+  /// The place in the file that names the game.
   robotlink::FilePosition gameWhere = {};
   /// Meters per second squared.
   Vector3 gravity = {0, 0, -9.81};
@@ -232,10 +232,10 @@ struct WorldDescription {
   std::vector<RadiationClass> radiationClasses;
   /// Their names in the world's file, by lamp.
   std::vector<std::string> lampNames;
-  /// Where they shine as the world's file says it, in their own frames, by lamp; without meaning for point
+  /// The directions of the lamps as in the world's file, in their own frames, by lamp; meaningless for point
   /// lights.
   std::vector<Vector3> lampDirections;
-  /// What the lamps emit of radiation classes, by lamp.
+  /// The emission of radiation classes by the lamps, by lamp.
   std::vector<std::vector<ClassIntensity>> lampRadiation;
   /// The controllers that belong to no model.
   std::vector<ControllerDescription> controllers;

@@ -79,7 +79,7 @@ bool BehaviorModel::setState(const robotcontrol::BehaviorState* state) {
   if (state == nullptr) return false;
   const QString solution = QString::fromStdString(state->solution());
   if (solution != solution_) {
-    // Another behavior, whose graph may come later.
+    // The graph of another behavior may arrive later.
     changed_ = !options_.empty();
     options_.clear();
     hasGraph_ = false;
@@ -112,7 +112,7 @@ bool BehaviorModel::search(int option, const Place& place, std::vector<Place>& p
     return true;
   }
   const auto& states = options_[static_cast<std::size_t>(option)].states;
-  // The state that is active now comes first, so that as little as possible changes.
+  // The active state is the first, so that as little as possible changes.
   std::vector<int> order;
   if (const Active* now = activeIn(option)) order.push_back(now->state);
   for (int i = 0; i < static_cast<int>(states.size()); ++i) order.push_back(i);

@@ -58,7 +58,7 @@ class BehaviorModel {
   const QString& solution() const { return solution_; }
   const std::vector<Option>& options() const { return options_; }
   const std::vector<Active>& active() const { return active_; }
-  /// What is active of an option; null if it is not.
+  /// The active state of an option; null if it is not active.
   const Active* activeIn(int option) const;
   /// Whether the behavior has a graph, so that its states can be forced.
   bool hasGraph() const { return hasGraph_; }
@@ -68,7 +68,7 @@ class BehaviorModel {
   std::vector<Place> pathTo(const Place& place) const;
   /// The parameter that forces these states: "playing=goalie, keep goal=clear".
   QString forcedText(const std::vector<Place>& places) const;
-  /// What is active, one line for each option: option, state, since when, why.
+  /// The active states, one line for each option: option, state, since when, why.
   QString description() const;
 
  private:

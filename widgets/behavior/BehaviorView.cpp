@@ -125,7 +125,7 @@ void BehaviorView::forceSelected() {
 }
 
 void BehaviorView::step() {
-  // The count continues from what the program has, whoever else steps it.
+  // The count continues from the program's own, whoever else steps it.
   const std::string solution = std::string(kBehaviorTask) + '/' + model_.solution().toStdString();
   edits_->requestValue(solution, "control.steps", [this](const robotlink::Result<std::string>& value) {
     const QString text = value ? QString::fromStdString(*value) : QString();

@@ -20,7 +20,7 @@ class OptionCanvas final : public QWidget {
   void layOut();
   const BehaviorModel::Place& selected() const { return selected_; }
   void select(const BehaviorModel::Place& place);
-  /// Where a state is drawn, in widget pixels.
+  /// The rectangle of a state, in widget pixels.
   QRectF stateRect(const BehaviorModel::Place& place) const;
 
  Q_SIGNALS:

@@ -16,13 +16,13 @@ struct OptionTexts {
   Q_DECLARE_TR_FUNCTIONS(OptionGraph)
 };
 
-constexpr double kLineRoom = 4;  // pixels between a line and a box beside it
+constexpr double kLineRoom = 4;  // pixels between a line and a box next to it
 
 /// The longest way from the root to each option.
 std::vector<int> depths(const BehaviorModel& model) {
   const auto& options = model.options();
   std::vector<int> depth(options.size(), 0);
-  // As often as there are options, so that it ends for circles, too.
+  // There are as many rounds as options, so that it ends for cycles, too.
   for (std::size_t round = 0; round < options.size(); ++round) {
     for (std::size_t i = 0; i < options.size(); ++i)
       for (const auto& state : options[i].states)
@@ -74,7 +74,7 @@ double OptionGraph::passage(int column, double near) {
     return std::abs(near - std::clamp(near, gap.top, gap.bottom));
   };
   Gap& gap = *std::ranges::min_element(gaps, {}, distance);
-  // Lines beside each other, as far as there is room; then the first place is used again.
+  // Lines run side by side, as far as there is room; then the first place is used again.
   constexpr double kBeside = 4;
   const double room = std::max(1.0, gap.bottom - gap.top + 1);
   const double at = std::clamp(near, gap.top, gap.bottom) - gap.top + kBeside * gap.lines++;
@@ -162,7 +162,7 @@ void OptionGraph::paintActivations(QPainter& painter, const BehaviorModel& model
     const auto* active = model.activeIn(line.from.option);
     return active != nullptr && active->state == line.from.state && model.activeIn(line.to) != nullptr;
   };
-  // What is active lies on top.
+  // Active lines are on top.
   for (const bool active : {false, true}) {
     painter.setPen(QPen(colorOf(active ? Meaning::kGood : Meaning::kMuted, palette), active ? 2.5 : 1));
     for (const Line& line : lines_)

@@ -36,7 +36,7 @@ class OptionGraph {
     QPainterPath path;
   };
   const std::vector<Line>& lines() const { return lines_; }
-  /// What is to be said of a place, as rich text.
+  /// The tooltip about a place, as rich text.
   static QString toolTip(const BehaviorModel& model, const BehaviorModel::Place& place);
 
   /// Pure. `selected` may be nothing. The model must be that of the constructor, apart from what is active.
@@ -44,7 +44,7 @@ class OptionGraph {
              const QPalette& palette) const;
 
  private:
-  /// Where a line passes a column: above, between or below its boxes.
+  /// A place where a line passes a column: above, between or below its boxes.
   struct Gap {
     double top = 0, bottom = 0;
     /// How many lines pass already.

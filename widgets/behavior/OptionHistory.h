@@ -49,7 +49,7 @@ class OptionHistory {
   double height() const { return kRow * static_cast<double>(rows_.size()); }
   /// The segment under a point of a picture of some width; null if there is none.
   const Segment* at(const QPointF& point, double width) const;
-  /// What is to be said of it, as rich text.
+  /// The tooltip about a segment, as rich text.
   static QString toolTip(const Segment& segment);
   /// Pure. The rows are painted at the top of `area`.
   void paint(QPainter& painter, const QRectF& area, const QPalette& palette) const;

@@ -57,7 +57,7 @@ class CalibrationView final : public PictureView {
     Search search;
     robotlink::Result<std::optional<Corners>> corners;
   };
-  /// What is to be computed: a lens, or a place from a board or from points.
+  /// The computation that is requested: a lens, or a place from a board or from points.
   struct Question {
     std::optional<BoardViews> lens = {};
     robotlink::LensModel knownLens = {};
@@ -117,12 +117,12 @@ class CalibrationView final : public PictureView {
   PackageSubscription subscription_, settingsSubscription_;
 
   std::shared_ptr<const foxglove::RawImage> image_;
-  /// What was found last; the corners are empty if there was no board.
+  /// The image that was last searched; the corners are empty if there was no board.
   std::shared_ptr<const foxglove::RawImage> searched_;
   robotlink::Chessboard searchedBoard_;
   Corners corners_;
   QString problem_;
-  /// What is shown is up to date.
+  /// Whether the view shows the present state.
   bool isShown_ = false;
   /// Marks were clicked, but no lens was known.
   bool waitsForLens_ = false;

@@ -39,14 +39,14 @@ class MarkModel final : public RowModel<PickedMark> {
   /// The next row without a pixel after `row`, around the end; -1: all have one.
   int nextFree(int row) const;
 
-  /// What was clicked, as "x y" by the rows' names.
+  /// The positions that were clicked, as "x y" by the rows' names.
   QJsonObject save() const;
   void restore(const QJsonObject& state);
 
   QVariant data(const QModelIndex& index, int role) const override;
 
  private:
-  /// What was clicked of marks that are not known yet.
+  /// The positions clicked for marks that are not known yet.
   QJsonObject saved_;
 };
 

@@ -20,7 +20,7 @@ class MarkModel;
 class PlacePanel final : public QWidget {
   Q_OBJECT
  public:
-  /// What the place is computed from.
+  /// The data from which the place is computed.
   enum class By { kMarks, kBoard };
 
   /// `marks` must outlive the panel.

@@ -17,7 +17,7 @@
 namespace widgets {
 namespace {
 
-/// A value that was wanted comes back from the camera within this time, ms.
+/// The camera confirms a requested value within this time, ms.
 constexpr int kAnswerMs = 1500;
 /// The most steps of a slider.
 constexpr double kMaxSliderSteps = 10000;

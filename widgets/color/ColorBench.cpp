@@ -13,7 +13,7 @@ namespace widgets {
 namespace {
 
 constexpr int kThumbnailHeight = 72;
-/// This many images that were seen are kept to try the table on, at least so far from each other.
+/// The number of seen images that are kept to try the table on, and their minimum distance.
 constexpr std::size_t kMaxOthers = 12;
 constexpr std::chrono::seconds kMinApart(1);
 

@@ -52,7 +52,7 @@ class ColorBench final : public QObject {
   ~ColorBench() override;
 
   /// Sets the field, whose colors decide which preset of classes a new document has; null: none. A document
-  /// that nobody has touched gets these classes at once.
+  /// that has not been changed yet gets these classes at once.
   void setField(const robotlink::FieldDescription* field);
 
   /// The document: the current samples and their history.
@@ -98,7 +98,7 @@ class ColorBench final : public QObject {
   /// Puts these images aside as long as there is room; those that are there already are skipped. Returns how
   /// many were added.
   std::size_t collect(const std::vector<ColorFramePtr>& frames);
-  /// What all images that are put aside may take, bytes of pixels.
+  /// The maximum size of all images that are put aside, bytes of pixels.
   static constexpr std::size_t kMaxCollectedBytes = std::size_t{128} << 20U;
   void removeCollected(std::size_t index);
 
@@ -159,7 +159,7 @@ class ColorBench final : public QObject {
   void qualityChanged();
   /// reference() changed.
   void referenceChanged();
-  /// The user jumps to an image by time: frozen views shall follow the timeline again.
+  /// Emitted when the user jumps to an image by time: frozen views have to follow the timeline again.
   void followWanted();
   /// The user wants to see the difference to the reference in the image.
   void differenceWanted();
@@ -167,7 +167,7 @@ class ColorBench final : public QObject {
   void pointedChanged();
   /// Something could not be done: what, and why.
   void failed(const QString& reason);
-  /// What failed last was done now, or given up.
+  /// Emitted when the last failed action has succeeded or was given up.
   void settled();
 
  private:

@@ -128,7 +128,7 @@ Result<void> compare(ColorBench& bench, ColorFiles& files, const std::string& ta
   return {};
 }
 
-/// Attaches commands of a table. They hold weak references, so they fail once the window is gone.
+/// Attaches commands of a table. They hold weak references, so they fail once the window no longer exists.
 class Commands {
  public:
   explicit Commands(ViewContext& context) : table_(context.commands) {

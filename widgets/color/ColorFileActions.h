@@ -56,7 +56,7 @@ class ColorFileActions final : public QObject {
 /// Saves the samples to their file, or asks for one. False: it failed or was canceled.
 bool saveSamples(ColorFiles& files, QWidget* parent);
 
-/// Asks whether unsaved samples shall be saved before they are replaced. False: the user canceled, or saving
+/// Asks whether to save unsaved samples before they are replaced. False: the user canceled, or saving
 /// failed, and they must be kept. Asks nothing without unsaved changes.
 bool mayLoseSamples(ColorFiles& files, QWidget* parent);
 

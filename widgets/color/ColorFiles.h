@@ -52,7 +52,7 @@ class ColorFiles final : public QObject {
   robotlink::Result<void> saveAs(const std::filesystem::path& file);
   /// Adds the samples of another file, as one step that can be undone.
   robotlink::Result<void> merge(const std::filesystem::path& file);
-  /// Writes the table as a .c64 file, with the names of its classes beside it. `several`: cells in which
+  /// Writes the table as a .c64 file, with a file of the names of its classes. `several`: cells in which
   /// other classes have at least 70 % of the best one's votes belong to all of them.
   robotlink::Result<void> exportTable(const std::filesystem::path& file, bool several);
   /// Reads a table of any format that can be imported and makes it the reference.
@@ -66,7 +66,7 @@ class ColorFiles final : public QObject {
 
   /// The folder of the last file that was read or written; where dialogs start.
   const QString& folder() const { return folder_; }
-  /// Where dialogs start as long as no file was read or written.
+  /// Sets the folder of dialogs as long as no file was read or written.
   void proposeFolder(const QString& folder) {
     if (folder_.isEmpty()) folder_ = folder;
   }

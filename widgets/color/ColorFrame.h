@@ -29,7 +29,7 @@ class ColorFrame {
   static std::shared_ptr<const ColorFrame> ofFile(std::shared_ptr<const foxglove::RawImage> image,
                                                   const std::filesystem::path& file,
                                                   const std::string& camera);
-  /// The absolute path of the picture's file; empty: it is no picture of a file.
+  /// The absolute path of the picture's file; empty: it is not from a file.
   const std::filesystem::path& file() const { return file_; }
   /// The file that an image's name in samples refers to; empty if it is another kind of image or the file
   /// does not exist.

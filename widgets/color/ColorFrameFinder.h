@@ -36,14 +36,14 @@ class ColorFrameFinder final : public QObject {
   /// Whether a search has begun since the program started.
   bool searched() const { return searched_.table != nullptr; }
   const FrameSearch::Progress& progress() const { return progress_; }
-  /// Where was searched last: "game.mcap, nao/camera/image".
+  /// The place of the last search: "game.mcap, nao/camera/image".
   const QString& place() const { return searched_.place; }
   /// Whether the table has changed since the last search.
   bool stale() const;
 
   /// The frames that were found.
   SuspiciousFrameModel& model() { return model_; }
-  /// Where the images that it would search are in a log; unset if they are in none.
+  /// The images in a log that it would search; unset if they are in none.
   std::optional<LoggedImages> loggedImages() const;
   /// The stream of the current image, else the first image stream of the log; empty if there is none.
   std::string streamToSearch() const;
@@ -63,7 +63,7 @@ class ColorFrameFinder final : public QObject {
   void changed();
 
  private:
-  /// Where to search.
+  /// The place to search.
   struct Place {
     std::variant<LoggedImages, KeptImages> images;
     /// See place().

@@ -20,11 +20,11 @@ namespace widgets {
 struct ColorTask {
   /// Larger than that of all tasks before.
   std::uint64_t number = 0;
-  /// What the table is trained from.
+  /// The samples from which the table is trained.
   colortool::Samples samples;
   /// The image to segment; null: none.
   ColorFramePtr frame;
-  /// What the table is scored with, see ColorScorer::Task.
+  /// The labeled images with which the table is scored, see ColorScorer::Task.
   std::shared_ptr<const std::vector<LabeledFrame>> labeled = {};
   std::shared_ptr<const colortool::ColorTable> reference = {};
   std::vector<ColorFramePtr> others = {};
@@ -35,7 +35,7 @@ struct ColorTask {
 struct LearnedColors {
   /// Number of its task.
   std::uint64_t task = 0;
-  /// What the table was trained from.
+  /// The samples from which the table was trained.
   colortool::Samples samples;
   std::shared_ptr<const colortool::ColorTable> table;
   ColorFramePtr frame;

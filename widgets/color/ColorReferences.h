@@ -16,7 +16,7 @@ namespace widgets {
 robotlink::Result<ReferenceTable> readReference(const std::filesystem::path& file);
 /// Trains a table from samples: about 20 ms with votes, up to a second with other methods.
 ReferenceTable trainedReference(const colortool::Samples& samples, const QString& name);
-/// Name of the table after so many steps of the history: "the table after step 3, Stroke: orange".
+/// The name of the table after `position` steps of the history: "the table after step 3, Stroke: orange".
 QString stepName(const colortool::SampleDocument& document, std::size_t position);
 
 /// The current table; trained here if the bench does not have it yet. GUI thread.

@@ -20,7 +20,7 @@ namespace widgets {
 /// An image whose pixels' true classes are known.
 struct LabeledFrame {
   ColorFramePtr frame;
-  /// One per pixel: an index into `classNames`, or Evaluation::kIgnored.
+  /// The label of each pixel: an index into `classNames`, or Evaluation::kIgnored.
   std::vector<std::uint8_t> labels;
   /// [0] stands for no class.
   std::vector<std::string> classNames;
@@ -48,7 +48,7 @@ struct ColorQuality {
     std::uint64_t pixels = 0;
     /// Suspicious pixels by class.
     std::vector<std::uint64_t> suspicious;
-    /// What the classes take of the background's colors there.
+    /// The share of the background's colors there that the classes take.
     colortool::BackgroundColors::Counts background;
     /// Whether the images are spread over a log, rather than those that the user has seen.
     bool ofLog = false;

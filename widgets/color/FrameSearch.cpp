@@ -27,7 +27,7 @@ std::shared_ptr<const foxglove::RawImage> rawImageIn(const robotlink::StreamMess
   return std::dynamic_pointer_cast<const foxglove::RawImage>(message.value);
 }
 
-/// What the thread needs to examine images.
+/// The data that the thread needs to examine images.
 struct FrameSearch::Eye {
   colortool::SuspicionMeter meter;
   std::optional<colortool::ImageCorrector> corrector;

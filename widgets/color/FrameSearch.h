@@ -60,7 +60,7 @@ struct FrameQuery {
   colortool::SuspicionOptions options = {};
 };
 
-/// Goes over all images of a stream in a thread of its own, as fast as they can be decoded, and hands out
+/// Goes through all images of a stream in a thread of its own, as fast as they can be decoded, and returns
 /// those with suspicious pixels as it finds them, but no more than kMaxKept, the worst ones. The other
 /// functions: one thread. The destructor gives up, and waits for the image in hand.
 class FrameSearch {

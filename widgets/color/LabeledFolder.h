@@ -14,9 +14,9 @@
 namespace widgets {
 
 /// Reads a folder of labeled images (PNG, JPEG, .yuyv) in a thread of its own. The label of an image is a
-/// gray PNG of the same size and base name, in a folder "labels" inside of this one or beside it, or in this
+/// gray PNG of the same size and base name, in a folder "labels" inside of this one or next to it, or in this
 /// one. Its values are class numbers, or Evaluation::kIgnored where the class is unknown. The classes' names
-/// are read from "labels.classes" beside the labels; without that file they are those of the preset
+/// are read from "labels.classes" in the folder of the labels; without it they are those of the preset
 /// bhuman2009. Images may be in subfolders; instead of the images' folder that of the labels can be given.
 /// Images without a label are skipped.
 ///
@@ -26,7 +26,7 @@ class LabeledFolder {
   /// The result.
   struct Read {
     std::vector<LabeledFrame> frames;
-    /// What could not be read, and was skipped.
+    /// The files that could not be read, and were skipped.
     robotlink::Errors problems;
   };
   /// Begins at once. `camera`: name of the robot whose corrections apply to the images; empty: none.

@@ -19,7 +19,7 @@ class PictureReading {
   /// The result.
   struct Read {
     std::vector<ColorFramePtr> frames;
-    /// What could not be read, and was skipped.
+    /// The files that could not be read, and were skipped.
     robotlink::Errors problems;
     /// Number of pictures skipped because the memory bound was reached.
     std::size_t leftOut = 0;

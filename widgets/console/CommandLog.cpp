@@ -11,7 +11,7 @@ namespace {
 
 /// The most characters of a remembered line.
 constexpr int kMaxLine = 1000;
-/// How often a line that waits is looked at.
+/// The period at which a waiting line is checked.
 constexpr int kTickMs = 20;
 const QLatin1String kHelp("help");
 
@@ -39,7 +39,7 @@ robotlink::Result<void> CommandLog::run(const QString& line) {
   }
   using Word = robotlink::ScriptLine;
   const auto read = script_.withValuesOfVariables(line.toStdString()).and_then(&robotlink::readScriptLine);
-  // What cannot be read is refused by the script, with the column.
+  // Lines that cannot be read are refused by the script, with the column.
   if (read && read->kind == Word::Kind::kCommand) return runCommand(read->text);
   runWord(line.trimmed());
   return {};

@@ -12,8 +12,8 @@
 
 namespace widgets {
 
-/// The commands that a person has typed, in whichever view, and what came of them. All of a window share one,
-/// see commandLog(). GUI thread; what they act on must outlive it.
+/// The commands that a person has typed, in whichever view, and their outcomes. All of a window share one,
+/// see commandLog(). GUI thread; the objects on which they act must outlive it.
 class CommandLog final : public QObject {
   Q_OBJECT
  public:
@@ -27,16 +27,16 @@ class CommandLog final : public QObject {
   static constexpr std::size_t kMaxEntries = 2000;
   static constexpr int kMaxHistory = 200;
 
-  /// What lines act on must outlive this.
+  /// The objects on which lines act must outlive this.
   CommandLog(robotlink::CommandTable& commands, robotlink::Session& session, QObject* parent = nullptr);
   ~CommandLog() override;
 
-  /// Runs a line of a script, notes it and what came of it, and adds it to the history. A command has been
-  /// run at the return; the words of scripts (SCRIPTS.md) may take longer, and then note what came of them
-  /// later. One that still waits is cancelled by the next one. "help" lists all commands, "help robot." those
+  /// Runs a line of a script, notes it and its outcome, and adds it to the history. A command has been
+  /// run at the return; the words of scripts (SCRIPTS.md) may take longer, and then note their outcome
+  /// later. One that still waits is canceled by the next one. "help" lists all commands, "help robot." those
   /// that begin so.
   robotlink::Result<void> run(const QString& line);
-  /// Notes something that came of a command later, or that went wrong elsewhere.
+  /// Notes a later result of a command, or an error from elsewhere.
   void add(Kind kind, const QString& text);
   void clear();
   const std::deque<Entry>& entries() const { return entries_; }

@@ -11,9 +11,9 @@ class CommandTable;
 // Completion and hints while a command line is typed. Positions are in characters of the QString.
 namespace widgets {
 
-/// What the word at the cursor can become, and what comes next.
+/// The completions of the word at the cursor, and what comes next.
 struct TypedCommand {
-  /// Where the word begins that a candidate replaces; it ends at the cursor.
+  /// The position at which the word begins that a candidate replaces; it ends at the cursor.
   int from = 0;
   QStringList candidates;
   /// The command with its arguments, of which the current one is bold, and the argument's help, as rich text;

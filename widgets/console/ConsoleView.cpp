@@ -74,7 +74,7 @@ void ConsoleView::createViews() {
 
 void ConsoleView::connectSignals() {
   connect(input_, &CommandInput::submitted, this, [this](const QString& line) {
-    // What goes wrong is shown as every entry of the log.
+    // Errors are shown as entries of the log, too.
     static_cast<void>(log_.run(line));
   });
   connect(input_, &CommandInput::ambiguous, this, [this](const QStringList& candidates) {

@@ -23,7 +23,7 @@ class DataFilter {
   bool findsWithin(const QString& path, const google::protobuf::Message& message) const;
 
  private:
-  /// `budget`: how many more fields are looked at.
+  /// `budget`: the number of further fields to examine.
   bool findsWithin(const QString& path, const google::protobuf::Message& message, int& budget) const;
 
   QStringList words_;

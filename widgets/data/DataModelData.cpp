@@ -14,7 +14,7 @@
 #include "widgets/plots/PlotTreeModel.h"
 #include "widgets/world/FieldUnits.h"
 
-// What the cells of a DataModel show.
+// The contents of the cells of a DataModel.
 namespace widgets {
 
 namespace {

@@ -49,7 +49,7 @@ struct DataNode {
   /// The message that is shown, and the one that it is compared with; null: none.
   robotlink::PackagePtr value = {}, other = {};
 
-  /// What is computed of a value only when it changes: `own` and `other` are the messages that it was
+  /// The data computed of a value only when it changes: `own` and `other` are the messages that it was
   /// computed of.
   struct Computed {
     robotlink::PackagePtr own = {}, other = {};
@@ -63,7 +63,7 @@ struct DataNode {
   const DataNode* stream() const;
 };
 
-/// Where a row's value is, in the message that is shown and in the other one.
+/// The places of a row's value, in the message that is shown and in the other one.
 struct NodePlaces {
   FieldPlace own, other;
 };
@@ -86,7 +86,7 @@ QString pathTextOf(const DataNode& node);
 /// Identifies a row: its path, elements by name if they have one, ranges by their first element. Unlike the
 /// path it is found without a look at other elements, so elements of the same name share it.
 QString rowKeyOf(const DataNode& node);
-/// What stands in the column of names: "position", "[3] head.pan", "[1000 … 1999]".
+/// The text in the column of names: "position", "[3] head.pan", "[1000 … 1999]".
 QString labelOf(const DataNode& node);
 
 /// Whether two values differ. Timestamps do not count, since they differ in any two messages.

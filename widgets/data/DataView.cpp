@@ -38,12 +38,12 @@ const ViewRegistration kDataViewRegistration{
 
 constexpr char kPlotCommand[] = "plots.add";
 
-// What the combo box of comparisons has as data, and saved states contain; robots are "robot:<name>".
+// The data of the combo box of comparisons, also in saved states; robots are "robot:<name>".
 const QLatin1String kRemembered("remembered");
 const QLatin1String kLogged("logged");
 const QLatin1String kRobotPrefix("robot:");
 
-// What commands compare with besides.
+// Further comparisons of commands.
 constexpr char kNone[] = "none", kNow[] = "now";
 
 DataComparison comparisonFrom(const QString& text) {
@@ -212,7 +212,7 @@ void DataView::updateModel() {
   model_.update(session().store(), session().timeline().shown());
   const bool isScrolled = tree_->verticalScrollBar()->value() > 0;
   if (!hasOtherRows_ || !isScrolled || !top.isValid()) return;
-  // What is looked at stays in its place while rows come and go above it.
+  // The visible rows stay in their place while rows are added and removed above them.
   const int left = tree_->horizontalScrollBar()->value();
   tree_->scrollTo(top, QAbstractItemView::PositionAtTop);
   tree_->horizontalScrollBar()->setValue(left);

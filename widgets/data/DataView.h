@@ -36,7 +36,7 @@ class DataView final : public View {
   /// Compares with "none", "now" (remembers the values that are shown), "remembered", "logged", or a robot.
   /// Fails if there is no such robot.
   robotlink::Result<void> compareWith(const std::string& what);
-  /// What this function takes now.
+  /// The comparisons that this function accepts now.
   static std::vector<std::string> comparisons(const robotlink::Session& session);
 
  private:
@@ -44,7 +44,7 @@ class DataView final : public View {
   void createTree();
   void createViews();
   void connectSignals();
-  /// Shows what is new; what is looked at stays where it is.
+  /// Shows new data; the visible rows stay where they are.
   void updateModel();
   void search(const QString& words);
   /// Fills the combo box of what can be compared with, if the robots changed.

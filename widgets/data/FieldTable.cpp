@@ -155,7 +155,7 @@ FieldTableSource historyOf(const robotlink::StreamStore& store, const robotlink:
     auto& messages = source.messages.emplace_back();
     const auto* stream = store.find(column.stream);
     if (stream == nullptr) continue;
-    // What is only looked at is in the archive, too, with what is between it and the others.
+    // Messages that are only looked back at are in the archive, too, with those between them and the others.
     const std::size_t first = source.pieces.empty() ? 0 : stream->lookedAt;
     for (std::size_t i = first; i < stream->messages.size(); ++i)
       messages.push_back({stream->messages[i].time, stream->messages[i].value});

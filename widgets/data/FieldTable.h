@@ -26,7 +26,7 @@ struct FieldTable {
     /// For each column; empty where it has no value.
     std::vector<std::string> cells;
   };
-  /// At most so many rows are kept, the last ones.
+  /// The maximum number of rows, of which the last ones are kept.
   static constexpr std::size_t kMaxRows = 500'000;
 
   std::vector<FieldColumn> columns = {};
@@ -39,7 +39,7 @@ struct FieldTable {
   std::string csv(robotlink::Instant origin) const;
 };
 
-/// What a table is made of: the fields, and the messages of their streams or a log that has them. A value
+/// The source of a table: the fields, and the messages of their streams or a log that has them. A value
 /// that threads pass on.
 struct FieldTableSource {
   /// A message, shared with the session's history.
@@ -50,7 +50,7 @@ struct FieldTableSource {
   std::vector<FieldColumn> columns = {};
   /// For each column the messages of its stream; not used for a log.
   std::vector<std::vector<Message>> messages = {};
-  /// What the history has on disk, before these messages; not used for a log.
+  /// The pieces of the history on disk, before these messages; not used for a log.
   std::vector<robotlink::HistoryArchive::Piece> pieces = {};
   /// A log that is read instead; empty: none. The streams of the columns in it, and what is added to its
   /// times.

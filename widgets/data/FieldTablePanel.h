@@ -53,7 +53,7 @@ class FieldTablePanel final : public QWidget {
   FieldTableModel model_;
   std::vector<FieldColumn> columns_;
   QTableView* table_ = nullptr;
-  /// What the table is made of: the history, or the log.
+  /// The source of the table: the history, or the log.
   QComboBox* source_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;

@@ -35,7 +35,7 @@ QString numberText(Number value, Precision precision) {
   if constexpr (std::is_integral_v<Number>) {
     return QString::number(value);
   } else if constexpr (std::is_same_v<Number, float>) {
-    // Nine digits distinguish all floats; the shortest ones that do are what was meant.
+    // Nine digits distinguish all floats; the shortest text that does is the intended one.
     if (precision == Precision::kShort) return QString::number(value, 'g', kDigits);
     for (int digits = kDigits; digits < std::numeric_limits<float>::max_digits10; ++digits) {
       const QString text = QString::number(value, 'g', digits);

@@ -195,7 +195,7 @@ void PublishPanel::showPackages() {
   auto* kinds = qobject_cast<QStandardItemModel*>(kind_->model());
   for (std::size_t i = 0; i < forms_.size(); ++i) {
     const std::string& package = forms_[i].package;
-    // What the program has is not known before it has reported its processes.
+    // The program's packages are not known before it has reported its processes.
     const bool isThere = package.empty() || present.empty() || present.contains(package);
     if (QStandardItem* item = kinds->item(static_cast<int>(i)); item->isEnabled() != isThere)
       item->setEnabled(isThere);

@@ -38,9 +38,9 @@ class PublishPanel final : public QWidget {
   PublishPanel(ViewContext& context, QWidget* parent);
   ~PublishPanel() override;
 
-  /// Lists the robots and shows what came of what was sent; call this in each tick.
+  /// Lists the robots and shows the results of what was sent; call this in each tick.
   void tick();
-  /// What was typed, and what is chosen.
+  /// The typed texts, and the choices.
   QJsonValue state() const;
   void setState(const QJsonValue& state);
 
@@ -67,7 +67,7 @@ class PublishPanel final : public QWidget {
 
   ViewContext& context_;
   std::vector<RequestForm> forms_;
-  /// What was typed, by the title of the kind; without an entry it is as by default.
+  /// The typed texts, by the title of the kind; without an entry it is the default.
   QMap<QString, QString> typed_;
   QString shown_;
   QComboBox* kind_ = nullptr;

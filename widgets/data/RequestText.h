@@ -37,15 +37,15 @@ robotlink::Result<robotcontrol::Request> readPackage(const std::string& package,
                                                      const std::string& robot, const std::string& json);
 
 /// The request of this kind, for a robot (unless it is one to the simulation, the replay or the recording,
-/// which are asked for all robots), with the fields in the text. Fails if the text is no such JSON, with the
-/// field that is wrong, or if nobody could fulfill the request.
+/// which are for all robots), with the fields in the text. Fails if the text is not such JSON, with the
+/// field that is wrong, or if the request could not be fulfilled.
 robotlink::Result<robotcontrol::Request> readRequest(robotcontrol::Request::WhatCase what,
                                                      const std::string& robot, const std::string& json);
 
 /// The titles of all kinds, each as one word of a command line: "set-goal".
 std::vector<std::string> requestWords();
 /// Sends a request once. `kind`: its title or the word for it. `json`: its fields; empty: as by default.
-/// `robot`: empty for the selected one. Fails if it cannot be sent; whoever fulfills it may refuse it later,
+/// `robot`: empty for the selected one. Fails if it cannot be sent; the receiver may refuse it later,
 /// which the session's refusal handler gets. GUI thread.
 robotlink::Result<void> publish(robotlink::Session& session, const std::string& kind, const std::string& json,
                                 const std::string& robot);

@@ -22,7 +22,7 @@ class UnfoldedRows final : public QObject {
   /// The tree must already show the model.
   UnfoldedRows(QTreeView& tree, DataModel& model);
 
-  /// Unfolds what stands above found rows, up to some hundred rows.
+  /// Unfolds the rows above found ones, up to some hundred rows.
   void unfoldFound();
 
   QJsonValue save() const;

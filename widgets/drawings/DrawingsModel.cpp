@@ -45,7 +45,7 @@ DrawingsModel::DrawingsModel(QStringList kinds, QObject* parent)
 
 void DrawingsModel::refresh(robotlink::Session& session, const std::string& robot) {
   if (session_ != &session || robot_ != robot) {
-    // What the other robot said of its keys holds no longer, also if this one says nothing of its own.
+    // The keys of the other robot are no longer valid, even if this one does not report its own.
     keys_ = nullptr;
     for (Row& row : rows_) {
       row.off = row.asked = false;

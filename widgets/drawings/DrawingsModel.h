@@ -55,7 +55,7 @@ class DrawingsModel : public QAbstractListModel {
   QStringList names() const;
   /// Requests the drawing's debug key on or off; a refusal is shown in the tooltip.
   void switchKey(int row, bool on);
-  /// Moves a row by so many rows of this model; -1 is up. Ignored at the ends.
+  /// Moves a row by `by` rows of this model; -1 is up. Ignored at the ends.
   void move(int row, int by);
 
   /// At most this many drawings of a saved state are restored, the first in its order. No robot

@@ -34,7 +34,7 @@ void DrawingsPanel::createViews() {
   list_->setModel(filtered_);
   list_->setUniformItemSizes(true);
   list_->setFrameShape(QFrame::NoFrame);
-  // What is drawn is said by the end of a name; before it stands who draws it. Tips have the whole name.
+  // The end of a name says what is drawn, its beginning says who draws it. Tooltips have the whole name.
   list_->setTextElideMode(Qt::ElideLeft);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* hint = new EmptyHint(list_);

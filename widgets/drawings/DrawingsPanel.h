@@ -10,8 +10,8 @@ namespace widgets {
 
 class DrawingsModel;
 
-/// The list beside a picture in which the user selects drawings by name, searches for them and orders them.
-/// What is lower in the list is painted on top. The panel edits the DrawingsModel directly; the view listens
+/// The list next to a picture in which the user selects drawings by name, searches for them and orders them.
+/// Lower ones in the list are painted on top. The panel edits the DrawingsModel directly; the view listens
 /// to the model's shownChanged(). Object names: drawingsSearch, drawingsList, drawingsUp, drawingsDown,
 /// drawingsAll, drawingsNone, drawingsOff. GUI thread.
 class DrawingsPanel final : public QWidget {

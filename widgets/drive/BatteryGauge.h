@@ -38,7 +38,7 @@ struct BatteryLevel {
   static BatteryLevel ofShare(double share);
   /// "12.4 V, 70 %, charging"; translated.
   QString text() const;
-  /// One sentence that says what to do; empty if all is well, the robot is charging, or the report is old.
+  /// A sentence that says what to do; empty if all is well, the robot is charging, or the report is old.
   QString warning() const;
 };
 

@@ -26,7 +26,7 @@ class RadarCanvas final : public QWidget {
   void setRange(double meters);
   /// Whether up is the map's y axis instead of the robot's x axis.
   void setNorthUp(bool northUp);
-  /// What is shown, without the hint.
+  /// The picture that is shown, without the hint.
   QImage rendered() const;
   QSize sizeHint() const override { return {320, 320}; }
 

@@ -18,7 +18,7 @@ namespace widgets {
 /// The surroundings of a robot on wheels at an instant, by its sonars, laser and bumpers. Coordinates are in
 /// the robot's frame at that instant (x forwards, y to the left), in meters and radians. A plain value.
 struct RadarReadings {
-  /// One reading of a sonar.
+  /// A reading of a sonar.
   struct Echo {
     /// Number of the sonar.
     int number = 0;

@@ -148,13 +148,13 @@ void ErrorsView::takeNews() {
   std::vector<const robotlink::StreamMessage*> news;
   if (robot_.empty()) return;
   if (!collect(news)) {
-    // What was latched counts again.
+    // All messages of the streams are read again, including the latched ones.
     cursors_.clear();
     errors_.clear();
     news.clear();
     collect(news);
   }
-  // Which solutions run is known before what they publish at that time.
+  // The table of solutions is read before the packages of the same time.
   std::ranges::stable_sort(news, {}, [](const auto* message) {
     const auto* table = dynamic_cast<const robotcontrol::SolutionTable*>(message->value.get());
     return std::pair(message->time, table == nullptr);

@@ -51,7 +51,7 @@ class ErrorsView final : public View {
 
   robotlink::TruthErrors errors_;
   PackageSubscription subscription_;
-  /// What was already read of each stream, by path.
+  /// The part of each stream that was already read, by path.
   std::map<std::string, StreamCursor> cursors_;
   std::string robot_;
   /// Ticks until the figures are shown again.

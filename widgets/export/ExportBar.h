@@ -28,7 +28,7 @@ class ExportBar final : public QWidget {
   QLabel* text_;
   QProgressBar* progress_;
   QToolButton *cancel_, *folder_, *dismiss_;
-  /// What the last export has left; empty: nothing.
+  /// The result of the last export; empty: none.
   QString target_;
 };
 

@@ -39,7 +39,7 @@ class ExportClock {
   robotlink::Session& session_;
   ReplayControl& replay_;
   const bool isLog_;
-  /// What was shown before; `before_` is unset if that was live.
+  /// The instant that was shown before; `before_` is unset if that was live.
   std::optional<robotlink::Instant> before_;
   /// The answer of the log to the last request, shared with its handler.
   std::shared_ptr<Reply> reply_;

@@ -58,7 +58,7 @@ QToolButton* makeSmallButton(QWidget* parent, const ControlText& text) {
 void addRow(QFormLayout& form, const QString& text, QHBoxLayout* controls, QWidget* first) {
   auto* label = new QLabel(text, form.parentWidget());
   label->setBuddy(first);
-  label->setMinimumWidth(label->sizeHint().width() + 4);  // beside a layout the form gives it less
+  label->setMinimumWidth(label->sizeHint().width() + 4);  // with a layout next to it, the form gives it less
   form.addRow(label, controls);
 }
 

@@ -30,13 +30,13 @@ class ExportDialog final : public QDialog {
  public:
   /// A view that can be exported.
   struct Offer {
-    /// As commands name it: "field#2".
+    /// The name in commands: "field#2".
     QString name;
     QString title;
     /// The size of its picture.
     QSize size;
   };
-  /// What export.video or export.images is to be run with.
+  /// The arguments with which export.video or export.images is to be run.
   struct Answer {
     bool isVideo = true;
     std::string view, target, from, to, size;
@@ -49,7 +49,7 @@ class ExportDialog final : public QDialog {
                const ReplayControl& replay, const QJsonObject& choices, QWidget* parent);
 
   Answer answer() const;
-  /// What is remembered: kind, rate, size, folder.
+  /// The remembered choices: kind, rate, size, folder.
   QJsonObject choices() const;
   /// Says what went wrong with the answer; the dialog stays open then.
   void setProblem(const QString& text);

@@ -117,7 +117,7 @@ Result<Instant> instantOf(const std::string& text, robotlink::Session& session, 
   const bool fromNow = *seconds < 0 && !replay.open();
   const Instant time = (fromNow ? session.timeline().newest() : session.timeline().origin()) +
                        robotlink::fromSeconds(*seconds);
-  // What was counted back from now may have gone meanwhile, and a rounded number may be a little outside.
+  // Data at a time counted back from now may be gone by now, and a rounded number may be a little outside.
   const auto slack = std::chrono::milliseconds(fromNow ? 100 : 1);
   if (time >= all->from - slack && time <= all->to + slack) return std::clamp(time, all->from, all->to);
   const auto shown = [&](Instant at) {

@@ -26,7 +26,7 @@ QImage sized(const QImage& picture, const QSize& size) {
 
 }  // namespace
 
-/// Where pictures go. Used by one thread.
+/// The destination of pictures. Used by one thread.
 class FrameWriter::Sink {
  public:
   virtual ~Sink() = default;

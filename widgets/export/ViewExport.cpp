@@ -36,7 +36,7 @@ std::unique_ptr<View> copyOf(const View& view, const ViewType& type, ViewContext
   copy->setMinimumSize(0, 0);
   copy->resize(size);
   copy->show();
-  // What is around the picture depends on its size, too: rows of tools may need another line.
+  // The room around the picture depends on its size, too: rows of tools may need another line.
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) copy->resize(copy->size() + size - copy->shownPictureSize());
   return copy;
@@ -50,7 +50,7 @@ QString nameOf(const ExportPlan& plan) {
 
 struct ViewExport::Run {
   ExportPlan plan;
-  // In this order: the view is gone before the clock moves back.
+  // In this order: the view is destroyed before the clock moves back.
   ExportClock clock;
   FrameWriter writer;
   std::unique_ptr<View> view;

@@ -29,7 +29,7 @@ class ViewExport final : public QObject {
     /// Whether all pictures were written.
     bool isDone = false;
     bool isCanceled = false;
-    /// What was written, or why not; for the user.
+    /// The text about what was written, or why not; for the user.
     QString text;
     /// The file or folder, where something of it is left; empty: nothing is.
     QString target;
@@ -59,7 +59,7 @@ class ViewExport final : public QObject {
   void setFreeSpace(FrameWriter::FreeSpace freeSpace) { freeSpace_ = std::move(freeSpace); }
 
  private:
-  /// What belongs to one export.
+  /// The data of one export.
   struct Run;
   enum class Step : std::uint8_t { kTime, kPicture, kWrite, kEnd };
   /// Does the next part of the work; false: it has to wait for another thread.

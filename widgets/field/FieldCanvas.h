@@ -70,7 +70,7 @@ class FieldCanvas final : public QWidget {
   void zoomBy(double factor);
   /// From the field's frame to the widget.
   QTransform transform() const;
-  /// What is shown, without the notice.
+  /// The picture that is shown, without the notice.
   QImage rendered() const;
   QSize sizeHint() const override { return {480, 320}; }
 
@@ -103,9 +103,9 @@ class FieldCanvas final : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  /// What the pressed button does.
+  /// The action of the pressed button.
   enum class Mode : std::uint8_t { kIdle, kPanning, kDragging, kAiming };
-  /// What a fitted viewport shows, m.
+  /// The area that a fitted viewport shows, m.
   QRectF extent() const;
   /// Paints map, field or grid. `ratio`: device pixels per logical pixel.
   void paintGround(QPainter& painter, const QTransform& toWidget, double ratio) const;

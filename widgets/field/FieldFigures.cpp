@@ -207,7 +207,7 @@ void paintBall(QPainter& painter, const FieldFigures& figures, const QTransform&
   painter.drawEllipse(map(toWidget, *figures.ball), radius, radius);
 }
 
-/// What a trail is of: "red1", its estimated pose "red1/estimate", the ball, or where "red1/ball" was
+/// The subject of a trail: "red1", its estimated pose "red1/estimate", the ball, or where "red1/ball" was
 /// believed.
 struct TrailKind {
   QColor color;

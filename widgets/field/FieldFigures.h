@@ -21,7 +21,7 @@ namespace widgets {
 /// The suffix of a robot's name for trails of its estimates.
 inline constexpr char kEstimateTrail[] = "/estimate", kBallTrail[] = "/ball";
 
-/// What moves on a field: robots and ball at their true poses (filled) and at the robots' estimates (dashed
+/// Objects on a field: robots and ball at their true poses (filled) and at the robots' estimates (dashed
 /// outlines with their standard deviations). A plain value; meters in the field's frame.
 struct FieldFigures {
   std::vector<RobotBelief> robots;

@@ -34,7 +34,7 @@ class FieldView final : public PictureView {
 
   /// Shows the state of the world at the shown instant.
   void tick() override;
-  /// Where everything is: robots and ball, truly and as they are estimated, goals, paths, trails.
+  /// The positions of everything: robots and ball, truly and as they are estimated, goals, paths, trails.
   std::optional<QString> numbers() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
@@ -61,7 +61,7 @@ class FieldView final : public PictureView {
   void updateGround();
   /// Passes paths and goals to the canvas.
   void updateGoals(const std::vector<RobotBelief>& beliefs);
-  /// What the canvas paints.
+  /// The figures that the canvas paints.
   FieldFigures figures(const std::vector<RobotBelief>& beliefs) const;
   /// Appends to the trails, or clears them if they are not shown.
   void updateTrails();
@@ -71,7 +71,7 @@ class FieldView final : public PictureView {
   Trails::Sources trailSources();
   /// Passes the dragged pose and its refusal to the canvas.
   void updateWanted();
-  /// What the chosen robot needs for its localization; empty: nothing.
+  /// The data that the chosen robot needs for its localization; empty: none.
   QString noticeOf(const std::vector<RobotBelief>& beliefs) const;
   void showAge(const std::vector<RobotBelief>& beliefs, bool faded);
   void updateStatus();
@@ -90,7 +90,7 @@ class FieldView final : public PictureView {
   TrailMenu* trailMenu_ = nullptr;
   /// The last title that was emitted.
   QString title_;
-  /// What noticeOf() returned last.
+  /// The last result of noticeOf().
   QString placeNotice_;
   /// Requests that the packages shown here are published.
   PackageSubscription subscription_;

@@ -15,7 +15,7 @@ class Session;
 namespace widgets {
 
 /// Sends a robot on wheels to a place chosen with the mouse: press at the goal, drag toward the direction in
-/// which the robot shall look on arrival, release. The class keeps the state of this gesture and sends the
+/// which the robot should look on arrival, release. The class keeps the state of this gesture and sends the
 /// request; it paints nothing. Poses are in the field's frame, meters and radians. GUI thread. Replies that
 /// arrive after its destruction are ignored.
 class GoalSender {

@@ -15,7 +15,7 @@ namespace widgets {
 std::vector<DrawingHit> drawingsAt(const std::vector<WorldDrawing>& drawings, const QTransform& fieldToWidget,
                                    const QPointF& at);
 
-/// What a tip says of any part of an entity: what it is called, if that is not its drawing's name, and its
+/// The tooltip about any part of an entity: its name, if that is not its drawing's name, and its
 /// metadata.
 QStringList entityValues(const foxglove::SceneEntity& entity, const QString& drawing);
 /// "(1.000, 0.500, 0.042) m".

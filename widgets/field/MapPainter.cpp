@@ -22,7 +22,7 @@ constexpr double kPointsApart = 0.02;  // m between the points of a wall
 constexpr double kNamesFrom = 4;       // pixels for a meter: below that names would only cover each other
 constexpr int kSmallestPoint = 2;      // pixels: fewer would make walls gray
 
-/// NaN and endless numbers come from files of others.
+/// NaN and infinite numbers may be in foreign files.
 bool isFinite(double x, double y) {
   return std::isfinite(x) && std::isfinite(y);
 }

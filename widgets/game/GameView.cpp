@@ -48,7 +48,7 @@ constexpr std::array<std::pair<ControlGame::Action, GameState::Phase>, 4> kGameP
      {ControlGame::PLAY, GameState::PLAYING},
      {ControlGame::FINISH, GameState::FINISHED}}};
 
-/// The table of robots keeps room for so many rows in a low dock.
+/// The table of robots keeps room for this many rows in a low dock.
 constexpr int kRowsAtLeast = 4;
 
 QString clockText(double seconds) {

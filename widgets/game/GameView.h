@@ -32,7 +32,7 @@ class GameView final : public View {
   void connectSignals();
   /// Shows what the referee says; null: there is none.
   void showStatus(const robotcontrol::GameStatus* status);
-  /// What the players told their teams last; has them publish that.
+  /// The roles that the players last told their teams; has them publish that.
   PlayedRoles playedRoles(const robotcontrol::GameStatus& status);
   void showPhase(const robotcontrol::GameStatus& status);
   /// The choices of teams and reasons, which the rules name.

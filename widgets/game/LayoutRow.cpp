@@ -54,7 +54,7 @@ void LayoutRow::showFor(const QString& robot, const QString& team, const QString
     for (const std::string& layout : command->offer({})) layouts_->addItem(QString::fromStdString(layout));
   }
   if (isOther || isEmpty) {
-    // One of another folder is not offered.
+    // A layout of another folder is not offered by the command.
     if (!running.isEmpty() && layouts_->findText(running) < 0) layouts_->addItem(running);
     layouts_->setCurrentIndex(std::max(0, layouts_->findText(running)));
   }

@@ -62,7 +62,7 @@ class CompareRow final : public QWidget {
   void restore(const QJsonValue& state);
 
  Q_SIGNALS:
-  /// What is compared, or how, was chosen.
+  /// Emitted when the images to compare, or the way, were chosen.
   void changed();
 
  private:

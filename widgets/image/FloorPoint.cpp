@@ -12,7 +12,7 @@ std::optional<robotlink::Vector2> floorPoint(const robotcontrol::CameraPose& cam
                                              const QPointF& pixel) {
   constexpr double kFar = 1e3;  // m; farther away is as good as at the horizon
   if (image.isEmpty() || camera.horizontal_angle() <= 0 || camera.vertical_angle() <= 0) return std::nullopt;
-  // Where the ray is at a distance of 1 along the optical axis.
+  // The position of the ray at a distance of 1 along the optical axis.
   const double left = (1 - 2 * pixel.x() / image.width()) * std::tan(camera.horizontal_angle() / 2);
   const double up = (1 - 2 * pixel.y() / image.height()) * std::tan(camera.vertical_angle() / 2);
   const robotlink::Pose3 pose = robotlink::pose3(camera.camera_in_robot());

@@ -14,7 +14,7 @@ namespace widgets {
 
 class MeasureTool;
 
-/// Shows an ImagePicture, or two of them beside each other (one above the other where that shows them
+/// Shows an ImagePicture, or two of them side by side (one above the other where that shows them
 /// larger), of which both show the same part. The wheel zooms at the cursor, dragging with the left or middle
 /// button and the arrow keys pan. Object name "imageCanvas". GUI thread.
 class ImageCanvas final : public QWidget {
@@ -26,11 +26,11 @@ class ImageCanvas final : public QWidget {
   void setPicture(ImagePicture picture, std::vector<robotlink::PackagePtr> keep);
   /// The picture as it was set.
   const ImagePicture& picture() const { return picture_; }
-  /// A picture beside the first one, scaled to its size; one without pixels: none was found there. Unset:
+  /// A picture next to the first one, scaled to its size; one without pixels: none was found there. Unset:
   /// there is one picture only.
   void setSecond(std::optional<ImagePicture> picture, std::vector<robotlink::PackagePtr> keep);
   const std::optional<ImagePicture>& second() const { return second_; }
-  /// What is written over the first picture and over the second one; empty: nothing.
+  /// The texts over the first picture and over the second one; empty: none.
   void setCaptions(const QString& first, const QString& second);
   /// Paints what is measured over the picture; must outlive the canvas's last event.
   void setMeasure(const MeasureTool* measure) { measure_ = measure; }
@@ -52,9 +52,9 @@ class ImageCanvas final : public QWidget {
   /// From the pixels of the first picture to the widget.
   QTransform transform() const;
   /// The point of the image at a position of the widget, in either picture; outside of both, what would be
-  /// there if the first went on.
+  /// if the first picture continued.
   QPointF imageAt(const QPointF& widget) const;
-  /// What is shown, without frame and hint.
+  /// The picture that is shown, without frame and hint.
   QImage rendered() const;
 
   QSize sizeHint() const override { return {352, 288}; }

@@ -23,7 +23,7 @@ QString imageSentence(const char* text) {
   return QCoreApplication::translate("ImageHint", text);
 }
 
-/// What does not work, as the robot's platform reported it last; empty if it reported something else since.
+/// The problem that the robot's platform reported last; empty if it reported something else since.
 std::string platformProblem(robotlink::Session& session, const std::string& robot) {
   const auto* stream = session.store().find(robot + '/' + robotlink::streams::kLog);
   if (stream == nullptr) return {};

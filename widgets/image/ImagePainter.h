@@ -25,7 +25,7 @@ struct ImagePicture {
     const foxglove::ImageAnnotations* annotations = nullptr;
     /// Whether it belongs to an earlier image; painted faded.
     bool old = false;
-    /// Its name and whose it is, as CurrentDrawing has them; empty: it is no drawing of a robot.
+    /// Its name and its robot, in the form of CurrentDrawing; empty: it is not a robot's drawing.
     QString id = {};
     std::string robot = {};
   };

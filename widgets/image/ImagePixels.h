@@ -18,7 +18,7 @@ namespace widgets {
 QImage toQImage(const robotlink::ImageView& image, std::span<const robotlink::Rgb> classColors = {},
                 QImage into = {});
 
-/// One pixel as the user reads it.
+/// A pixel as the user reads it.
 struct PixelValue {
   /// Position in the image, pixels.
   int x = 0;

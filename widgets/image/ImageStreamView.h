@@ -57,7 +57,7 @@ class ImageStreamView final : public PictureView {
   void endComparison();
   /// How images are shown: "color", "gray", or "stereogram", which only depths are.
   void setMode(const std::string& mode);
-  /// What these functions take as a stream.
+  /// The streams that these functions accept.
   std::vector<std::string> streamChoices() const;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
@@ -79,7 +79,7 @@ class ImageStreamView final : public PictureView {
   robotlink::Result<void> requireStream(const std::string& stream) const;
   /// Shows or hides the second image.
   void compare(bool on);
-  /// Passes the second image to the canvas, beside the first or within it.
+  /// Passes the second image to the canvas, next to the first or within it.
   void showComparison(ImagePicture& first);
   /// A stream's image with its drawings, and the messages that own these.
   ImagePicture pictureOf(const foxglove::RawImage* image, const std::string& path, robotlink::Instant time,
@@ -88,14 +88,14 @@ class ImageStreamView final : public PictureView {
   /// The drawings of a robot that are checked in the list.
   std::vector<CurrentDrawing> drawingsOf(const std::string& robot, robotlink::Instant at,
                                          robotlink::Instant imageTime) const;
-  /// What belongs to the pixel under the cursor in the second image.
+  /// The text about the pixel under the cursor in the second image.
   QString secondPixelText(const QPoint& at) const;
   MeasureText measured(const std::vector<QPointF>& points) const;
   /// "A (12, 34) #ff8000", and the place on the floor where the camera's pose is known.
   QString endText(const QString& name, const QPointF& point) const;
   std::optional<robotlink::Vector2> onFloor(const QPointF& point) const;
 
-  /// What the robot of the chosen stream is called where its drawings are, "red1" or "red1/logged", and its
+  /// The robot of the chosen stream as named where its drawings are, "red1" or "red1/logged", and its
   /// name.
   std::string robot() const;
   std::string robotOfStream() const;

@@ -77,7 +77,7 @@ std::vector<std::string> ImageStreamView::streamChoices() const {
   const auto* objects = session().store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
                                                                                session().timeline().newest());
   if (objects != nullptr) {
-    // Images that come once they are asked for.
+    // Images that are sent once they are requested.
     for (const auto& object : objects->objects())
       if (!object.port().image_stream().empty()) choices.push_back(object.port().image_stream());
   }
@@ -148,7 +148,7 @@ void ImageStreamView::compare(bool on) {
   secondPixels_ = {};
   secondDrawings_.clear();
   showMessage();
-  // What is shown may be the same as before, but no longer compared.
+  // The image may be the same as before, but is no longer compared.
   if (!on) {
     canvas_->setSecond({}, {});
     canvas_->setCaptions({}, {});

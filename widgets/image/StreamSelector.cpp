@@ -36,7 +36,7 @@ bool StreamSelector::refresh(robotlink::Session& session) {
   if (store.listVersion() == listVersion_ && session.selectedRobot() == listedRobot_) return false;
   listVersion_ = store.listVersion();
   listedRobot_ = session.selectedRobot();
-  // Without a robot "*/cam" would be "/cam" once more.
+  // Without a robot, "*/cam" would be a second "/cam".
   const QString folder =
       listedRobot_.empty() ? QString() : QString::fromStdString(listedRobot_) + QLatin1Char('/');
   QStringList choices, paths;
@@ -69,7 +69,7 @@ bool StreamSelector::isOfOthers(robotlink::Session& session) const {
   if (choice_.startsWith(QLatin1Char('*')) || robot.empty() || robots.empty() ||
       std::ranges::find(robots, robot) != robots.end())
     return false;
-  // A camera of the scene sends images once somebody asks for them.
+  // A camera of the scene sends images once they are requested.
   return !isOfScene(session, path).value_or(false);
 }
 

@@ -14,7 +14,7 @@ namespace widgets {
 /// the robot that of the session's selected robot. A stream that was chosen and does not exist (yet) stays
 /// chosen. While the initial choice, which nobody chose, does not exist, the first stream there is stands for
 /// it: one of the selected robot, else one of no robot, as in logs of other programs. For a stream of a robot
-/// that is not there any more, as after another scene was opened, the same of the selected robot stands, or
+/// that is no longer there, as after another scene was opened, the same of the selected robot is used, or
 /// its first one, until that robot is back. GUI thread.
 class StreamSelector final : public QComboBox {
   Q_OBJECT
@@ -41,7 +41,7 @@ class StreamSelector final : public QComboBox {
   /// Whether the choice is a stream of something that the session does not have, such as a robot of another
   /// scene.
   bool isOfOthers(robotlink::Session& session) const;
-  /// Which choice stands for the one that does not exist; empty: none.
+  /// The choice that stands in for the one that does not exist; empty: none.
   QString substitute(const QStringList& ofSelected, const QStringList& paths,
                      robotlink::Session& session) const;
 
@@ -49,7 +49,7 @@ class StreamSelector final : public QComboBox {
   std::string type_;
   const QString initial_;
   QString choice_;
-  /// What substitute() returned.
+  /// The last result of substitute().
   QString shown_;
   /// The store's list of streams and the selected robot that the combo box shows.
   quint64 listVersion_ = ~0ULL;

@@ -35,7 +35,7 @@ class JointSlider final : public QSlider {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  /// Where an angle lies, pixels.
+  /// The position of an angle, pixels.
   double placeOf(double angle) const;
   void moveTo(int x);
 

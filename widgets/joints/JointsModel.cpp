@@ -49,7 +49,7 @@ std::vector<const foxglove::JointStates*> jointHistoryBefore(const StreamStore& 
   return result;
 }
 
-/// What is measured of a joint, and was in the last seconds.
+/// Sets the measurements of a joint, and those of the last seconds.
 void measureJoint(JointRow& row, const foxglove::JointStates* states,
                   const std::vector<const foxglove::JointStates*>& history, std::size_t place) {
   if (const auto* state = states == nullptr ? nullptr : jointStateOf(*states, row.name, place)) {

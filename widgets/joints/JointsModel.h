@@ -26,7 +26,7 @@ struct JointRow {
   std::optional<double> requested, measured;
   std::optional<double> speed;  ///< rad/s
   std::optional<double> load;   ///< N m
-  /// What the user commands; unset: nothing.
+  /// The angle that the user commands; unset: none.
   std::optional<double> commanded;
   /// The measured angles of the last seconds, oldest first, at equal distances in time.
   std::vector<double> history;

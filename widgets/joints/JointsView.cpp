@@ -129,7 +129,7 @@ void JointsView::createViews() {
 
 void JointsView::connectSignals() {
   connect(take_, &QAction::triggered, this, [this](bool on) {
-    // What prevents it is shown beside the button.
+    // An obstacle to that is shown next to the button.
     static_cast<void>(manual_.takeOver(on));
     showState();
   });

@@ -95,7 +95,7 @@ void DebugKeysView::savePreset() {
             ? tr("Type a name for the preset, then save.")
             : tr("%1 is a shipped preset and stays as it is. Type another name, then save.").arg(shipped));
   }
-  // What else is in a preset of this name stays.
+  // The other parts of a preset of this name stay.
   Preset preset = presets().load(name.toStdString()).value_or(Preset());
   preset.parts[Preset::kKeys] = keys;
   const auto saved = presets().save(name.toStdString(), preset);

@@ -125,7 +125,7 @@ void DebugKeysView::connectSignals() {
 void DebugKeysView::tick() {
   const std::string& robot = session().selectedRobot();
   inAllRobots_->setEnabled(session().robots().size() > 1);
-  // What is switched here acts on the robot now, whatever instant the data views show.
+  // Switching acts on the robot now, whatever instant the data views show.
   const auto now = session().timeline().newest();
   const auto tables = latestTable(session().store(), robot, robotlink::streams::kKeys, now);
   const auto subscribers = latestTable(session().store(), robot, robotlink::streams::kSubscribers, now);

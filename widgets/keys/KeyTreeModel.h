@@ -58,7 +58,7 @@ class KeyTreeModel final : public QAbstractItemModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  Q_SIGNALS:
-  /// The mode of a key shall be requested from the robot.
+  /// Emitted when the mode of a key is to be requested from the robot.
   void keyChosen(const QString& key, const widgets::KeyValue& value);
 
  private:

@@ -21,7 +21,7 @@ class LogJob {
     bool done = false;
     /// Whether it failed because it was canceled.
     bool canceled = false;
-    /// What was done, or why it failed; for the user.
+    /// The result, or the reason for the failure; for the user.
     QString text;
     /// A new log that can be opened; empty: none.
     std::filesystem::path log;

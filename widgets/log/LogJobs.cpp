@@ -130,7 +130,7 @@ LogJob::Work repairLog(std::string log, std::filesystem::path to) {
     if (std::filesystem::equivalent(log, to, error)) {
       return {false, false, LogJobsText::tr("A log is not repaired in place; choose another name."), {}};
     }
-    // Whoever chose the name was asked whether an old file may go; it stays until the new one is complete.
+    // The user was asked whether an old file may be replaced; it stays until the new one is complete.
     auto output = logplayer::OutputFile::create(to, true);
     if (!output) return failed(output.error());
     const auto report = logplayer::mcap::repair(log, output->temporary(), progress);

@@ -31,7 +31,7 @@ void LogModel::insert(std::vector<LogEntry> entries) {
 }
 
 void LogModel::setShown(robotlink::Instant time) {
-  // As a list, since std::minmax() of two values returns references to them, which end here.
+  // A list is used, since std::minmax() of two values would return references to temporaries.
   const auto [from, to] = std::minmax({rowAt(std::exchange(shown_, time)), rowAt(time)});
   if (from != to) Q_EMIT dataChanged(index(from + 1, 0), index(to, kColumns - 1), {Qt::ForegroundRole});
 }

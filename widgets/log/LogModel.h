@@ -5,7 +5,7 @@
 
 namespace widgets {
 
-/// One text message (foxglove.Log) of a robot's program.
+/// A text message (foxglove.Log) of a robot's program.
 struct LogEntry {
   /// Numbered as in foxglove.Log.
   enum class Level : std::uint8_t { kUnknown, kDebug, kInfo, kWarning, kError, kFatal };

@@ -20,10 +20,10 @@ namespace widgets {
 /// The contents of a log file, as far as they have been read: what a timeline and a list of streams show. All
 /// times are the log's own, without any offset. A plain value; shared read-only between threads.
 struct LogOverview {
-  /// What is being read: the summary, the times of all messages, the text messages, the sizes; kDone:
+  /// The stage of reading: the summary, the times of all messages, the text messages, the sizes; kDone:
   /// everything was read.
   enum class Stage : std::uint8_t { kOpening, kTimes, kTexts, kSizes, kDone };
-  /// One stream of the log.
+  /// A stream of the log.
   struct Stream {
     /// "nao/camera/image"
     std::string path;
@@ -89,7 +89,7 @@ struct LogThumbnail {
 class LogReading {
  public:
   virtual ~LogReading() = default;
-  /// What is known now, never null; another object whenever something was added.
+  /// The overview read so far, never null; another object whenever something was added.
   virtual std::shared_ptr<const LogOverview> overview() = 0;
   /// Requests thumbnails of a stream, most urgent first; replaces earlier requests that have not been served.
   /// `height` in pixels.

@@ -18,7 +18,7 @@ using Stage = LogOverview::Stage;
 namespace {
 
 constexpr std::size_t kMaxSaid = 5000, kMaxTexts = 50'000;
-/// What is read here is read once, but for thumbnails, which jump about.
+/// Most data is read only once here; only thumbnails are read in any order.
 constexpr std::size_t kLogCacheBytes = 16U << 20U;
 
 }  // namespace

@@ -76,7 +76,7 @@ class LogReader final : public LogReading {
   Wanted wanted_;
   std::vector<LogThumbnail> thumbnails_;
 
-  /// Gets what is wanted once log_ is open.
+  /// Reads what is requested once log_ is open.
   robotlink::Worker<Wanted> thumbnailWorker_;
   /// Has one job. Last, since it uses all others.
   robotlink::Worker<std::monostate> overviewWorker_;

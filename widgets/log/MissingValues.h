@@ -25,8 +25,8 @@ struct MissingValues {
   bool operator==(const MissingValues&) const = default;
 };
 
-/// What of the history a series lacks that has points from `times.first` to `times.second` and is computed of
-/// all these streams, in order of reasons. `unread` is what is still to be read, if something is. GUI thread.
+/// The parts of the history missing in a series with points from `times.first` to `times.second`, computed of
+/// all these streams, in order of reasons. `unread` is the part still to be read, if any. GUI thread.
 std::vector<MissingValues> missingValues(robotlink::Session& session, const std::vector<std::string>& streams,
                                          std::pair<double, double> times,
                                          const std::optional<std::pair<double, double>>& unread);

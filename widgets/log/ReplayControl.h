@@ -40,7 +40,7 @@ class ReplayControl final : public QObject {
   robotlink::Instant shown() const;
   /// Beginning of the first log, on the timeline.
   robotlink::Instant begin() const;
-  /// Where the play head stands when the log is opened: its first image, before which there is little to see.
+  /// The position of the play head when the log is opened: the first image, before which little is visible.
   robotlink::Instant start() const;
   /// End of the last log, on the timeline.
   robotlink::Instant end() const;
@@ -52,9 +52,9 @@ class ReplayControl final : public QObject {
   void pause();
   void playOrPause();
   void stop();
-  /// Steps by so many frames of the stepping process; negative: backwards.
+  /// Steps by `count` frames of the stepping process; negative: backward.
   void stepFrames(int count);
-  /// Steps by so many messages of `stream`, or of steppedStream() if it is empty.
+  /// Steps by `count` messages of `stream`, or of steppedStream() if it is empty.
   void stepMessages(int count, const std::string& stream = {});
   /// Moves the play head; clamped to [begin(), end()].
   void jumpTo(robotlink::Instant time);
@@ -77,7 +77,7 @@ class ReplayControl final : public QObject {
   void setShowsTimeStamps(bool on);
   /// The instant that views show as 0 s.
   robotlink::Instant origin() const;
-  /// What views show for an instant, in seconds: "12.340".
+  /// The text with which views show an instant, in seconds: "12.340".
   QString shownText(robotlink::Instant time) const;
 
   /// The stream whose messages are stepped: the user's choice, else that of the first images (chosen by

@@ -36,7 +36,7 @@ class TimeMarks final : public QObject {
   /// with the expression, in which case all stays as it was.
   QString setPattern(const QString& pattern);
   const QString& pattern() const { return pattern_; }
-  /// What a search found, in order of time.
+  /// Sets the hits of a search, in order of time.
   void setHits(std::vector<TimeMark> hits);
   /// Takes new texts. May be called by several views in each tick.
   void tick(robotlink::Session& session);
@@ -59,7 +59,7 @@ class TimeMarks final : public QObject {
   QRegularExpression expression_;
   std::vector<TimeMark> texts_, hits_;
   std::uint64_t version_ = 1;
-  /// What was looked at: the store's generation, and the logs' texts and offsets.
+  /// The data seen in the last tick: the store's generation, and the logs' texts and offsets.
   std::uint64_t generation_ = 0;
   std::vector<std::pair<std::shared_ptr<const std::vector<LogEntry>>, robotlink::Duration>> listed_;
   std::map<std::string, StreamCursor> cursors_;

@@ -247,7 +247,7 @@ void MessagesView::takeNew() {
   for (const auto* stream : streamsOfType(session().store(), {}, "foxglove.Log")) {
     const QString robot = QString::fromStdString(robotlink::streams::robotOf(stream->path));
     const StreamCursor::News news = cursors_[stream->path].take(*stream);
-    // The clock went back, as at a reset: what was said later than that was not said.
+    // The clock went back, as at a reset: later texts are not valid.
     if (news.restarted && !news.messages.empty()) removeLater(news.messages.front()->time, entries);
     if (!news.messages.empty()) {
       const auto known = newest_.find(stream->path);

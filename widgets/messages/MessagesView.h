@@ -66,7 +66,7 @@ class MessagesView final : public View, public HiddenTick {
   void takeArchived();
   /// Notes that texts of a stream from `from` to `to` are at most on disk, both not included.
   void noteMissed(const std::string& stream, robotlink::Instant from, robotlink::Instant to);
-  /// Forgets what was said after a time, listed or about to be.
+  /// Forgets the texts after a time, listed or about to be.
   void removeLater(robotlink::Instant time, std::vector<LogEntry>& unlisted);
   /// Replaces the table by all messages that the open logs hold, played or not.
   void takeLogs();
@@ -102,11 +102,11 @@ class MessagesView final : public View, public HiddenTick {
   QAction* copy_ = nullptr;
   QAction* next_ = nullptr;
   QAction* previous_ = nullptr;
-  /// What was already read of each stream, by path.
+  /// The part of each stream that was already read, by path.
   std::map<std::string, StreamCursor> cursors_;
   /// The time of the newest message that was taken of each stream, by path.
   std::map<std::string, robotlink::Instant> newest_;
-  /// What is still to be read from disk.
+  /// The stretches that are still to be read from disk.
   std::map<std::string, robotlink::Stretch> missed_;
   /// Null until something is to be read.
   std::unique_ptr<robotlink::Worker<Reading, Read>> reader_;

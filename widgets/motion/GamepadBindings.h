@@ -13,7 +13,7 @@ namespace widgets {
 /// The positions of a gamepad's sticks, triggers and buttons at one instant, in the order of kAxes and
 /// kButtons.
 struct GamepadReading {
-  /// As SDL names them; triggers reach from 0 to 1, the others from -1 to 1, where y points down.
+  /// SDL's names of the axes; triggers range from 0 to 1, the others from -1 to 1, where y points down.
   static constexpr std::array<const char*, 6> kAxes{"leftx",  "lefty",       "rightx",
                                                     "righty", "lefttrigger", "righttrigger"};
   static constexpr std::array<const char*, 21> kButtons{"a",
@@ -45,13 +45,13 @@ struct GamepadReading {
 /// What the axes and buttons of gamepads do. A plain value; as shipped, the left stick walks, the right one
 /// turns, A kicks and B is STOP.
 struct GamepadBindings {
-  /// What an axis does.
+  /// The function of an axis.
   struct Axis {
     enum class Use : std::uint8_t { kNothing, kForward, kLeft, kTurn };
     Use use = Use::kNothing;
     /// The share of the deflection that does nothing, 0 to kMaxDeadZone; beyond it begins at 0.
     double deadZone = 0.15;
-    /// What full deflection is, -kMaxScale to kMaxScale; negative: the other way round.
+    /// The value of full deflection, -kMaxScale to kMaxScale; negative: the other way round.
     double scale = 1;
     bool operator==(const Axis&) const = default;
   };

@@ -12,7 +12,7 @@ namespace widgets {
 namespace {
 
 using PadAxis = GamepadBindings::Axis;
-/// What axes do, in the order of GamepadBindings::Axis::Use.
+/// The functions of axes, in the order of GamepadBindings::Axis::Use.
 constexpr std::array<const char*, 4> kGamepadUses{"nothing", "forward", "left", "turn"};
 
 const robotlink::VersionedFormat& gamepadFormat() {

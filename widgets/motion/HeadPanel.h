@@ -35,7 +35,7 @@ class HeadPanel final : public QGroupBox {
   enum Joint { kTilt, kPan, kRoll, kMouth, kJoints };
   /// Adds a row with a slider and its value. `name` is the object name, `text` the label.
   void createSlider(Joint joint, const char* name, const QString& text);
-  /// Writes the slider's angle in degrees beside it.
+  /// Writes the slider's angle in degrees next to it.
   void showValue(Joint joint);
 
   QComboBox* mode_;

@@ -34,7 +34,7 @@ class ManualControl {
   /// The task whose solution is requested; empty while it is unknown.
   const std::string& task() const { return task_; }
   State state() const { return state_; }
-  /// One sentence for the user: who commands, or why control cannot be taken.
+  /// A sentence for the user: who commands, or why control cannot be taken.
   QString text() const;
 
  private:

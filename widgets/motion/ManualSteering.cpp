@@ -72,7 +72,7 @@ void ManualSteering::tick() {
   follow();
   const auto steering = steeringState(context_.session, robot_);
   const bool isOthers = steering && steering->isOthers();
-  // When they have gone, the robot waits for a new command of this window.
+  // After they are gone, the robot waits for a new command of this window.
   if (isOthers) isCommanded_ = false;
   if (commander_.tick(status()) && !isOthers) send();
 }
@@ -120,13 +120,13 @@ Result<void> ManualSteering::takeOver(bool take) {
   return {};
 }
 
-/// Whom a robot elsewhere obeys is known to everybody at once, not only after the first motion. Whoever
-/// steers it already is left alone.
+/// A remote robot announces at once, not only after the first motion, whom it obeys. A client that already
+/// steers it is left alone.
 void ManualSteering::claim() {
   if (!context_.session.remoteRobots().contains(robot_) || isLost(context_.session, robot_)) return;
   const auto steering = steeringState(context_.session, robot_);
   const bool isFree = !steering || steering->who == SteeringState::Who::kNobody || steering->isSilent;
-  // What the robot objects to comes as an error of the window.
+  // Objections of the robot are shown as an error of the window.
   if (isFree) static_cast<void>(context_.commands.run("robot.steer", {robot_, true}));
 }
 

@@ -20,8 +20,8 @@ namespace widgets {
 /// Manual control of the selected robot: what the motion view and the commands for steering have in common.
 /// takeOver() switches the robot's behavior (or driving) task to the solution "obey"; from then on tick()
 /// sends what is commanded, ten times a second and whenever it changes. Nothing is commanded before manual
-/// control is confirmed, nothing while somebody else steers the robot over a link, and nothing more to a
-/// robot that is no longer selected, which is then made to stand. A robot elsewhere may obey somebody else,
+/// control is confirmed, nothing while another client steers the robot over a link, and nothing more to a
+/// robot that is no longer selected, which is then made to stand. A remote robot may obey another client,
 /// so nothing is sent to it, not even to stand, before it was taken over or commanded here, or says that this
 /// session steers it.
 ///
@@ -36,11 +36,11 @@ class ManualSteering final : public QObject {
   /// The same, then sends a motion request if one is due. Called 30 times a second, after the views.
   void tick();
 
-  /// Requests manual control, or returns it to the solution that ran before. A robot elsewhere that nobody
+  /// Requests manual control, or returns it to the solution that ran before. A remote robot that nobody
   /// steers then says at once that this window steers it. Fails if that is impossible now;
-  /// a refusal of the robot comes later, see Session::setRefusalHandler().
+  /// a refusal of the robot arrives later, see Session::setRefusalHandler().
   robotlink::Result<void> takeOver(bool take);
-  /// What pad, keys and gamepad say now. A deflection replaces a velocity that was commanded by walk(), and
+  /// Sets the state of pad, keys and gamepad. A deflection replaces a velocity commanded by walk(), and
   /// ends with its release; without a deflection that continues.
   void setAxes(const WalkAxes& axes);
   /// Ends what pad, keys and gamepad command, and sends that at once.
@@ -69,14 +69,14 @@ class ManualSteering final : public QObject {
   robotlink::Result<void> setLimp(bool limp);
 
   const std::string& robot() const { return robot_; }
-  /// What is known of the robot; null: nothing.
+  /// The description of the robot; null: unknown.
   const std::shared_ptr<const robotlink::RobotDescription>& description() const { return description_; }
   const ManualControl& control() const { return control_; }
   /// Whether the user commands the robot.
   bool isTaken() const { return control_.state() == ManualControl::State::kTaken; }
   /// Limits, head and command; the view changes its limits directly.
   MotionCommander& commander() { return commander_; }
-  /// What the robot reports to execute; null: nothing.
+  /// The motion that the robot reports to execute; null: none.
   const robotcontrol::MotionStatus* status() const;
 
  private:
@@ -92,7 +92,7 @@ class ManualSteering final : public QObject {
   /// the user.
   robotlink::Result<void> requireJoint(const char* id, const std::string& joint, const std::string& shown,
                                        double angle) const;
-  /// Lets a robot elsewhere that nobody steers say that this window does.
+  /// Makes a remote robot that nobody steers announce that this window does.
   void claim();
   /// Requests that the robot's program publishes what it executes.
   void requestStatus();

@@ -25,7 +25,7 @@ std::optional<robotlink::Pose2> poseOf(const robotlink::StreamMessage& message, 
   return {};
 }
 
-/// Whether no robot could have moved so far in that time.
+/// Whether no robot could have moved that far in that time.
 bool isPlaced(const robotlink::Pose2& before, const robotlink::Pose2& after, robotlink::Duration elapsed) {
   constexpr double kFastest = 10, kSlack = 0.05;  // m/s, m
   const double distance = (after.translation() - before.translation()).norm();

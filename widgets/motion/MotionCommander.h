@@ -25,7 +25,7 @@ struct WalkAxes {
   bool zero() const { return forward == 0 && left == 0 && turn == 0; }
 };
 
-/// What the head is commanded to do. The kinds are in the order of robotcontrol.HeadMode; the angles (rad)
+/// The command for the head. The kinds are in the order of robotcontrol.HeadMode; the angles (rad)
 /// are used by kAngles only.
 struct HeadTarget {
   /// Look ahead, search for the ball, follow the ball with the camera, look around, or hold the angles.
@@ -55,7 +55,7 @@ inline constexpr std::array<HeadJoint, 4> kHeadJoints{{{"tilt", "neckTilt", &Hea
 /// plays it, but for at most a second, so that it is played once. No I/O, no clock; not thread-safe.
 class MotionCommander {
  public:
-  /// The speeds that full deflection stands for.
+  /// The speeds at full deflection.
   struct Limits {
     /// m/s, in any direction of walking.
     double speed = 0.15;

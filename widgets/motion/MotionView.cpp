@@ -290,7 +290,7 @@ void MotionView::stand() {
 void MotionView::takeOver(bool take) {
   if (!take) stand();
   isPadNext_ = take;
-  // What prevents it is shown beside the button.
+  // An obstacle to that is shown next to the button.
   static_cast<void>(manual_.takeOver(take));
   showPad(nullptr);
 }

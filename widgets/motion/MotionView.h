@@ -104,7 +104,7 @@ class MotionView final : public View {
   void showSpeeds(const robotcontrol::MotionStatus* status);
   /// Newest DriveState of the robot; null if there is none.
   const robotcontrol::DriveState* driveState() const;
-  /// One sentence: who has control, or what prevents it.
+  /// A sentence: who has control, or what prevents it.
   QString stateText() const;
 
   ManualSteering& manual_;
@@ -130,7 +130,7 @@ class MotionView final : public View {
   /// Shows which of the people on the link steers.
   SteeringBar* steering_ = nullptr;
   std::string robot_;
-  /// What is known of the robot; null: nothing.
+  /// The description of the robot; null: unknown.
   std::shared_ptr<const robotlink::RobotDescription> description_;
   /// The robot's drive; unset if it has legs or no description.
   std::optional<robotlink::RobotDescription::Drive> drive_;

@@ -14,7 +14,7 @@ class QLabel;
 namespace widgets {
 
 /// Three speeds side by side, the commanded, the true and the estimated one, in mm/s and rad/s; below them
-/// the limits that full deflection of the sticks stands for. Values are in the robot's frame. The interface
+/// the limits at full deflection of the sticks. Values are in the robot's frame. The interface
 /// uses m/s and rad/s. GUI thread.
 class SpeedPanel final : public QGroupBox {
   Q_OBJECT

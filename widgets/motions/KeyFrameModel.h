@@ -36,7 +36,7 @@ class KeyFrameModel final : public QAbstractTableModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
  Q_SIGNALS:
-  // What the user has typed; a duration or interpolation below 0 is no number.
+  // Emitted when the user has typed a value; a duration or interpolation below 0 is invalid.
   void durationTyped(int frame, qint64 nanoseconds);
   void interpolationTyped(int frame, int interpolation);
   void valueTyped(int frame, int joint, const QString& value);

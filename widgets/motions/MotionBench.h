@@ -21,7 +21,7 @@ class MotionTable;
 namespace widgets {
 
 /// The motion that is being edited, shared by all views of a window: its text with its undo stack (the
-/// document), the line that is selected, and what is wrong with it for the selected robot, beside the robot's
+/// document), the line that is selected, and its errors for the selected robot, together with the robot's
 /// other motions. GUI thread.
 ///
 /// Files are handled by MotionFiles, the robot by MotionLink.
@@ -48,7 +48,7 @@ class MotionBench final : public QObject {
   /// The line that is selected, from 1: where the cursor of the text is.
   int line() const { return line_; }
   void setLine(int line);
-  /// Where the editor was in the text when it was shown last.
+  /// The place of the editor in the text when it was last shown.
   const TextPlace& place() const { return place_; }
   void setPlace(const TextPlace& place) { place_ = place; }
   /// The key frames, and the index of the one in the selected line, or before it; -1: there is none.
@@ -56,8 +56,8 @@ class MotionBench final : public QObject {
   int frame() const;
   void setFrame(int frame);
 
-  /// What is wrong with the text: where it cannot be read, or, if it can, what the compiler of the robot's
-  /// motions objects to.
+  /// The errors of the text: those of its syntax, or, if it can be read, those that the compiler of the
+  /// robot's motions reports.
   const robotlink::Errors& errors() const;
   /// The joint of each column; without names, numbers.
   std::vector<std::string> columns() const;
@@ -65,7 +65,7 @@ class MotionBench final : public QObject {
   /// Follows the selected robot and its motions; called 30 times a second.
   void tick();
   const std::string& robot() const { return robot_; }
-  /// What is known of the selected robot; null: nothing.
+  /// The description of the selected robot; null: unknown.
   const std::shared_ptr<const robotlink::RobotDescription>& description() const { return description_; }
   /// The motions of the robot's program; null: it has published none.
   const robotcontrol::MotionTable* table() const;
@@ -81,7 +81,7 @@ class MotionBench final : public QObject {
   void addFrame(const QString& what, const robotlink::KeyFrame& frame);
   robotlink::Result<void> duplicateFrame();
   robotlink::Result<void> removeFrame();
-  /// Exchanges the key frame with the one so many places later (negative: earlier).
+  /// Exchanges the key frame with the one `count` places later (negative: earlier).
   robotlink::Result<void> moveFrame(int count);
   robotlink::Result<void> mirror(bool onlyFrame);
   /// Replaces a value by a text of the table or of a command: an angle in the text's units, '*' or '-'.
@@ -100,7 +100,7 @@ class MotionBench final : public QObject {
  private:
   void follow();
   void takeChange();
-  /// Compiles the motion beside the others of the robot.
+  /// Compiles the motion together with the others of the robot.
   void compile();
   robotlink::Result<void> requireFrame(int frame) const;
   robotlink::Result<std::vector<robotlink::MirroredJoint>> mirrorOfColumns() const;

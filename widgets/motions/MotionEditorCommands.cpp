@@ -86,7 +86,7 @@ Result<void> captureByCommand(MotionBench& bench, const Values& values) {
   return capturePose(bench.context(), source, robotlink::fromSeconds(ms / 1000)).map([](const QString&) {});
 }
 
-/// Attaches commands of a table. They hold weak references, so they fail once the window is gone.
+/// Attaches commands of a table. They hold weak references, so they fail once the window no longer exists.
 class MotionCommandTable {
  public:
   explicit MotionCommandTable(ViewContext& context) : context_(context) { motionBench(context); }
@@ -99,7 +99,7 @@ class MotionCommandTable {
     };
     context_.commands.attach(name, act, std::move(offer));
   }
-  /// What the bench knows, for completion.
+  /// Offers a list of the bench for completion.
   CommandTable::Offer offer(std::function<std::vector<std::string>(MotionBench&)> list) {
     return [list = std::move(list), shared = std::weak_ptr(context_.motions)](const auto& before) {
       const auto bench = shared.lock();

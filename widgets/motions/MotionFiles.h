@@ -89,7 +89,7 @@ MotionFiles& motionFiles(ViewContext& context);
 bool saveMotion(MotionFiles& files, QWidget* parent);
 bool saveMotionAs(MotionFiles& files, QWidget* parent);
 bool openMotion(MotionFiles& files, QWidget* parent);
-/// Asks whether unsaved changes shall be saved; false: the user wants to go on with them.
+/// Asks whether unsaved changes shall be saved; false: the user wants to continue editing.
 bool mayLoseMotion(MotionFiles& files, QWidget* parent);
 
 }  // namespace widgets

@@ -95,7 +95,7 @@ Result<void> MotionLink::play() {
     static_cast<void>(manual_.stand());
     return tl::unexpected(bench_.document().errors().front());
   }
-  // The robot stands until it has received the motion, and then plays it.
+  // The robot stands still until it has received the motion, and then plays it.
   static_cast<void>(manual_.stand());
   ask(bench_.document().text(), [this] { static_cast<void>(manual_.play(bench_.motion().name)); });
   return {};

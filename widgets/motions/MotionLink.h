@@ -39,7 +39,7 @@ class MotionLink final : public QObject {
   bool autoSend() const { return autoSend_; }
   /// Plays the motion once; sends it before if the robot has another text.
   robotlink::Result<void> play();
-  /// Selects the key frame so many places later (negative: earlier) and, with manual control, turns the
+  /// Selects the key frame `count` places later (negative: earlier) and, with manual control, turns the
   /// robot's joints to it.
   robotlink::Result<void> step(int count);
 

@@ -77,7 +77,7 @@ void MotionTextEdit::showPlace() {
 
 void MotionTextEdit::takeText() {
   if (isShowing_) return;
-  // What is typed in one line is undone as one.
+  // Typing in one line is undone in one step.
   const std::string gesture = "typing " + std::to_string(textCursor().blockNumber());
   bench_.change(tr("Typing"), toPlainText().toStdString(), gesture);
 }

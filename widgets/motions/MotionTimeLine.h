@@ -21,9 +21,9 @@ class MotionTimeLine final : public QWidget {
 
   /// How long the motion is being played; unset: it is not.
   void setPlayed(std::optional<robotlink::Duration> time);
-  /// The index of the joint's column whose curve stands out; -1: none.
+  /// The index of the joint's column whose curve is highlighted; -1: none.
   void setColumn(int column);
-  /// Where a time lies, pixels.
+  /// The position of a time, pixels.
   double placeOf(robotlink::Duration time) const;
   QSize sizeHint() const override { return {400, 90}; }
   QSize minimumSizeHint() const override { return {120, 48}; }

@@ -27,7 +27,7 @@ constexpr int kActuatorSteps = 1000;
 /// The range of an actuator that names none.
 constexpr double kUnknownRange = 1000;
 
-/// What a value of an actuator with several values is called.
+/// The name of a value of an actuator with several values.
 QString valueName(const robotcontrol::WorldPort& port, int value) {
   if (port.type() == "wheel_speeds")
     return value == 0 ? ActuatorPanel::tr("left") : ActuatorPanel::tr("right");

@@ -66,7 +66,7 @@ class ActuatorPanel final : public QWidget {
   /// Holds an actuator at what its sliders say.
   void hold(const std::string& port);
   void send(const std::string& robot, robotcontrol::Request request);
-  /// What the sensor beside an actuator measures now, such as the angle of the joint; 0: not known.
+  /// The present measurement of the sensor of an actuator, such as the angle of the joint; 0: not known.
   double present(const Row& row) const;
   static int stepOf(const Row& row, double value);
 

@@ -92,7 +92,7 @@ void paintColumns(QPainter& painter, const QSize& size, const ColumnGraph& graph
                   std::optional<int> marked) {
   painter.fillRect(QRect(QPoint(), size), palette.color(QPalette::Base));
   const QRectF area = columnArea(size);
-  // What stands there then is how to fill it.
+  // An empty graph shows a hint on how to fill it.
   if (graph.values.empty()) return;
   paintAxis(painter, area, graph, palette);
   const double step = area.width() / static_cast<double>(graph.values.size());

@@ -38,7 +38,7 @@ class SteadyLimits {
   };
   /// Unset: before the first graph.
   std::optional<Limits> shown_;
-  /// What the graphs since the limits were set last would have had; unset: there was none.
+  /// The limits that the graphs since the last setting would have had; unset: there was no graph.
   std::optional<Limits> wanted_;
   int count_ = 0;
 };
@@ -55,7 +55,7 @@ class ColumnsCanvas final : public QWidget {
   explicit ColumnsCanvas(QWidget* parent = nullptr);
   void show(ColumnGraph graph);
   const ColumnGraph& graph() const { return graph_; }
-  /// The index of the column at a place; unset beside them.
+  /// The index of the column at a place; unset if there is none.
   std::optional<int> columnAt(const QPoint& at) const;
   QSize sizeHint() const override { return {400, 240}; }
 

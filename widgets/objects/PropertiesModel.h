@@ -24,11 +24,11 @@ struct PropertyRow {
   /// "mass"; of a pose "x", "y", "z", "roll", "pitch", "heading".
   std::string name;
   QString value, unit;
-  /// What of the object it belongs to, such as "visible box"; empty: to the object itself.
+  /// The part of the object to which it belongs, such as "visible box"; empty: to the object itself.
   QString part = {};
-  /// Its place among the six numbers of the pose; -1: it is no part of the pose.
+  /// Its place among the six numbers of the pose; -1: it is not part of the pose.
   int poseIndex = -1;
-  /// Where a file has it; empty: it cannot be changed there.
+  /// The place of the property in a file; empty: it cannot be changed there.
   std::string file = {};
   std::vector<std::string> element = {};
   /// Whether the user changed it, which is not in the file yet.
@@ -38,7 +38,7 @@ struct PropertyRow {
   int count = 1;
 };
 
-/// What is known of an object of a scene, and what the user changed of all objects. Numbers that are edited
+/// The properties of an object of a scene, and the user's changes of all objects. Numbers that are edited
 /// are announced; the model keeps those that are for files until they are taken. GUI thread.
 class PropertiesModel final : public RowModel<PropertyRow> {
   Q_OBJECT
@@ -56,8 +56,8 @@ class PropertiesModel final : public RowModel<PropertyRow> {
   /// Keeps one; that of the same element before is replaced.
   void addEdit(SceneFileEdit edit);
   void clearEdits();
-  /// Returns the changes for files, which are shown as they are until forgetTaken(), but are no edits any
-  /// more.
+  /// Returns the changes for files, which are shown as they are until forgetTaken(), but are no longer
+  /// edits.
   std::vector<SceneFileEdit> takeEdits();
   void forgetTaken() { taken_.clear(); }
 
@@ -68,7 +68,7 @@ class PropertiesModel final : public RowModel<PropertyRow> {
  Q_SIGNALS:
   /// A number of the pose was edited; m or rad.
   void poseEdited(int index, double value);
-  /// What was typed is not taken, with the reason.
+  /// Emitted when typed text is not accepted, with the reason.
   void refused(const QString& reason);
   /// A change for a file was added, or all were cleared.
   void editsChanged();

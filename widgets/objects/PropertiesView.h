@@ -24,9 +24,9 @@ class EmptyHint;
 class SceneSelection;
 
 /// The properties of the selected object of a simulated scene: its pose now, mass, size, color, friction,
-/// noise and what else the scene's files say of it. The pose of what can be moved is edited in the
-/// simulation; other numbers are changed in the texts of the scene's files, in which the simulation then goes
-/// on, and are saved on request. Where it cannot go on they are only written, on request, and hold when the
+/// noise and what else the scene's files say of it. The pose of movable objects is edited in the
+/// simulation; other numbers are changed in the texts of the scene's files, in which the simulation then
+/// continues, and are saved on request. If it cannot, they are only written, on request, and hold when the
 /// scene is opened again.
 ///
 /// Registered as "scene-properties". GUI thread.
@@ -45,7 +45,7 @@ class PropertiesView final : public View {
   const robotcontrol::WorldObject* object() const;
   /// The link and the shapes of a model of one link; else nothing.
   std::vector<const robotcontrol::WorldObject*> parts(const robotcontrol::WorldObject& object) const;
-  /// Where the object is now; unset: not known.
+  /// The current pose of the object; unset: not known.
   std::optional<ObjectPose> pose(const robotcontrol::WorldObject& object);
   /// Moves the object.
   void place(int index, double value);

@@ -44,7 +44,7 @@ void SceneTreeModel::build() {
     const auto parent = byPath_.find(nodes_[static_cast<std::size_t>(i)].object->parent());
     if (parent != byPath_.end()) nodes_[static_cast<std::size_t>(i)].parent = parent->second;
   }
-  // What is its own ancestor, as in damaged messages, lies at the root.
+  // An object that is its own ancestor, as in damaged messages, is put at the root.
   for (int i = 1; i < count; ++i) {
     int at = nodes_[static_cast<std::size_t>(i)].parent;
     for (int steps = 0; at != 0 && at != i && steps < count; ++steps)

@@ -27,7 +27,7 @@ class SceneTreeModel final : public QAbstractItemModel {
   enum Role {
     /// The path of the object, QString.
     kPathRole = Qt::UserRole,
-    /// What a search looks through: path, kind and type of the port.
+    /// The text that a search looks through: path, kind and type of the port.
     kFilterRole
   };
 

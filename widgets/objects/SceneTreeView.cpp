@@ -273,7 +273,7 @@ void SceneTreeView::tick() {
                          ? nullptr
                          : std::dynamic_pointer_cast<const robotcontrol::PortReadings>(message->value));
   readShown();
-  // What other views hide is looked for less often: of a large scene that takes a while.
+  // Objects hidden by other views are looked up less often: in a large scene that takes a while.
   if (++ticks_ % kTicksUntilHiddenShown == 0) showHidden();
   actuators_->refresh();
   hint_->setHint(
@@ -302,7 +302,7 @@ void SceneTreeView::readShown() {
   for (QModelIndex row = tree_->indexAt({0, 0}); row.isValid(); row = tree_->indexBelow(row)) {
     if (tree_->visualRect(row).top() > bottom) break;
     const auto* object = model_.object(filtered_->mapToSource(row));
-    // Images are rendered for whoever looks at them.
+    // Images are rendered only for their viewers.
     if (isSensor(object) && object->port().type() != "image") ports.push_back(object->port().path());
   }
   subscription_.want(session(), ports);
@@ -337,7 +337,7 @@ void SceneTreeView::showSelected() {
   for (QAction* action : {alone_, around_, hide_, follow_, turnWith_, lookOut_})
     action->setEnabled(isSomewhere);
   showHidden();
-  // What belongs to something else is changed in its text.
+  // Parts of other objects are changed in the text of these.
   const bool isWhole = object != nullptr && object->parent().empty();
   for (QAction* action : {duplicate_, erase_, rename_}) action->setEnabled(isWhole);
   std::vector<std::string> actuators;

@@ -23,7 +23,7 @@ class SceneSelection;
 
 /// All objects of a simulated scene as a tree, with search: models, links, joints, shapes, sensors with their
 /// values, actuators with sliders, and lights. From here a sensor is plotted, shown as columns or as an
-/// image. The selected object is the one that is selected in the scene, and the other way round. Sensors are
+/// image. The selected object is the one that is selected in the scene, and vice versa. Sensors are
 /// read while they are in view.
 ///
 /// Registered as "scene-tree". GUI thread.
@@ -92,7 +92,7 @@ class SceneTreeView final : public View {
   EmptyHint* hint_ = nullptr;
   /// The message that is shown, to detect another one.
   robotlink::PackagePtr objects_;
-  /// What a saved state had unfolded, until there are objects.
+  /// The objects unfolded in a saved state, until there are objects.
   std::set<std::string> wanted_;
   int ticks_ = 0;
 };

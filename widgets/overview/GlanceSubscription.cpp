@@ -28,7 +28,7 @@ void setMode(robotlink::Session& session, const std::string& robot, const std::s
   request.mutable_set_key()->set_name(key);
   request.mutable_set_key()->mutable_mode()->set_kind(kind);
   if (kind == KeyMode::EVERY_MS) request.mutable_set_key()->mutable_mode()->set_n(kGlanceMs);
-  // As with other subscriptions, the user need not know of keys that cannot be switched.
+  // Like other subscriptions, this one ignores keys that cannot be switched.
   ask(session, robot, std::move(request), nullptr, [](bool, const QString&) {});
 }
 

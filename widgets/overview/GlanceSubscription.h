@@ -13,7 +13,7 @@ class Session;
 namespace widgets {
 
 /// Lets robots publish packages twice a second (kGlanceMs) while a view shows them: switches on those debug
-/// keys that are off, and off again with release(), unless somebody else has chosen another mode in the
+/// keys that are off, and off again with release(), unless another mode was chosen in the
 /// meantime. Packages that a robot does not have, and keys that are on anyway, are left alone. GUI thread.
 class GlanceSubscription {
  public:

@@ -29,7 +29,7 @@ namespace streams = robotlink::streams;
 using robotcontrol::HostingStatus;
 using robotlink::Instant;
 
-/// A program without a frame for so long is said to stand.
+/// A program without a frame for this long is shown as stopped.
 constexpr double kSilentFrames = 1.5;  // s
 /// The tasks that decide what a robot does; the first that it has is named.
 constexpr const char* kDecidingTasks[] = {"behavior", "driving"};
@@ -39,7 +39,7 @@ struct CardTexts {
   Q_DECLARE_TR_FUNCTIONS(RobotCard)
 };
 
-/// What is known of a robot.
+/// The data about a robot.
 struct Known {
   const ViewContext& context;
   const std::string& robot;

@@ -23,7 +23,7 @@ struct CardText {
   bool operator==(const CardText&) const = default;
 };
 
-/// What there is to say of a robot at a glance, translated. A plain value.
+/// The state of a robot at a glance, translated. A plain value.
 struct RobotCard {
   std::string robot;
   /// Its kind: "Sony Aibo ERS-210"; empty if it is not known.
@@ -31,7 +31,7 @@ struct RobotCard {
   /// The color of its team.
   QColor color;
   bool isSelected = false;
-  /// What it does, or why it stands; which solution decides that; how it is connected.
+  /// What it does, or why it stands still; which solution decides that; how it is connected.
   CardText state, behavior, link;
   /// State kUnknown if it does not say.
   BatteryLevel battery;

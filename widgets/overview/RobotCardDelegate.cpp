@@ -24,7 +24,7 @@ int minCardWidth(const QFontMetrics& font) {
   return font.averageCharWidth() * 24;
 }
 
-/// Whether the image is beside the texts.
+/// Whether the image is next to the texts.
 bool isBeside(QSize card) {
   return card.width() > card.height() * 1.7;
 }

@@ -9,7 +9,7 @@ class RobotCardModel;
 struct RobotCard;
 
 /// Paints the cards of robots: name with the color of the team, image, state, behavior, battery and link. The
-/// image is above the texts, or beside them on a card that is low and wide. All cards have one size, which is
+/// image is above the texts, or next to them on a low and wide card. All cards have one size, which is
 /// set for the room that there is. GUI thread; the model must outlive it.
 class RobotCardDelegate final : public QStyledItemDelegate {
   Q_OBJECT
@@ -17,7 +17,7 @@ class RobotCardDelegate final : public QStyledItemDelegate {
   RobotCardDelegate(const RobotCardModel& model, QObject* parent)
       : QStyledItemDelegate(parent), model_(model) {}
 
-  /// Sets the size of cards for so many of them in a room. True if it changed.
+  /// Sets the size of `cards` cards in a room. Returns true if it changed.
   bool fit(int cards, QSize room, const QFontMetrics& font);
   QSize cardSize() const { return size_; }
   /// The size at which images are seen largest; not smaller than what the texts need. A pure function.

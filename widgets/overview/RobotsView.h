@@ -13,7 +13,7 @@ namespace widgets {
 class EmptyHint;
 class RobotCardDelegate;
 
-/// All robots of the session at a glance, simulated, real, far and logged: a card for each with its image,
+/// All robots of the session at a glance, simulated, real, remote and logged: a card for each with its image,
 /// state, battery and link. A click, or the arrow keys, select the robot that all other views show.
 ///
 /// While the view is visible, robots publish what it shows twice a second, if nobody wants it more often.
@@ -24,11 +24,11 @@ class RobotsView final : public View {
   explicit RobotsView(ViewContext& context, QWidget* parent = nullptr);
   ~RobotsView() override;
   void tick() override;
-  /// What the cards say, a row for each robot.
+  /// The texts of the cards, a row for each robot.
   std::optional<QString> numbers() override;
 
  protected:
-  /// Nothing is published for a view that nobody sees.
+  /// Ends subscriptions while the view is hidden.
   void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 

@@ -23,7 +23,7 @@ std::vector<PacketEntry> entriesOf(const robotlink::arcos::Conversation& convers
 /// CLOSE, and so SYNC1 and SYNC2, which have the same numbers, are left out, since they would end that
 /// connection. SYNC0 has the number of PULSE and is kept.
 struct ClientHalf {
-  /// One packet with header and checksum.
+  /// A packet with header and checksum.
   struct Said {
     /// Time since the first packet.
     robotlink::Duration at;

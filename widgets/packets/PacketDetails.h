@@ -7,7 +7,7 @@ namespace widgets {
 
 struct PacketEntry;
 
-/// One packet field by field, and its bytes as hexadecimal numbers and characters. Object name
+/// Shows a packet field by field, and its bytes as hexadecimal numbers and characters. Object name
 /// "packetDetails". GUI thread.
 class PacketDetails final : public QTreeWidget {
   Q_OBJECT

@@ -9,7 +9,7 @@
 
 namespace widgets {
 
-/// One event on the line to a robot: a packet, or the beginning or end of a connection, decoded for display.
+/// An event on the line to a robot: a packet, or the beginning or end of a connection, decoded for display.
 /// A plain value.
 struct PacketEntry {
   /// A packet, or a marker between packets. Markers have a time and a name only.

@@ -31,7 +31,7 @@ class PacketReplayBar final : public QWidget {
   /// Whether a replay is in progress.
 
  Q_SIGNALS:
-  /// These packets shall be sent to the robot, in this order.
+  /// Emitted when these packets are to be sent to the robot, in this order.
   void send(const std::vector<std::string>& packets);
 
  private:

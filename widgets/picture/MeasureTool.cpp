@@ -55,7 +55,7 @@ void MeasureTool::createBar(const QByteArray& name) {
   text_->setObjectName(QString::fromLatin1(name + "MeasureText"));
   text_->setAccessibleName(tr("Measurement"));
   text_->setTextFormat(Qt::PlainText);
-  // One line, so that the picture stays where it is; what does not fit is in the tooltip.
+  // There is a single line, so that the picture stays where it is; the tooltip has the rest.
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   row->addWidget(text_, 1);
@@ -152,7 +152,7 @@ bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
       canvas_.update();
       return false;
     case QEvent::ShortcutOverride:
-      // So that Esc is no shortcut of another action now.
+      // Accepted, so that Esc does not trigger another action now.
       if (isEscape(*event)) event->accept();
       return false;
     case QEvent::KeyPress:

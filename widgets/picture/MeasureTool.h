@@ -32,7 +32,7 @@ class MeasureTool final : public QObject {
   struct Scale {
     /// From the picture's coordinates to the canvas's pixels.
     std::function<QTransform()> toCanvas;
-    /// Where a point of the canvas is in the picture; unset outside. Rounds to pixels where there are some.
+    /// The position of a canvas point in the picture; unset outside. Rounds to pixels where there are some.
     std::function<std::optional<QPointF>(const QPointF& canvas)> place;
     /// The measurement of one to three points in words.
     std::function<MeasureText(const std::vector<QPointF>& points)> describe;
@@ -83,7 +83,7 @@ class MeasureTool final : public QObject {
   std::vector<QPointF> points_;
   /// The place under the cursor; unset outside of the picture.
   std::optional<QPointF> hover_;
-  /// Where the button was pressed, in the canvas; unset while it is not.
+  /// The point of the canvas where the button was pressed; unset while it is not.
   std::optional<QPointF> pressed_;
 };
 

@@ -16,9 +16,9 @@ namespace widgets {
 
 /// A measurement in words.
 struct MeasureText {
-  /// For each segment from a point to the next, what is written beside it.
+  /// The text next to each segment from a point to the next.
   QStringList segments;
-  /// What is written at the second of three points; empty with fewer.
+  /// The text at the second of three points; empty with fewer.
   QString angle;
   /// All of it in one line, to be read and copied.
   QString line;

@@ -8,7 +8,7 @@
 namespace widgets {
 
 /// How far, in pixels, a picture moves when an arrow key is pressed; nothing for other keys. It moves against
-/// the arrow, so that more is seen of what lies in its direction.
+/// the arrow, so that more is seen of the picture in its direction.
 inline std::optional<QPointF> panOfKey(const QKeyEvent& event, double step) {
   switch (event.key()) {
     case Qt::Key_Left:

@@ -21,7 +21,7 @@ class DrawingsModel;
 class PoseMenu;
 
 /// The shell of all views that show a picture: copying and saving it, zooming, the list of drawings or
-/// another panel beside it, the splitter between both, and the part of the saved state that these need. A
+/// another panel next to it, the splitter between both, and the part of the saved state that these need. A
 /// derived view adds what it shows: its canvas, its own actions, tool rows and footer, and the state of
 /// these.
 ///
@@ -35,7 +35,7 @@ class PictureView : public View {
   bool savePicture(const QString& file);
   /// Writes the picture as PNG or SVG, or the view's numbers() as .csv or .txt, without a message box.
   robotlink::Result<void> saveTo(const QString& file) override;
-  /// The canvas, without what is beside it.
+  /// The canvas, without the panels next to it.
   QImage shownPicture() override { return rendered_(); }
   QSize shownPictureSize() const override;
   /// Checks or unchecks a drawing in the list, by its name with or without its kind, as a click does. Fails
@@ -50,7 +50,7 @@ class PictureView : public View {
   QStringList poseNames() const;
 
  protected:
-  /// What is beside the picture.
+  /// The panel next to the picture.
   struct Side {
     QWidget* widget = nullptr;
     /// Shows and hides the widget, which begins as the action is checked; null: the derived view does that.
@@ -76,7 +76,7 @@ class PictureView : public View {
   /// The pose menu; null if the view has none.
   PoseMenu* poses() const { return poses_; }
 
-  /// Puts the rows, the canvas with what is beside it, and the rows below together. Call this once. The
+  /// Puts the rows, the canvas with the panel next to it, and the rows below together. Call this once. The
   /// state keeps "splitter" and, if there is a panel that can be hidden, "panel" and "drawings". The canvas
   /// is what is saved, copied and zoomed: it has rendered() and zoomBy().
   template <typename Canvas>

@@ -78,7 +78,7 @@ void PoseMenu::setChoice(const QString& choice) {
 
 void PoseMenu::choose(const QString& choice) {
   choice_ = choice;
-  // What another choice has requested says nothing about this one.
+  // Requests of another choice say nothing about this one.
   subscription_ = {};
   Q_EMIT choiceChanged();
 }

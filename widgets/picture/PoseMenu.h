@@ -27,7 +27,7 @@ class PoseMenu final : public QMenu {
   /// Lists the estimates that the session's robots publish, if its streams have changed, and requests the
   /// chosen one.
   void refresh(robotlink::Session& session);
-  /// As it is kept in the state of a view.
+  /// The choice as it is kept in the state of a view.
   QString choice() const { return choice_; }
   void setChoice(const QString& choice);
   /// All choices but the usual one.

@@ -60,11 +60,11 @@ class CurveModel final : public QAbstractTableModel {
     /// The newest value that the session published, and the unit of the values; empty if not known.
     std::optional<double> last() const;
     QString unit() const;
-    /// Takes what is new of the log; what the filter makes of it ends at so many bytes. True if there is
+    /// Takes the new values of the log; the filter's result ends at `bytes` bytes. Returns true if there is
     /// something.
     bool takeLogged(std::size_t bytes);
-    /// The same of what the session published. `afresh`: if some of it was missed, the curve starts over with
-    /// what the history has.
+    /// The same for the session's values. `afresh`: if some of them were missed, the curve starts over with
+    /// the values of the history.
     bool takeLive(const robotlink::StreamStore& store, bool afresh);
     /// Takes it for the next takeLive(), and changes nothing else.
     void hold(const robotlink::StreamStore& store);
@@ -75,16 +75,16 @@ class CurveModel final : public QAbstractTableModel {
     QString title = {};
     /// Index for curveColor(); the lowest that was free.
     int color = 0;
-    /// What hold() took.
+    /// The values that hold() took.
     PlotReader::News held = {};
-    /// What the session published, behind what was read of its history.
+    /// The values that the session published, behind those read of its history.
     robotlink::Series live;
     PastValues past;
-    /// What of the history `live` lacks, as when it was drawn last.
+    /// The part of the history that `live` lacked when it was last drawn.
     std::vector<MissingValues> missing = {};
     /// The same of the whole log, before the filter; null if it is not read.
     std::shared_ptr<const LoggedCurve> logged;
-    /// What the filter makes of `logged`; unused without a filter.
+    /// The filter's result for `logged`; unused without a filter.
     std::shared_ptr<robotlink::Series> filtered = std::make_shared<robotlink::Series>();
     robotlink::PointFilter liveFilter, logFilter;
     /// Whether the program recomputes what the log has, so that both are of interest.
@@ -100,7 +100,7 @@ class CurveModel final : public QAbstractTableModel {
     StateNames names = {};
     /// Whether it is drawn as a strip; empty: as its values are.
     std::optional<bool> asStrip = {};
-    /// What it is drawn over instead of time; null: over time.
+    /// The curve over which it is drawn instead of time; null: over time.
     std::unique_ptr<Curve> across = {};
     /// Why it has no values now, as said when it was updated last.
     QString problem = {};
@@ -140,7 +140,7 @@ class CurveModel final : public QAbstractTableModel {
   int freeColor() const;
   /// Names all curves, since one that is added or removed may tell others apart.
   void nameCurves();
-  /// What a cell of the legend says.
+  /// The text of a cell of the legend.
   QVariant text(const Curve& curve, int column) const;
   QString toolTip(const Curve& curve) const;
   std::vector<std::shared_ptr<Curve>> curves_;

@@ -37,7 +37,7 @@ std::shared_ptr<const LoggedCurve> HistoryCurves::curve(const PlotSource& source
 }
 
 void HistoryCurves::tick(robotlink::Session& session) {
-  // What was read before a restart is of another run.
+  // Values that were read before a restart belong to another run.
   if (reader_ && generation_ != session.store().generation()) reader_.reset();
   if (reader_) take();
   if (!reader_ && !waiting_.empty()) begin(session);

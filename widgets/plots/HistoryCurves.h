@@ -21,7 +21,7 @@ namespace widgets {
 
 /// Reads the values of curves that the history of live robots has on disk, in the background. All plots and
 /// the timeline of a window share it: what is wanted while something is read waits, and is then read in one
-/// pass. Nothing is read for a curve that nobody holds any more. GUI thread; owned by the logs.
+/// pass. Nothing is read for a curve that is no longer used. GUI thread; owned by the logs.
 class HistoryCurves final : public QObject {
   Q_OBJECT
  public:

@@ -15,7 +15,7 @@
 namespace widgets {
 
 /// Fills curves from the open logs in the background, without playing them. All plots of a window share it,
-/// so that a log is read once for all curves. Nothing is read for a curve that nobody holds any more. GUI
+/// so that a log is read once for all curves. Nothing is read for a curve that is no longer used. GUI
 /// thread; owned by the logs.
 class LoggedCurves final : public QObject {
   Q_OBJECT
@@ -35,20 +35,20 @@ class LoggedCurves final : public QObject {
   QString stateText() const;
 
  private:
-  /// An open log of which curves were asked for.
+  /// An open log of which curves were requested.
   struct Log {
     std::unique_ptr<logplayer::NumberReader> reader;
-    /// What was added to the times of the curves.
+    /// The offset that was added to the times of the curves.
     robotlink::Duration offset{0};
     std::map<logplayer::LogNumber, std::weak_ptr<LoggedCurve>> curves = {};
-    /// What the reader reads.
+    /// The numbers that the reader reads.
     std::set<logplayer::LogNumber> read = {};
     double progress = 0;
     QString failure = {};
   };
 
   explicit LoggedCurves(OpenLogs& logs);
-  /// What of a log is the source; empty if it has not all that is needed.
+  /// The number in a log that is the source; empty if the log lacks something that is needed.
   static std::optional<logplayer::LogNumber> numberIn(const OpenLogs::Log& log, const PlotSource& source);
   /// How much each curve may take.
   std::size_t share() const;

@@ -9,7 +9,7 @@ using robotlink::Series;
 
 namespace {
 
-/// So many more, and half as many again as before, are a good deal more.
+/// This many more, and half as many again as before, count as a large increase.
 constexpr std::size_t kMinIncrease = 1000;
 
 }  // namespace

@@ -24,12 +24,12 @@ class PastValues {
   /// Forgets all, after the clock went back.
   void restart() { *this = {}; }
 
-  /// Whether there are values before which others may be on disk, and nobody has decided yet whether they are
+  /// Whether there are values before which others may be on disk, and it is not decided yet whether they are
   /// read: by read() or skip().
   bool isWanted() const { return begin_.has_value() && !isDecided_; }
   /// The time of the first value that the session published; unset: there is none.
   const std::optional<double>& begin() const { return begin_; }
-  /// What is read from now on, in order of time.
+  /// Sets the values that are read from now on, in order of time.
   void read(std::shared_ptr<const LoggedCurve> values);
   void skip();
   /// Null if nothing is being read.
@@ -51,7 +51,7 @@ class PastValues {
   /// How many of them were put before the others, and the time of the last one.
   std::size_t merged_ = 0;
   std::optional<double> reached_;
-  /// What the session published, before the filter; empty without one, and when nothing is read.
+  /// The values that the session published, before the filter; empty without one, and when nothing is read.
   robotlink::Series raw_;
 };
 

@@ -47,7 +47,7 @@ class PathCanvas final : public QWidget {
     QCPCurve* graph = nullptr;
     /// A ring at the shown instant.
     QCPItemTracer* mark = nullptr;
-    /// What was drawn: the numbers of points, and their times.
+    /// The points that were drawn: their numbers, and their times.
     std::pair<std::size_t, std::size_t> points;
     std::pair<double, double> times;
   };

@@ -23,7 +23,7 @@ namespace widgets {
 
 namespace {
 
-/// The end of what lasts, in s; a number that axes can compute with.
+/// The end of an interval that has not ended, in s; a number that axes can compute with.
 constexpr double kForever = 1e12;
 /// The share of a curve's color where it is paler.
 constexpr double kPale = 0.45;
@@ -34,7 +34,7 @@ constexpr double kMaxForStrips = 0.6;
 /// The width of the names beside strips, in pixels.
 constexpr int kStripNameWidth = 120;
 
-/// Where no line is drawn: nothing was heard of the robot (null: it is here), or values are missing.
+/// The gaps in a line: the connection to the robot (null: it is local) was lost, or values are missing.
 std::vector<robotlink::LineGap> gapsIn(const CurveModel::Curve& curve, const robotlink::RemoteRobot* robot) {
   std::vector<robotlink::LineGap> gaps;
   if (robot != nullptr) gaps = robot->gaps;
@@ -293,7 +293,7 @@ void PlotCanvas::matchStrips() {
     const auto row = static_cast<double>(i);
     const std::shared_ptr<const robotlink::Series> live(curve, &curve->live);
     std::vector<StateStrip::Part> parts{{curve->isLogged() ? curve->ofLog() : live, row, row + 1}};
-    // What is recomputed stands below what was logged.
+    // Recomputed values are shown below the logged ones.
     if (curve->isRecomputed && curve->ofLog())
       parts = {{curve->ofLog(), row, row + 0.5}, {live, row + 0.5, row + 1}};
     strip.setParts(std::move(parts));
@@ -359,7 +359,7 @@ std::vector<std::pair<double, double>> PlotCanvas::gapsOf(const std::vector<std:
   return gaps;
 }
 
-/// Shades the times in which nothing was heard of a robot that has a curve.
+/// Shades the times without messages of a robot that has a curve.
 void PlotCanvas::showGaps() {
   std::vector<std::string> streams;
   for (const auto& curve : curves_.curves())

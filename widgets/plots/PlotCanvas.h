@@ -48,7 +48,7 @@ class PlotCanvas final : public QWidget {
   explicit PlotCanvas(CurveModel& curves, QWidget* parent = nullptr);
 
   /// Draws what is in the model now. With `follow` the time axis shows [end - length, end] (in s), or all if
-  /// `length` is 0, and the value axis all values therein. Where nothing was heard of a robot, no line is
+  /// `length` is 0, and the value axis all values therein. Where a robot sent nothing, no line is
   /// drawn.
   void refresh(bool follow, double end, double length, const RemoteRobots& robots = {});
   /// Shows all points of all curves.
@@ -59,7 +59,7 @@ class PlotCanvas final : public QWidget {
   /// Shows what was shown before or after; false: there is nothing.
   bool undo() { return showRanges(history_.undo(ranges())); }
   bool redo() { return showRanges(history_.redo(ranges())); }
-  /// What the axes show now.
+  /// The ranges of the axes at present.
   PlotRanges ranges() const;
   /// Sets the time that the axis labels as 0 s.
   void setOrigin(double seconds);
@@ -75,7 +75,7 @@ class PlotCanvas final : public QWidget {
   void setMarkers(std::vector<PlotMarker> markers);
   /// Marks where texts are, which tooltips say, in order of time.
   void setTextMarks(std::vector<PlotMarker> marks);
-  /// What the tooltip at a point says: the texts there, or the state; empty: nothing.
+  /// The tooltip at a point: the texts there, or the state; empty: nothing.
   QString toolTipAt(const QPoint& point) const;
   /// The ends of the time axis, in s.
   std::pair<double, double> shownTimes() const;
@@ -100,7 +100,7 @@ class PlotCanvas final : public QWidget {
 
  private:
   void showGaps();
-  /// When nothing was heard of the robots of a curve, from and to, in s.
+  /// The times without messages of the robots of a curve, from and to, in s.
   std::vector<std::pair<double, double>> gapsOf(const std::vector<std::string>& streams) const;
   /// Colors axes, grid and lines by the palette.
   void applyTheme();
@@ -109,7 +109,7 @@ class PlotCanvas final : public QWidget {
   void matchGraphs();
   /// The same for strips, one for each curve of states.
   void matchStrips();
-  /// Gives the strips their room, with their names beside them.
+  /// Gives the strips their room, with their names on the left.
   void layOutStrips(const QStringList& names);
   void createStrips();
   /// Whether a point is in the plot or its strips.
@@ -135,10 +135,10 @@ class PlotCanvas final : public QWidget {
   /// Two for each curve: of the log, and of what the session published.
   std::vector<SeriesGraph*> graphs_;
   std::vector<StateStrip*> stripGraphs_;
-  /// The names beside the strips; unset: they must be written again.
+  /// The names of the strips; unset: they must be written again.
   std::optional<QStringList> stripNames_;
   RemoteRobots robots_;
-  /// The times in which nothing was heard, from and to, and the items that shade them.
+  /// The times without messages, from and to, and the items that shade them.
   std::vector<std::pair<double, double>> gaps_;
   std::vector<QCPItemRect*> shades_;
   std::optional<PlotHatches> hatches_;
@@ -148,7 +148,7 @@ class PlotCanvas final : public QWidget {
   std::array<QCPItemText*, 2> names_{};
   std::optional<PlotMarkers> markers_;
   PlotHistory history_;
-  /// What was shown before the user pressed a button or turned the wheel; empty once that is in the history.
+  /// The ranges before the user pressed a button or turned the wheel; empty once they are in the history.
   std::optional<PlotRanges> before_;
   /// Whether the last change was by the wheel: its next notch belongs to the same step.
   bool isWheeling_ = false;

@@ -15,7 +15,7 @@ struct PlotRanges {
   bool operator==(const PlotRanges&) const = default;
 };
 
-/// What a plot showed before, for undo and redo.
+/// The ranges that a plot showed before, for undo and redo.
 class PlotHistory {
  public:
   static constexpr std::size_t kMaxSteps = 200;
@@ -28,7 +28,7 @@ class PlotHistory {
   }
   bool canUndo() const { return !undo_.empty(); }
   bool canRedo() const { return !redo_.empty(); }
-  /// What to show instead of `now`; empty if there is no such step.
+  /// The ranges to show instead of `now`; empty if there is no such step.
   std::optional<PlotRanges> undo(const PlotRanges& now) { return step(undo_, redo_, now); }
   std::optional<PlotRanges> redo(const PlotRanges& now) { return step(redo_, undo_, now); }
 

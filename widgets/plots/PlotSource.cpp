@@ -27,7 +27,7 @@ bool isOff(const robotcontrol::KeyTable::Key& key) {
   return key.mode().kind() == robotcontrol::KeyMode::OFF;
 }
 
-/// Where a separator begins outside of quoted texts; -1: nowhere.
+/// The position of a separator outside of quoted texts; -1: there is none.
 int placeOf(const QString& text, const char* separator) {
   bool isQuoted = false;
   for (int i = 0; i < text.size(); ++i) {
@@ -37,7 +37,7 @@ int placeOf(const QString& text, const char* separator) {
   return -1;
 }
 
-/// What stands behind a separator, of which the text is relieved; empty: it has none.
+/// Removes the text behind a separator, and the separator, and returns the former; empty: there is none.
 QString takeBehind(QString& text, const char* separator) {
   const int place = placeOf(text, separator);
   if (place < 0) return {};
@@ -261,7 +261,7 @@ QString PlotReader::missingValue(const robotlink::StreamStore& store) const {
 }
 
 PlotReader::News PlotReader::take(const robotlink::StreamStore& store) {
-  // What another log or simulation has said, whose stream may be there no more.
+  // Values of another log or simulation are dropped; its stream may no longer exist.
   const bool isOther = generation_ && generation_ != store.generation();
   generation_ = store.generation();
   if (isOther) {

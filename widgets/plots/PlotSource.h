@@ -25,7 +25,7 @@ struct PlotSource {
   std::string field = {};
   /// Type of the stream's messages; empty if only the name of the source is known. Not compared.
   std::string type = {};
-  /// What is computed of the values, as robotlink::PointFilter parses it; empty: nothing.
+  /// The filter of the values, as robotlink::PointFilter parses it; empty: none.
   std::string filter = {};
   /// "sqrt(red1/models/ball.position.x^2)", see robotlink/expressions/EXPRESSIONS.md; empty: it is no
   /// expression.
@@ -89,7 +89,7 @@ std::string keyFor(const robotlink::StreamStore& store, const std::string& strea
 /// that arrives late counts from its arrival on.
 class PlotReader {
  public:
-  /// What has arrived since the last call.
+  /// The values that have arrived since the last call.
   struct News {
     /// Times are seconds on the session's timeline.
     std::vector<robotlink::Series::Point> points;

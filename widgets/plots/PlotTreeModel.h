@@ -9,7 +9,7 @@
 namespace widgets {
 
 /// The sources that can be plotted as a tree by the parts of the streams' paths, with the fields as leaves
-/// and their units beside them; the elements of long lists are below one row. Those that are not published
+/// and their units next to them; the elements of long lists are below one row. Those that are not published
 /// now are gray. Leaves can be dragged; the MIME data are the texts of their sources, one per line. GUI
 /// thread.
 class PlotTreeModel final : public QStandardItemModel {
@@ -24,7 +24,7 @@ class PlotTreeModel final : public QStandardItemModel {
   /// MIME type of dragged sources; the same data is also plain text.
   static constexpr char kMimeType[] = "application/x-robotcontrol-plot";
 
-  /// Longer lists have a row of their own; so many elements are also listed of a type without a message.
+  /// Longer lists have a row of their own; this many elements are also listed of a type without a message.
   static constexpr int kMaxElements = 32;
 
   using QStandardItemModel::QStandardItemModel;

@@ -35,7 +35,7 @@ const ViewRegistration kPlotsViewRegistration{
      QT_TRANSLATE_NOOP("View", "Draws plot values and numbers of any stream over time."), "plots", true,
      create<PlotsView>}};
 
-/// Spectra are drawn once in so many ticks, five times a second.
+/// Spectra are drawn once in this many ticks, five times a second.
 constexpr int kTicksPerSpectrum = 6;
 
 }  // namespace

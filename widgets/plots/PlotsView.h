@@ -33,7 +33,7 @@ class SpectrumCanvas;
 /// its debug key is requested, and the state line says so. The legend shows the current values and those
 /// under the cursor, another table what is at and between two cursors. The time axes of several plots can be
 /// linked. Of what a log has, the whole log is drawn, which is read in the background. States are strips
-/// below the curves; curves over other ones are drawn beside them, and spectra below.
+/// below the curves; curves over other ones are drawn next to them, and spectra below.
 ///
 /// PlotsViewTools.cpp has its controls, PlotsViewCurves.cpp what is done with curves, PlotsViewState.cpp
 /// files and what it keeps of itself. It draws in each tick in which something is new. Registered as "plots".
@@ -177,12 +177,12 @@ class PlotsView final : public View, public HiddenTick {
   PlotCanvas* canvas_ = nullptr;
   PathCanvas* paths_ = nullptr;
   SpectrumCanvas* spectrum_ = nullptr;
-  /// What is in the pictures: the canvases.
+  /// The area that pictures contain: the canvases.
   QWidget* area_ = nullptr;
   QTreeView* tree_ = nullptr;
   QWidget* treePanel_ = nullptr;
   QTreeView* legend_ = nullptr;
-  /// What is between the cursors.
+  /// The statistics between the cursors.
   QTreeView* statistics_ = nullptr;
   QLineEdit* search_ = nullptr;
   QLineEdit* expression_ = nullptr;
@@ -215,7 +215,7 @@ class PlotsView final : public View, public HiddenTick {
   QAction* previousChange_ = nullptr;
   QAction* nextChange_ = nullptr;
   QAction* spectrumCsv_ = nullptr;
-  /// What decides about what the tree shows: versions of the store's list of streams and of the open logs,
+  /// The inputs of the tree: versions of the store's list of streams and of the open logs,
   /// and the tables of debug keys.
   std::tuple<std::uint64_t, std::uint64_t, std::vector<robotlink::PackagePtr>> listed_{};
   /// Generation of the store and origin in s, in the last tick.
@@ -228,7 +228,7 @@ class PlotsView final : public View, public HiddenTick {
   std::uint64_t marksVersion_ = 0;
   /// Version of the open logs in which the curves were looked up; 0: they must be looked up again.
   std::uint64_t logsVersion_ = 0;
-  /// What was said last of the reading of logs.
+  /// The last text about the reading of logs.
   QString readingText_;
   /// Counts ticks from one spectrum to the next.
   int ticks_ = 0;

@@ -31,19 +31,19 @@ class SeriesGraph::Bars {
         height_(area.height() + 3),
         lower_(value.range().lower),
         offset_(value.coordToPixel(lower_) - top_),
-        // As the axis computes it, which takes a call for each.
+        // The scale is computed as the axis does it, which takes a call for each.
         scale_((value.coordToPixel(value.range().upper) - top_ - offset_) / value.range().size()) {
     lines_.reserve(2 * static_cast<std::size_t>(area.width()) + 1);
   }
 
-  /// The line comes to column `x` at a value, or begins there.
+  /// Continues the line from column `x` at a value, or begins it there.
   void leaveAt(int x, double value) {
     isDrawing_ = !std::isnan(value);
     x_ = x;
     if (isDrawing_) y_ = pixel(value);
   }
   void interrupt() { isDrawing_ = false; }
-  /// Draws the line up to the point at which it comes to column `x`.
+  /// Draws the line up to the point at which it reaches column `x`.
   void goTo(int x, double value) {
     if (isDrawing_ && !std::isnan(value) && x > x_ + 1) lines_.emplace_back(x_, y_, x, pixel(value));
   }
@@ -55,7 +55,7 @@ class SeriesGraph::Bars {
     }
     lines_.emplace_back(x, top, x, bottom);
   }
-  /// As lines: where there is a clip, rectangles take twenty times as long.
+  /// Lines are used, since where there is a clip, rectangles take twenty times as long.
   void draw(QCPPainter& painter) const { painter.drawLines(lines_.data(), static_cast<int>(lines_.size())); }
 
  private:
@@ -112,7 +112,7 @@ void SeriesGraph::drawColumns(QCPPainter& painter, int count) {
   const double from = keyAxis()->range().lower, to = keyAxis()->range().upper;
   Bars bars(*valueAxis(), area);
   std::size_t before = series.firstFrom(from);
-  // The line comes from the point before, and leads to the one behind.
+  // The line begins at the point before, and leads to the one behind.
   if (before > 0) bars.leaveAt(area.left() - 1, valueBetween(series[before - 1], series[before], from));
   for (const Series::Column& column : series.columns(from, to, static_cast<std::size_t>(count))) {
     if (!gaps_.empty() && column.begin > 0 && isInterrupted(series[column.begin - 1], series[column.begin]))

@@ -21,7 +21,7 @@ namespace {
 using robotlink::Spectrum;
 using robotlink::SpectrumWindow;
 
-/// Where points are that far from evenly spaced, it is said.
+/// A note is shown if points are this far from evenly spaced.
 constexpr double kLargeGap = 4;
 
 struct Window {

@@ -36,9 +36,9 @@ class SpectrumCanvas final : public QWidget {
   void setWindow(const QString& name);
   bool isLogarithmic() const;
   void setLogarithmic(bool on);
-  /// Adds a button for an action beside the controls.
+  /// Adds a button for an action next to the controls.
   void addTool(QAction& action);
-  /// What was shown last.
+  /// The spectra that were last shown.
   const std::vector<robotlink::Spectrum>& spectra() const { return spectra_; }
 
  protected:

@@ -51,7 +51,7 @@ void PortSubscription::want(robotlink::Session& session, const std::vector<std::
     const bool isRobot = std::ranges::find(robots, known->robot()) != robots.end();
     requests[isRobot ? known->robot() : std::string()].mutable_read_ports()->add_ports(port);
   }
-  // Where nothing is simulated, such as in a log, the user need not know that nobody reads them.
+  // Failures are ignored: without a simulation, such as in a log, there are no ports to read.
   for (auto& [robot, request] : requests)
     ask(session, robot, std::move(request), nullptr, [](bool, const QString&) {});
 }

@@ -16,8 +16,8 @@ class Session;
 namespace widgets {
 
 /// Asks a simulation to publish the readings of ports that a view shows: of sensors on the stream "ports", of
-/// cameras as images, of actuators what became of their last command. A port is asked for once, as soon as
-/// the world's objects name it, and again after another platform was opened. Others are never asked for. GUI
+/// cameras as images, of actuators the outcome of their last command. A port is requested once, as soon as
+/// the world's objects name it, and again after another platform was opened. Others are never requested. GUI
 /// thread.
 class PortSubscription {
  public:

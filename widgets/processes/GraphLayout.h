@@ -20,7 +20,7 @@ struct GraphSizes {
 
 /// Assigns layers, rectangles and bounds. A layered drawing from left to right after K. Sugiyama et al.,
 /// "Methods for visual understanding of hierarchical system structures" (1981): edges that close a cycle are
-/// marked as `back`, each node lies to the right of all its senders, and within a layer nodes are ordered by
+/// marked as `back`, each node is to the right of all its senders, and within a layer nodes are ordered by
 /// the mean position of their senders. The result depends on the graph only, so nodes do not jump from one
 /// table to the next.
 void layOut(ProcessGraph& graph);

@@ -23,7 +23,7 @@ class HostingBar final : public QWidget {
   enum class Robots { kThis, kAll };
 
   explicit HostingBar(QWidget* parent);
-  /// Null hides the bar: nobody says where the program runs.
+  /// Null hides the bar: it is not known where the program runs.
   void setStatus(const robotcontrol::HostingStatus* status);
 
  Q_SIGNALS:

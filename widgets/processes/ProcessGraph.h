@@ -69,7 +69,7 @@ struct ProcessGraph {
     /// Closes a cycle, and is drawn against the flow.
     bool back = false;
   };
-  /// What of a table is shown.
+  /// The parts of a table that are shown.
   struct Options {
     /// Whether packages named "debug/..." and their ports are shown.
     bool debugLinks = false;

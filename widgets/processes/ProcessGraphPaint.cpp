@@ -57,7 +57,7 @@ void paintEdge(QPainter& painter, const ProcessGraph& graph, const ProcessGraph:
 
 void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, const QPalette& palette) {
   const QRectF row = port.rect.adjusted(kNodeMargin, 0, -kNodeMargin, 0);
-  // Where a process does not keep up, that is what one wants to know; the rate stands at the sender and in
+  // The number of missed packages matters more than the rate, which is shown at the sender and in
   // the tooltip.
   const bool lossy = !output && port.falls;
   const QString figures = port.held ? ProcessGraphWidget::tr("held")

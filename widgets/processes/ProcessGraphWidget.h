@@ -15,7 +15,7 @@ namespace widgets {
 class ProcessGraphWidget final : public QWidget {
   Q_OBJECT
  public:
-  /// All that paint() needs beside the graph.
+  /// All that paint() needs in addition to the graph.
   struct Look {
     /// From pixels at zoom 1 (the graph's coordinates) to widget pixels.
     QTransform sceneToWidget;

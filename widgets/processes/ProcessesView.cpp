@@ -96,7 +96,7 @@ void ProcessesView::connectSignals() {
             robotcontrol::Request request;
             *request.mutable_host_program() = choice;
             ask(session(), robots == HostingBar::Robots::kAll ? std::string() : robot_, std::move(request));
-            // What is shown is what the robot reports, whether the request is accepted or not.
+            // The view shows what the robot reports, whether the request is accepted or not.
             shownHosting_ = nullptr;
           });
   connect(graph_, &ProcessGraphWidget::selected, this, [this](const QString& process) {

@@ -17,7 +17,7 @@ class CameraRide {
   /// kBeside: keeps the direction of view, and looks ahead toward a ball within 2 m.
   /// kBehind: turns with the robot, looking over its shoulder.
   enum class Mode : std::uint8_t { kOff, kBeside, kBehind };
-  /// What the camera follows.
+  /// The object that the camera follows.
   struct Subject {
     robotlink::Pose2 robot;
     /// Unset: unknown.
@@ -32,9 +32,9 @@ class CameraRide {
   };
 
   Mode mode() const { return mode_; }
-  /// Another mode starts over at the next step.
+  /// Sets the mode; a new one starts over at the next step.
   void setMode(Mode mode);
-  /// Another robot is followed: the next step goes there at once.
+  /// Call this when another robot is followed: the next step goes there at once.
   void forget() { at_.reset(); }
 
   /// Returns the next camera. `far`: the camera shows the whole scene, so the first step moves it close to

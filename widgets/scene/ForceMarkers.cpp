@@ -17,7 +17,7 @@ namespace {
 using robotlink::Vector3;
 
 constexpr double kForceRadius = 0.0025;  // m, of the shafts of arrows
-constexpr double kReadingSeconds = 10;   // much longer than until it is asked again
+constexpr double kReadingSeconds = 10;   // much longer than until the next request
 constexpr MarkerColor kContactColor{250, 90, 30, 255}, kReactionColor{70, 120, 240, 255},
     kHandColor{60, 190, 80, 255};
 
@@ -65,7 +65,7 @@ void ForceMarkers::keepReading(robotlink::Session& session) {
   untilAsked_ = kAskEvery;
   robotcontrol::Request request;
   request.mutable_read_forces()->set_seconds(kReadingSeconds);
-  // Where nothing is simulated any more, nobody need know that nobody reads them.
+  // Failures are ignored: without a simulation there are no forces to read.
   ask(session, {}, std::move(request), nullptr, [](bool, const QString&) {});
 }
 

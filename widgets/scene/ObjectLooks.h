@@ -24,7 +24,7 @@ struct ObjectLook {
   bool operator==(const ObjectLook&) const = default;
 };
 
-/// What the user has chosen for the objects of a scene in one view: parts that are hidden, drawn in another
+/// The user's choices for the objects of a scene in one view: parts that are hidden, drawn in another
 /// way, or seen through. Of an object and all that it belongs to the nearest choice counts. GUI thread.
 class ObjectLooks {
  public:
@@ -45,7 +45,7 @@ class ObjectLooks {
   /// Forgets all choices.
   void clear();
 
-  /// What counts for an object; all but hidden objects have isShown.
+  /// The look that counts for an object; all but hidden objects have isShown.
   ObjectLook of(const std::string& path, const SceneObjects& objects) const;
   bool isHidden(const std::string& path, const SceneObjects& objects) const;
   /// How many objects the user has hidden.

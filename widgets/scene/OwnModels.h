@@ -26,7 +26,7 @@ class SceneState;
 
 /// Robots that no scene shows, as real ones and those of many logs, by their own models: the angles of their
 /// joints come from what they report, and they stand upright where their drawings are placed; where no pose
-/// is known, one beside the other at the field's center. With them, what their cameras see and their ranges.
+/// is known, side by side at the field's center. With them, what their cameras see and their ranges.
 /// Robots without a model (ViewContext::bodyOf) are left out. GUI thread.
 class OwnModels {
  public:

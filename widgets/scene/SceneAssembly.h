@@ -27,8 +27,8 @@ class SceneAssembly {
  public:
   /// The entities of the scene at their poses; those in unknown frames are left out.
   std::vector<SceneBody> bodies(const SceneState& scene);
-  /// What collides, of a message of the stream "solids", at its poses; null: nothing. `calm`: in the calm
-  /// colors of this palette instead of those of the message, one for each model; what is fixed is nearly
+  /// The collision shapes of a message of the stream "solids", at their poses; null: none. `calm`: in calm
+  /// colors of this palette instead of those of the message, one for each model; fixed ones are nearly
   /// gray.
   std::vector<SceneBody> solids(const robotlink::PackagePtr& message, const SceneState& scene,
                                 const QPalette* calm = nullptr);
@@ -56,7 +56,7 @@ class SceneAssembly {
   void readSolids(const foxglove::SceneUpdate& update, const QPalette* calm);
 
   Shapes sceneShapes_, drawingShapes_;
-  /// One that collides; its entity is part of solidsMessage_.
+  /// A collision shape; its entity is part of solidsMessage_.
   struct Solid {
     const foxglove::SceneEntity* entity = nullptr;
     std::shared_ptr<const SceneShape> shape;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kKeyStep = 24;         // pixels that an arrow key is worth
 constexpr int kSceneClickSlack = 4;     // pixels that a hand moves while it clicks
-constexpr double kGroundHeight = 0.01;  // m; what is hit below is the ground, or lies on it
+constexpr double kGroundHeight = 0.01;  // m; hits below are on the ground, or on what is flat on it
 constexpr double kSceneTurnStep = robotlink::radians(15);
 
 /// Whether a key may be meant for the scene. Those of the window stay what they are: Escape, with which
@@ -308,7 +308,7 @@ void SceneCanvas::dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers, std
   const auto ground = camera_.ray(size(), at).onPlane(dragHeight_);
   if (!ground) return;
   speed_.add(time, ground->head<2>());
-  // Where dragging takes Control, that cannot mean anything else.
+  // If dragging requires Control, that key cannot mean snapping, too.
   Q_EMIT dragMoved(ground->x(), ground->y(), isSnapping && moveAlways_);
 }
 

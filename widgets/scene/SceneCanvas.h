@@ -52,7 +52,7 @@ class SceneCanvas final : public QWidget {
   std::optional<SceneHit> hitAt(const QPointF& at) const;
   /// Whether what was hit belongs to the surroundings, see isSurroundings().
   bool isBackground(const SceneHit& hit) const;
-  /// The place of the ground at one of the widget, or of what stands there; unset: there is none.
+  /// The place on the ground, or on an object there, at one of the widget; unset: there is none.
   std::optional<robotlink::Vector3> placeAt(const QPointF& at) const;
   /// A sentence at the upper edge; empty: none.
   void setNotice(const QString& text);
@@ -72,9 +72,9 @@ class SceneCanvas final : public QWidget {
   void setGrid(bool grid);
   void setLabels(bool labels);
 
-  /// What is shown, with labels but without axes and sentences; null until the first picture.
+  /// The picture that is shown, with labels but without axes and sentences; null until the first picture.
   QImage rendered() const;
-  /// What was set last.
+  /// The contents that were last set.
   const VisibleScene& contents() const { return contents_; }
   /// Whether the newest picture shows everything that was set.
   bool upToDate() const { return shown_.frame && shown_.frame == requested_; }
@@ -90,7 +90,7 @@ class SceneCanvas final : public QWidget {
   void dragStarted(const QString& model, double x, double y);
   void dragMoved(double x, double y, bool isSnapping);
   void dragTurned(double angle);
-  /// The velocity, m/s, is that of the mouse in that plane when the button was released; 0 if it stood still.
+  /// The velocity, m/s, is that of the mouse in that plane when the button was released; 0 if it was at rest.
   void dragEnded(double vx, double vy);
   void dragCanceled();
   /// A handle of the gizmo was dragged to a pose in the field's frame; then that ended.
@@ -128,18 +128,18 @@ class SceneCanvas final : public QWidget {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  /// What the pressed button does.
+  /// The action of the pressed button.
   enum class Mode : std::uint8_t { kIdle, kOrbiting, kPanning, kDragging, kHandling, kSending };
 
   /// Requests a picture; `smooth`: with several samples per pixel.
   void request(bool smooth = false);
-  /// Requests a smooth picture once nothing changes any more.
+  /// Requests a smooth picture when nothing changes any longer.
   void smoothen();
   /// Takes the thread's newest picture; called in the GUI thread.
   void takePicture();
   /// Colors for the palette in use.
   SceneFrame::Colors colors() const;
-  /// What a press begins; begins a drag if it is on a movable model.
+  /// The mode that a press begins; begins a drag if it is on a movable model.
   Mode modeFor(const QMouseEvent& event);
   /// False: there is no movable model.
   bool startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers);
@@ -147,7 +147,7 @@ class SceneCanvas final : public QWidget {
   void dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers, std::uint64_t time);
   /// Ends the drag as if there had been none; false: there is none.
   bool cancelDrag();
-  /// Paints the handles, and the numbers beside the mouse.
+  /// Paints the handles, and the numbers next to the mouse.
   void paintHand(QPainter& painter);
   /// Highlights an object instead of the selected one; empty: none.
   void highlight(const std::string& object);
@@ -162,7 +162,7 @@ class SceneCanvas final : public QWidget {
   bool canDrag(const std::optional<SceneHit>& hit, Qt::KeyboardModifiers modifiers) const;
 
   VisibleScene contents_;
-  /// Which fixed models are surroundings, as found since the last press or change of the scene: under a
+  /// The fixed models that are surroundings, as found since the last press or change of the scene: under a
   /// moving mouse they are not measured repeatedly.
   mutable std::map<std::string, bool> backgrounds_;
   std::vector<std::string> movable_;

@@ -44,7 +44,7 @@ class SceneHands final : public QObject {
 
   /// Shows the handles where the object is now, and sends what was moved. Called 30 times a second.
   void tick();
-  /// What is in the tools of the view.
+  /// The actions for the tools of the view.
   QAction* handles() const { return handles_; }
   QAction* ownAxes() const { return ownAxes_; }
   QAction* undo() const { return undo_; }
@@ -52,7 +52,7 @@ class SceneHands final : public QObject {
   QAction* palette() const { return showPalette_; }
   /// Fills the menu of what is at a place of the canvas, and selects it.
   void fillMenu(QMenu& menu, const QPoint& at);
-  /// The bodies of the object whose handle is dragged, where it is wanted.
+  /// The bodies of the object whose handle is dragged, at the place where it is dragged.
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
   /// Why the last thing could not be done, or that something takes its time; empty: there is nothing to say.
   /// Cleared after some seconds.
@@ -69,7 +69,7 @@ class SceneHands final : public QObject {
   void followWanted(const QString& robot);
 
  private:
-  /// What is selected, as something that can be moved.
+  /// The selected object, as something that can be moved.
   struct Target {
     /// A model's name, or the path of a lamp.
     std::string object;
@@ -118,13 +118,13 @@ class SceneHands final : public QObject {
   QAction *handles_ = nullptr, *ownAxes_ = nullptr, *undo_ = nullptr, *redo_ = nullptr;
   QAction *duplicate_ = nullptr, *erase_ = nullptr, *rename_ = nullptr, *write_ = nullptr, *pin_ = nullptr;
   QAction *goToText_ = nullptr, *properties_ = nullptr, *showPalette_ = nullptr;
-  /// What is dragged by a handle, since its press.
+  /// The object dragged by a handle, since its press.
   std::optional<Target> dragged_;
-  /// What was dragged there and is fixed, until its text is changed.
+  /// The fixed object that was dragged, until its text is changed.
   std::optional<Target> settling_;
   robotlink::Pose3 wanted_ = robotlink::Pose3::Identity();
   bool unsent_ = false;
-  /// Where the model was that is dragged on the ground.
+  /// The pose of the model that is dragged on the ground, before the drag.
   std::optional<robotlink::Pose3> ground_;
   QString notice_;
   int noticeTicks_ = 0;

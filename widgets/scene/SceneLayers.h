@@ -19,7 +19,7 @@ class ShownParts;
 /// sensors, names. Layers that are not chosen cost nothing. GUI thread.
 class SceneLayers {
  public:
-  /// What the layers are made of.
+  /// The sources of the layers.
   struct Sources {
     robotlink::Session& session;
     const SceneState& scene;

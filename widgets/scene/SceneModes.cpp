@@ -54,7 +54,7 @@ void SceneModes::createSurfaces(QWidget* view) {
   for (std::size_t i = 0; i < surfaceActions_.size(); ++i) {
     QAction* action = surfaceActions_[i];
     surfaces_->addAction(action);
-    // What is switched off gives way to shaded surfaces.
+    // Switching off a mode returns to shaded surfaces.
     connect(action, &QAction::triggered, this,
             [this, i](bool on) { setSurface(on ? static_cast<Surface>(i) : Surface::kShaded); });
   }

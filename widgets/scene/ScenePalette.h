@@ -11,7 +11,7 @@ class SceneBench;
 
 /// The objects that can be added to the scene: simple shapes, a wall, a lamp, a camera, and the models that
 /// the scene finds. They are dragged from here to a place, or added where the view looks by a double click or
-/// Enter. A window of its own beside the view. Object name "scenePalette". GUI thread.
+/// Enter. A window of its own next to the view. Object name "scenePalette". GUI thread.
 class ScenePalette final : public QListWidget {
   Q_OBJECT
  public:

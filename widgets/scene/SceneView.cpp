@@ -227,7 +227,7 @@ void SceneView::connectEvents() {
       robotlink::assign(*event.mutable_origin(), happened.origin);
       robotlink::assign(*event.mutable_direction(), happened.direction);
     }
-    // Where nothing is simulated nobody misses them.
+    // Failures are ignored: without a simulation, nobody misses the events.
     ask(session(), {}, std::move(request), this, [](bool, const QString&) {});
   });
 }
@@ -285,7 +285,7 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   parts_.apply(contents.bodies, modes_->surface());
   const auto drawings = worldDrawings(session(), scene_, streamFigures_, beliefs, robots_->robots(session()),
                                       this->drawings()->shown(), session().timeline().shown());
-  // What robots draw belongs to the surroundings.
+  // Drawings of robots belong to the surroundings.
   if (parts_.only().empty()) contents.drawings = assembly_.drawings(drawings);
   if (sensors_->isChecked()) std::ranges::copy(ownModels_.sensors(), std::back_inserter(contents.drawings));
   showState(std::ranges::any_of(drawings, &WorldDrawing::old));
@@ -311,7 +311,7 @@ void SceneView::showState(bool faded) {
   state_->setText(fits ? text : tr("faded"));
 }
 
-/// The dragged model's bodies, where it is wanted.
+/// The dragged model's bodies, at the place where it is dragged.
 std::vector<SceneBody> SceneView::ghosts(const std::vector<SceneBody>& bodies) const {
   std::vector<SceneBody> ghosts;
   const auto pose = drag_.active() ? scene_.modelPose(drag_.model()) : std::nullopt;

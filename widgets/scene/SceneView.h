@@ -46,7 +46,7 @@ class SceneView final : public PictureView {
   void tick() override;
   /// Whether the drawing thread has drawn what the last tick has read.
   bool isPictureReady() const override;
-  /// Where the models are: their paths, positions and angles.
+  /// The poses of the models: their paths, positions and angles.
   std::optional<QString> numbers() override;
 
   /// How a camera follows an object.
@@ -98,7 +98,7 @@ class SceneView final : public PictureView {
   void addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const;
   /// Moves the camera along with the robot.
   void follow();
-  /// Chooses how the camera follows: beside or behind the robot.
+  /// Chooses how the camera follows: next to or behind the robot.
   void ride();
   /// Pose of the chosen robot; unset: unknown.
   std::optional<robotlink::Pose2> robotPose() const;
@@ -118,7 +118,7 @@ class SceneView final : public PictureView {
   QMenu* makeObjectMenu(const std::string& path, QWidget* parent);
   /// Fails if there is no such object.
   robotlink::Result<void> require(const std::string& path) const;
-  /// What the camera follows; unset: it is not known where that is.
+  /// The subject that the camera follows; unset: its pose is unknown.
   std::optional<CameraRide::Subject> subject();
   /// Looks out of what is followed.
   void lookOut();

@@ -69,7 +69,7 @@ void addRanges(SceneShape& shape, const WorldObject& sensor, const std::vector<d
   const double first = numberOf(sensor, "angles", 0).value_or(0),
                last = numberOf(sensor, "angles", 1).value_or(0);
   std::vector<double> ranges = values;
-  // What is not known yet is shown as far as it may reach.
+  // Unknown ranges are shown with their maximum.
   if (ranges.empty()) {
     const int count = sensor.port().shape_size() > 0 ? sensor.port().shape(0) : 1;
     ranges.assign(static_cast<std::size_t>(std::clamp(count, 1, kMaxRays)), maximum > 0 ? maximum : 1);

@@ -18,7 +18,7 @@ namespace widgets {
 
 /// The sensors of a simulated scene as bodies: what cameras see as a pyramid, sonars as a cone, lasers and
 /// distance sensors as rays that end, with a point, at what they hit; contacts as a sphere that is red while
-/// something touches, other sensors as a small box. Readings are asked for while they are shown, of at most
+/// something touches, other sensors as a small box. Readings are requested while they are shown, of at most
 /// kMaxRead sensors. GUI thread.
 class SensorMarkers {
  public:

@@ -26,7 +26,7 @@ constexpr robotlink::Duration kEchoMemory = std::chrono::seconds(1);
 constexpr std::array<std::uint8_t, 4> kCameraColor{250, 210, 60, 230}, kDistanceColor{230, 60, 60, 230},
     kSonarColor{60, 130, 240, 150}, kLaserColor{250, 140, 40, 130};
 
-/// Where a camera is, and half of its fields of view.
+/// The pose of a camera, and half of its fields of view.
 struct CameraSight {
   Pose3 inRobot;
   double halfWidth = 0, halfHeight = 0;
@@ -76,7 +76,7 @@ SceneLines sensorLines(const robotlink::StreamStore& store, const std::string& r
   SceneLines lines;
   const auto sight = sightOf(store, robot, description, shown);
   if (sight) addPyramid(lines, *sight);
-  // The distance sensor of a legged robot sits beside its camera.
+  // The distance sensor of a legged robot is next to its camera.
   const auto* body =
       store.latestAs<robotcontrol::BodySensors>(robot + '/' + robotlink::kBodySensors.name, shown);
   if (sight && body != nullptr && body->distance() > 0)

@@ -27,10 +27,10 @@ class ShownParts {
   bool update(const robotlink::StreamStore& store);
   const SceneObjects& objects() const { return objects_; }
   const ObjectLooks& looks() const { return looks_; }
-  /// For changes; what was found for bodies is looked for again.
+  /// Returns the looks in order to change them; the results for bodies are computed again.
   ObjectLooks& changeLooks();
 
-  /// Another number whenever the objects, or which of them are shown, may be others.
+  /// A number that changes whenever the objects, or which of them are shown, may have changed.
   int revision() const { return revision_; }
   /// The object to which the view is limited; empty: none.
   const std::string& only() const { return only_; }
@@ -48,7 +48,7 @@ class ShownParts {
 
  private:
   void forgetFound();
-  /// What counts for a body; unset: it is not shown.
+  /// The look that counts for a body; unset: it is not shown.
   std::optional<ObjectLook> lookOf(const SceneBody& body);
   std::optional<ObjectLook> lookOf(const std::string& path) const;
 

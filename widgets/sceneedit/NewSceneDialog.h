@@ -15,8 +15,8 @@ namespace widgets {
 
 class SceneLanguage;
 
-/// Asks what a new room shall have: its name, size, walls, a doorway, and a robot. It closes when the text is
-/// made, and says why if it cannot be. GUI thread.
+/// Asks for the properties of a new room: its name, size, walls, a doorway, and a robot. It closes when the
+/// text is made, and otherwise shows the reason. GUI thread.
 class NewSceneDialog final : public QDialog {
   Q_OBJECT
  public:

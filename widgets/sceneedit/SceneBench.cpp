@@ -177,7 +177,7 @@ Result<void> SceneBench::saveAs(const std::filesystem::path& path) {
     return failure("scene.open", "this file is open in the editor; close it there first",
                    {whole.string(), 0, 0});
   if (const auto saved = current_->write(whole); !saved) return saved;
-  // Another folder has other models.
+  // In another folder, other models are found.
   due_[numbers_[current_]] = 1;
   if (ticksUnkept_ == 0) ticksUnkept_ = 1;
   Q_EMIT reported(tr("Saved: %1").arg(QString::fromStdString(whole.string())), false);
@@ -305,7 +305,7 @@ void SceneBench::tickChecks() {
   if (checker_ == nullptr) return;
   if (auto checked = checker_->take()) {
     for (const auto& [file, number] : numbers_) {
-      // What was found in an older text would be underlined at the wrong places; the newer one is due.
+      // Problems found in an older text would be underlined at wrong places; the newer one is checked soon.
       if (number == checked->file && checked->revision == file->revision())
         file->setProblems(std::move(checked->problems), checked->revision);
     }

@@ -79,7 +79,7 @@ class SceneBench final : public QObject {
   /// Goes to the place of a problem, in whichever file.
   robotlink::Result<void> goTo(const SceneProblem& problem);
 
-  /// Where goTo() leads, from begin to end, for the editor, which may be made after that. Only once.
+  /// The target of goTo(), from begin to end, for the editor, which may be made after that. Only once.
   std::optional<std::pair<int, int>> takePlace() { return std::exchange(place_, std::nullopt); }
 
   /// Keeps the recovery file in `folder` from now on, and opens what was left there.

@@ -15,19 +15,19 @@ namespace widgets {
 struct SceneProposal {
   /// How it is listed.
   QString shown;
-  /// What replaces XmlPlace::prefix, and by how many characters the cursor then stands before its end.
+  /// The replacement for XmlPlace::prefix, and the number of characters from the cursor to its end afterward.
   QString text;
   int back = 0;
-  /// What it means.
+  /// Its meaning.
   QString help = {};
 };
 
-/// What may be written at a place, in the order of the specification; only what begins with the prefix.
-/// `file`: whose text it is, for the models that it can include.
+/// The texts allowed at a place, in the order of the specification; only those that begin with the prefix.
+/// `file`: the file with the text, for the models that it can include.
 std::vector<SceneProposal> sceneProposals(const SceneLanguage& language, const XmlPlace& place,
                                           const std::filesystem::path& file);
 
-/// What the word at a position means: an element or an attribute, with type and default. Empty: nothing is
+/// The meaning of the word at a position: element or attribute, with type and default. Empty: nothing is
 /// known about it.
 QString sceneHelpAt(const SceneLanguage& language, const QString& text, int position);
 

@@ -27,7 +27,7 @@ QString shownFolder(const SceneBench& bench) {
   return QString::fromStdString(bench.folder().string());
 }
 
-/// Where a new scene is saved: beside the other files of its author, not beside a shipped scene that happens
+/// The folder for new scenes: that of other files of its author, not that of a shipped scene that happens
 /// to run.
 QString folderOfNewFiles(const SceneBench& bench) {
   for (const SceneFile* file : bench.files()) {
@@ -37,7 +37,7 @@ QString folderOfNewFiles(const SceneBench& bench) {
   return QDir(documents).exists() ? documents : QDir::homePath();
 }
 
-/// Asks whether changes shall be saved. `save` saves them.
+/// Asks whether to save changes. `save` saves them.
 template <typename Save>
 bool mayLose(const QString& what, QWidget* parent, Save save) {
   QMessageBox box(QMessageBox::Warning, SceneDialogText::tr("Scene"), what,

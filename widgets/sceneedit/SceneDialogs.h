@@ -10,7 +10,7 @@ class SceneFile;
 
 // Dialogs about scene files. Each returns whether it was done; what fails is reported by the bench.
 
-/// Asks what a new room shall have, and opens its text in the editor.
+/// Asks for the properties of a new room, and opens its text in the editor.
 bool newScene(SceneBench& bench, QWidget* parent);
 bool openScene(SceneBench& bench, QWidget* parent);
 /// Saves the current file, and asks for a name if it has none.
@@ -24,7 +24,7 @@ bool saveSceneAs(SceneBench& bench, QWidget* parent);
 /// Saves all changed files, and asks for the names that are missing.
 bool saveAllScenes(SceneBench& bench, QWidget* parent);
 /// Asks whether the unsaved changes of the current file, or of all, shall be saved; false: the user wants to
-/// go on with them.
+/// continue editing.
 bool mayLoseScene(SceneBench& bench, QWidget* parent);
 bool mayLoseScenes(SceneBench& bench, QWidget* parent);
 

@@ -49,7 +49,7 @@ Object withObject(Object run) {
   };
 }
 
-/// Where an object is now.
+/// The current pose of an object.
 Result<ObjectPose> poseNow(SceneBench& bench, const std::string& path) {
   auto& session = bench.context().session;
   SceneState state;
@@ -61,7 +61,7 @@ Result<ObjectPose> poseNow(SceneBench& bench, const std::string& path) {
   return objectPose(*pose);
 }
 
-/// Has a change made before the next command, which may depend on it; returns what came of it.
+/// Has a change made before the next command, which may depend on it; returns its outcome.
 Result<void> finished(SceneBench& bench,
                       const std::function<void(SceneEdits& edits, SceneEdits::Told told)>& begin) {
   SceneEdits& edits = sceneEdits(bench.context());

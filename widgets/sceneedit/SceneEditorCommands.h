@@ -5,8 +5,8 @@ namespace widgets {
 
 struct ViewContext;
 
-/// Attaches scene.edit and scene.save, which act on the window's scene editor. They fail once the window is
-/// gone. Does nothing if they are attached already.
+/// Attaches scene.edit and scene.save, which act on the window's scene editor. They fail once the window no
+/// longer exists. Does nothing if they are attached already.
 void attachSceneEditorCommands(ViewContext& context);
 
 }  // namespace widgets

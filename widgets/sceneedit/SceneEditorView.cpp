@@ -257,7 +257,7 @@ void SceneEditorView::showFiles() {
 void SceneEditorView::showCurrent() {
   SceneFile* file = bench_.current();
   if (file != nullptr) {
-    // Another document begins at its first line.
+    // Showing another document resets the place to its first line.
     const TextPlace place = file->place();
     text_->showDocument(&file->document(), file->isXml(), file->path());
     text_->setPlace(place);

@@ -71,7 +71,7 @@ class SceneEditorView final : public View {
   QMenu *more_ = nullptr, *include_ = nullptr;
   QTabBar* tabs_ = nullptr;
   SceneTextEdit* text_ = nullptr;
-  /// What is shown while no file is open.
+  /// The document that is shown while no file is open.
   QTextDocument* nothing_ = nullptr;
   FindBar* findBar_ = nullptr;
   /// The text above, and its problems below.

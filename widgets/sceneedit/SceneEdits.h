@@ -69,7 +69,7 @@ class SceneEdits final : public QObject {
   /// Whether the running scene has a text that can be changed.
   bool canChange() const;
 
-  /// Changes elements; `title` says in a few words what for. The path that is told is empty.
+  /// Changes elements; `title` says in a few words what for. `told` gets an empty path.
   void change(const std::vector<SceneFileEdit>& edits, const QString& title, Told told = {});
   /// Adds an object on the ground. `kind`: see SceneLanguage::newObject().
   void insert(const std::string& kind, double x, double y, Told told = {});
@@ -99,7 +99,7 @@ class SceneEdits final : public QObject {
   /// The history is that of the scene that is simulated; each scene has its own.
   bool canUndo() const { return isBusy() || last(&History::undo) != nullptr; }
   bool canRedo() const { return last(&History::redo) != nullptr; }
-  /// What undo() and redo() would be about; empty: nothing.
+  /// The change that undo() or redo() would concern; empty: none.
   QString undoTitle() const;
   QString redoTitle() const;
   /// Drops the last change that is not made yet; else takes back the last one that was. Fails if there is
@@ -180,7 +180,7 @@ class SceneEdits final : public QObject {
   Done exchange(const Texts& from, const Texts& to);
   /// Exchanges the texts of a step, and has the simulation continue in them.
   Done act(const Step& step, Way way);
-  /// The simulation did not go on with a step, so neither do the texts.
+  /// Takes back a step in the texts, since the simulation did not accept it.
   void takeBack(const std::string& scene, int number, Way way, const std::string& reason);
   Done walk(Way way);
 

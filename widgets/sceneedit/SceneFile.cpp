@@ -136,7 +136,7 @@ Result<void> SceneFile::write(const std::filesystem::path& path) {
 
 void SceneFile::replaceText(const QString& text) {
   replaceDocumentText(*document_, text);
-  // What was taken back is not asked about.
+  // A text that equals the saved one again needs no question.
   if (!saved_.isNull() && text == saved_) document_->setModified(false);
 }
 

@@ -59,15 +59,15 @@ class SceneFile final : public QObject {
   /// Replaces the text as one step of the history of the document; only the part that differs is touched.
   void replaceText(const QString& text);
 
-  /// What was found by the last check; the first one is for this text if isChecked().
+  /// The problems found by the last check; the first one is for this text if isChecked().
   const std::vector<SceneProblem>& problems() const { return problems_; }
   bool isChecked() const { return checkedRevision_ == revision_; }
   /// Counts the changes of the text.
   int revision() const { return revision_; }
-  /// What a check of the text found that it had at a revision.
+  /// Sets the problems that a check found in the text at a revision.
   void setProblems(std::vector<SceneProblem> problems, int revision);
 
-  /// Where the editor was in the text when it was shown last.
+  /// The place of the editor in the text when it was last shown.
   const TextPlace& place() const { return place_; }
   void setPlace(const TextPlace& place) { place_ = place; }
 

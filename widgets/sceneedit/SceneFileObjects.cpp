@@ -67,7 +67,7 @@ PathPart partOf(const QString& written) {
   return isObject(kind) ? PathPart{kind, written.mid(colon + 1)} : PathPart{{}, written};
 }
 
-/// The first object of a part among those in `around`, at any depth; null: outermost ones are meant.
+/// The first object of a part among those in `around`, at any depth; null: the outermost ones.
 const SceneObject* objectOf(const std::vector<SceneObject>& objects, const PathPart& part,
                             const SceneObject* around) {
   for (const SceneObject& object : objects) {

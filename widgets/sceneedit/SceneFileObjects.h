@@ -15,7 +15,7 @@ struct SceneObject {
   /// How the views of the simulated scene call it: "red1/link:head", "red1/joint:neck", "red1/camera/image".
   QString selection;
   QString element, name;
-  /// What an <include> includes; empty for all others.
+  /// The URI that an <include> includes; empty for all others.
   QString uri;
   int begin = 0, end = 0;
 };
@@ -24,10 +24,10 @@ struct SceneObject {
 /// of their URI as their name.
 std::vector<SceneObject> sceneObjects(const QString& text);
 
-/// Where an object is in a text.
+/// The location of an object in a text.
 struct FoundSceneObject {
   SceneObject object;
-  /// What of its path is not in this file, but in the one that the object includes; empty: it was found.
+  /// The part of its path that is in the file that the object includes, not in this one; empty: it was found.
   QString rest;
 };
 /// The object of a path, or else the included model that has it; an empty path in the result: neither is

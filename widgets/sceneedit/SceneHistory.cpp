@@ -56,7 +56,7 @@ void SceneEdits::takeBack(const std::string& scene, int number, Way way, const s
   auto& from = wasBack ? history.redo : history.undo;
   auto& to = wasBack ? history.undo : history.redo;
   if (std::ranges::find(from, number, &Step::number) == from.end()) return;
-  // What was written after it was written into its text, which the simulation has not got.
+  // Later steps were written into its text, which the simulation has not received.
   std::deque<Step> requested;
   for (bool isDone = false; !isDone;) {
     Step step = std::move(from.back());

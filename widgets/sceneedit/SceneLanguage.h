@@ -36,7 +36,7 @@ struct SceneProblem {
   /// From 1; 0: it is about the whole file.
   int line = 0;
   /// The names of two models of which one starts inside the other: the scene cannot be opened so, but can be
-  /// gone on in where they are elsewhere now. Empty: it is about something else.
+  /// continued where they are elsewhere now. Empty: it is about something else.
   std::vector<std::string> inside = {};
   bool operator==(const SceneProblem&) const = default;
 };
@@ -47,10 +47,10 @@ struct SceneModelChoice {
   bool isRobot = false;
 };
 
-/// The objects that can be added besides models: their names in commands.
+/// The objects that can be added in addition to models: their names in commands.
 inline constexpr std::array kSceneObjectKinds{"box", "ball", "cylinder", "lamp", "camera"};
 
-/// What a new room shall have; lengths in m.
+/// The properties of a new room; lengths in m.
 struct RoomChoice {
   std::string name;
   double width = 6, depth = 4, wallHeight = 1;
@@ -59,7 +59,7 @@ struct RoomChoice {
   std::string robot;
 };
 
-/// What the simulator knows of scene files, for their editor, which must not know the simulator. All
+/// The simulator's knowledge of scene files, for their editor, which must not depend on the simulator. All
 /// functions may be called by any thread; check() and newRoom() block for some 100 ms, or longer for large
 /// scenes.
 class SceneLanguage {
@@ -72,7 +72,7 @@ class SceneLanguage {
   virtual std::vector<SceneElement> children(const Path& path) const = 0;
   /// The last element of the path; nothing if it may not be there.
   virtual std::optional<SceneElement> element(const Path& path) const = 0;
-  /// What is wrong with a text that is to be saved in a file, which need not exist.
+  /// The problems of a text that is to be saved in a file, which need not exist.
   virtual std::vector<SceneProblem> check(const std::string& text,
                                           const std::filesystem::path& file) const = 0;
   /// The models that this file can include.

@@ -294,7 +294,7 @@ void SceneTextEdit::propose() {
     }
   }
   if (proposals_->rowCount() == 0) return completer_->popup()->hide();
-  // What does not begin with the word is not among them already.
+  // Proposals that do not begin with the word are left out already.
   completer_->setCompletionPrefix(QString());
   completer_->popup()->setCurrentIndex(completer_->completionModel()->index(0, 0));
   QRect place = cursorRect();

@@ -71,9 +71,9 @@ class SceneTextEdit final : public MarkedTextEdit {
   LineNumbers* numbers_ = nullptr;
   QCompleter* completer_ = nullptr;
   QStandardItemModel* proposals_ = nullptr;
-  /// Where the word begins that a proposal replaces.
+  /// The position at which the word begins that a proposal replaces.
   int wordBegin_ = 0;
-  /// What was completed left of the cursor and is not inserted again if it is typed all the same, while the
+  /// The text that was completed left of the cursor, and is not inserted again if it is typed, while the
   /// cursor stays there.
   QString completed_;
   int completedEnd_ = -1;

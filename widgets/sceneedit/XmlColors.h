@@ -18,7 +18,7 @@ class XmlColors final : public QSyntaxHighlighter {
   void highlightBlock(const QString& text) override;
 
  private:
-  /// Where a line begins or ends. The numbers are states of blocks.
+  /// The state at the beginning or end of a line. The numbers are states of blocks.
   enum State { kText = 0, kComment, kTag, kSingleQuoted, kDoubleQuoted };
   /// Colors what begins at `at` in a state; returns where it ends, and changes the state.
   int color(const QString& text, int at, State& state);

@@ -24,14 +24,14 @@ struct XmlPlace {
   QStringList attributes;
   /// Only for kAttributeValue.
   QString attribute;
-  /// What is written of the word at the place before it (for text: since the last tag), and where it begins.
+  /// The part of the word before the place (for text: since the last tag), and the position where it begins.
   QString prefix;
   int prefixBegin = 0;
 };
 
 XmlPlace xmlPlaceAt(const QString& text, int position);
 
-/// What is to be inserted behind a '>' that was typed directly before the position: "</link>" if it ends the
+/// The text to be inserted behind a '>' that was typed directly before the position: "</link>" if it ends the
 /// opening tag of an element that is not closed yet; otherwise nothing.
 QString closingTagFor(const QString& text, int position);
 /// How the element around a position ends for whom begins its closing tag there.
@@ -44,8 +44,8 @@ struct XmlClosing {
   int blankBegin = 0, blankEnd = 0;
 };
 XmlClosing closingAt(const QString& text, int position);
-/// What is to be inserted for a new line at a position, with its indentation. `back`: by how many characters
-/// the cursor stands before the end of that, if a closing tag follows and gets a line of its own.
+/// The text to be inserted for a new line at a position, with its indentation. `back`: by how many characters
+/// the cursor is before the end of that, if a closing tag follows and gets a line of its own.
 struct XmlNewLine {
   QString text;
   int back = 0;

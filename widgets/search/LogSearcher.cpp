@@ -42,7 +42,7 @@ std::string robotOf(const std::string& path, const std::vector<std::string>& rob
   return std::ranges::find(robots, robot) != robots.end() ? robot : std::string();
 }
 
-/// What expressions call some of all streams so that each of them is meant: those of robots without the
+/// The names of some of all streams in expressions, each unambiguous: those of robots without the
 /// robot, unless this is the name of another stream.
 std::set<std::string> namesOf(const std::set<std::string>& some, const std::set<std::string>& all,
                               const std::vector<std::string>& robots) {
@@ -168,7 +168,7 @@ void LogSearcher::report(const std::stop_token& stop, Change change) {
   if (!stop.stop_requested()) change(news_);
 }
 
-/// One search through one log.
+/// A search through one log.
 class LogSearcher::Run {
  public:
   Run(LogSearcher& searcher, const Plan& plan, const std::stop_token& stop)
@@ -273,7 +273,7 @@ void LogSearcher::work(const Plan& plan, const std::stop_token& stop) {
     const auto done = run.searchHistory();
     some = done.has_value();
     if (!done) failure = done.error();
-    // One with few messages reports nothing on its way.
+    // A search of few messages reports no progress on its way.
     if (!run.isFull()) run.progress(1);
   }
   for (std::size_t i = 0; i < plan.logs.size() && !stop.stop_requested() && !run.isFull(); ++i) {

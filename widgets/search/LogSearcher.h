@@ -30,7 +30,7 @@ class LogSearcher {
     /// The names of its robots in the session, in the log's order.
     std::vector<std::string> robots;
   };
-  /// What the history of live robots has of the streams that are searched. A plain value.
+  /// The history of live robots for the streams that are searched. A plain value.
   struct History {
     /// The pieces, in order of time within each stream.
     std::vector<robotlink::HistoryArchive::Piece> pieces;
@@ -50,7 +50,7 @@ class LogSearcher {
     logplayer::MakeComputation computation = {};
   };
   struct Hit {
-    /// Which of the logs; 0 of a history.
+    /// The index of the log; 0 for a history.
     std::size_t log = 0;
     std::string robot;
     /// On the timeline. Equal for texts; unset `until`: to the end of the log.
@@ -60,14 +60,14 @@ class LogSearcher {
     std::string text;
     int level = 0;
   };
-  /// What came since the last call.
+  /// The results since the last call.
   struct News {
     std::vector<Hit> hits = {};
     /// The share of all logs that was searched, 0 to 1.
     double progress = 0;
     /// The streams that are computed since a log lacks them, with the names of its robots in the session.
     std::set<std::string> computed = {};
-    /// What could not be searched, and why nothing could; with isDone only.
+    /// The parts that could not be searched, and the reason if nothing could; with isDone only.
     std::vector<std::string> losses = {};
     std::optional<robotlink::Error> failure = {};
     /// Whether it ended, by itself or since there were too many hits.
@@ -77,7 +77,7 @@ class LogSearcher {
   static constexpr std::size_t kMaxHits = 10'000;
 
   LogSearcher();
-  /// What a session has for a search: all of its archive, and what is in memory of the streams that are
+  /// Returns a session's data for a search: all of its archive, and what is in memory of the streams that are
   /// wanted. Fails as the search would. In the session's thread.
   static robotlink::Result<History> historyOf(robotlink::Session& session, const std::string& wanted,
                                               bool isTexts);

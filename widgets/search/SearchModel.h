@@ -18,11 +18,11 @@ struct SearchRow {
   QString text;
   /// File name of the log.
   QString log;
-  /// Which of the searched logs it is.
+  /// The index of the searched log.
   std::size_t number = 0;
 };
 
-/// What a search found, as a table, in order of time. GUI thread.
+/// The results of a search, as a table, in order of time. GUI thread.
 class SearchModel final : public TitledModel {
   Q_OBJECT
  public:

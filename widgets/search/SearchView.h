@@ -35,7 +35,7 @@ class SearchView final : public View {
   void tick() override;
   /// All hits as a table (.csv), or a picture.
   robotlink::Result<void> saveTo(const QString& file) override;
-  /// Starts a search. Fails if there is nothing to search, or nothing is wanted.
+  /// Starts a search. Fails if there is nothing to search, or `wanted` is empty.
   robotlink::Result<void> search(const QString& wanted, bool isTexts);
   void cancel();
   /// Jumps to the next (1) or previous (-1) hit from the shown instant; to the only one in any case. Fails

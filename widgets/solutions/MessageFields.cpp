@@ -60,7 +60,7 @@ QVariant valueOf(const Message& message, const FieldDescriptor* field, int eleme
   }
 }
 
-/// One function for singular and repeated fields, for which Reflection has a setter each per type.
+/// Stores a value in a singular or repeated field, for which Reflection has a setter each per type.
 template <typename T, typename Single, typename Element>
 bool store(Message& message, const FieldStep& step, Single single, Element element, T value) {
   const Reflection& r = *message.GetReflection();
@@ -120,7 +120,7 @@ bool storeNumber(Message& message, const FieldStep& step, const QVariant& value)
 }
 
 bool storeBool(Message& message, const FieldStep& step, const QVariant& value) {
-  // As a text, QVariant takes all but "false" and "0" for true.
+  // From a text, QVariant converts all but "false" and "0" to true.
   const QString text = value.toString().toLower();
   if (value.type() == QVariant::String && text != QLatin1String("true") && text != QLatin1String("false"))
     return false;

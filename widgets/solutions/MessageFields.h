@@ -15,10 +15,10 @@ class Message;
 // Access to single values of any protobuf message by reflection, for the tree of parameters.
 namespace widgets {
 
-/// One step of a path: from a message to one of its fields and, for a repeated field, to an element.
+/// A step of a path: from a message to one of its fields and, for a repeated field, to an element.
 struct FieldStep {
   const google::protobuf::FieldDescriptor* field = nullptr;
-  /// Index of the element; -1: the field is not repeated, or is meant as a whole.
+  /// Index of the element; -1: the field is not repeated, or is used as a whole.
   int element = -1;
 };
 /// The path from a root message to a value. It is valid for messages of one type only and as long as its

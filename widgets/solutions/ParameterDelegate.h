@@ -6,8 +6,8 @@
 namespace widgets {
 
 /// Edits a parameter of a ParameterModel in place: a combo box for enumerations, a text field for all other
-/// types, both named "parameterEditor". Bools have a check box in the cell and no editor. A text that is no
-/// value of the field leaves the parameter unchanged. GUI thread.
+/// types, both named "parameterEditor". Bools have a check box in the cell and no editor. An invalid text
+/// leaves the parameter unchanged. GUI thread.
 class ParameterDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

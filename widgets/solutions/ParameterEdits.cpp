@@ -248,7 +248,7 @@ Result<void> ParameterEdits::begin(const std::string& solution, Edit edit) {
   const auto id = find(solution);
   if (!id) return tl::unexpected(id.error());
   edit.id = *id;
-  // What the robot said before shows wrong names and values at once.
+  // The values that the robot reported before reveal wrong names and values at once.
   if (const auto* known = values(*id); known != nullptr && edit.what != Edit::What::kSave) {
     const bool isReset = edit.what == Edit::What::kReset;
     if (auto result = changed(*known, edit.path, isReset ? std::nullopt : std::optional(edit.value)); !result)

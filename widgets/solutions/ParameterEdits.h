@@ -54,7 +54,7 @@ class ParameterEdits final : public QObject {
   /// robot has no such parameter.
   void requestValue(const std::string& solution, const std::string& path,
                     std::function<void(robotlink::Result<std::string>)> done);
-  /// What may be given as a solution: tasks, and their solutions that have parameters.
+  /// The names accepted as a solution: tasks, and their solutions that have parameters.
   std::vector<std::string> solutions() const;
   /// The paths of the parameters of a solution, as far as the robot has reported them.
   std::vector<std::string> paths(const std::string& solution) const;
@@ -81,13 +81,13 @@ class ParameterEdits final : public QObject {
   void get(
       const Id& id,
       std::function<void(const robotcontrol::ParameterValues*, const robotcontrol::RequestResult&)> done);
-  /// What the selected robot reported last of its tasks.
+  /// The tasks that the selected robot reported last.
   std::vector<TaskEntry> tasks() const;
   robotlink::Result<Id> find(const std::string& solution) const;
-  /// What the robot said last; null: nothing.
+  /// The values that the robot reported last; null: none.
   const robotcontrol::ParameterValues* values(const Id& id) const;
   robotlink::Result<void> beginAll(const std::string& solution, const Edit& edit);
-  /// What the robot has, or will have when it has done what was sent; `asked` is the request for the values.
+  /// The values that the robot has, or will have after what was sent; `asked` is the request for the values.
   robotlink::Result<robotcontrol::ParameterValues> current(const Id& id, std::uint64_t asked) const;
   /// Sends the changed message, or writes it to a file.
   robotlink::Result<void> finish(const Edit& edit, std::uint64_t asked);

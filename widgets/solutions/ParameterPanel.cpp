@@ -22,7 +22,7 @@
 namespace widgets {
 namespace {
 
-/// One edit of a parameter message: the message before and after it.
+/// An edit of a parameter message: the message before and after it.
 class EditParameters final : public QUndoCommand {
  public:
   using Apply = std::function<void(const QByteArray&)>;

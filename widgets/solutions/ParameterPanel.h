@@ -51,7 +51,7 @@ class ParameterPanel final : public QWidget {
   /// Saves to the solution's file, or asks for another one if there is none here.
   void save();
   void saveAs();
-  /// Writes a file; `own`: it is the one that the program reads, which is told so.
+  /// Writes a file; `own`: it is the one that the program reads, which is notified.
   void saveTo(const std::filesystem::path& file, bool own);
   /// Enables what can be done, and says what has changed.
   void showChanges();

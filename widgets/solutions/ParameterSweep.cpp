@@ -109,7 +109,7 @@ Result<void> ParameterSweep::begin(Plan plan) {
   unreported_.reset();
   figure_ = std::make_unique<robotlink::ScriptCondition>(
       session_, plan_.figure, [this](double value, robotlink::Instant time) {
-        // A tick may bring messages of more than was asked for.
+        // A tick may bring messages of more time than was requested.
         const bool isIn = robotlink::seconds(time - from_) <= plan_.seconds;
         if (state_ == State::kMeasuring && isIn) rows_.back().add(value);
       });

@@ -21,7 +21,7 @@ class ParameterSweep final : public QObject {
   Q_OBJECT
  public:
   struct Plan {
-    /// As in robot.parameter.
+    /// The task and the path, as in robot.parameter.
     std::string task, path;
     std::vector<std::string> values = {};
     /// An expression over streams.
@@ -31,7 +31,7 @@ class ParameterSweep final : public QObject {
     /// The CSV file that is written at the end; empty: none.
     std::filesystem::path file = {};
   };
-  /// What was measured at a value: the figure of each message that gave one.
+  /// The measurements at a value: the figure of each message that gave one.
   struct Row {
     std::string value;
     std::size_t count = 0;
@@ -66,7 +66,7 @@ class ParameterSweep final : public QObject {
   const Plan& plan() const { return plan_; }
 
  Q_SIGNALS:
-  /// Another value is measured, or it has ended.
+  /// Emitted when another value is measured, or the sweep has ended.
   void progressed();
 
  private:
@@ -80,7 +80,7 @@ class ParameterSweep final : public QObject {
   robotlink::Session& session_;
   ParameterEdits& edits_;
   robotlink::CommandTable& commands_;
-  /// What runs for the present state; null: nothing.
+  /// The script that runs for the present state; null: none.
   std::unique_ptr<robotlink::ScriptRun> run_;
   std::unique_ptr<robotlink::ScriptCondition> figure_;
   State state_ = State::kIdle;
@@ -92,8 +92,8 @@ class ParameterSweep final : public QObject {
   std::optional<robotlink::Error> failed_, unreported_;
 };
 
-/// Attaches "parameters.sweep" and "parameters.stop-sweep". They fail when `sweep` is gone. Does nothing if
-/// they are attached already.
+/// Attaches "parameters.sweep" and "parameters.stop-sweep". They fail when `sweep` no longer exists. Does
+/// nothing if they are attached already.
 void attachSweepCommands(robotlink::CommandTable& commands, ParameterSweep& sweep);
 
 }  // namespace widgets

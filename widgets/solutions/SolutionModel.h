@@ -20,7 +20,7 @@ namespace widgets {
 
 /// A task of a robot and the solutions that exist for it.
 struct TaskEntry {
-  /// One solution of the task.
+  /// A solution of the task.
   struct Solution {
     std::string name;
     QString help;
@@ -54,7 +54,7 @@ using TaskSolution = std::pair<std::string, std::string>;
 /// null messages are skipped.
 std::set<TaskSolution> shadowsOf(const std::vector<const robotlink::StreamMessage*>& tables);
 
-/// What a solution takes of a process in real time, whether it is active or in shadow mode.
+/// The real time that a solution takes of a process, whether it is active or in shadow mode.
 struct SolutionCost {
   /// In s, for each frame in which it ran.
   double mean = 0;
@@ -130,7 +130,7 @@ class SolutionModel final : public QAbstractItemModel {
   QVariant taskData(const TaskEntry& task, int column, int role) const;
   QVariant solutionData(const TaskEntry& task, const TaskEntry::Solution& solution, int column,
                         int role) const;
-  /// What a solution reads and publishes, a line each; empty if the robot does not say.
+  /// The packages that a solution reads and publishes, a line each; empty if the robot does not report them.
   static QString packagesOf(const TaskEntry::Solution& solution);
   Choice choiceOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   /// Whether the box of a solution is checked; invalid for one without a box.
@@ -150,7 +150,7 @@ class SolutionModel final : public QAbstractItemModel {
   std::vector<TaskEntry> tasks_;
   std::set<TaskSolution> shadows_;
   std::map<TaskSolution, SolutionCost> costs_;
-  /// What was requested for shadows since they were set.
+  /// The requests for shadows since they were set.
   std::map<TaskSolution, bool> pendingShadows_;
   /// Requested solutions, by task.
   std::map<std::string, std::string> pending_;

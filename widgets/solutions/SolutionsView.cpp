@@ -110,7 +110,7 @@ void SolutionsView::connectSignals() {
 
 void SolutionsView::tick() {
   const std::string& robot = session().selectedRobot();
-  // What is switched here acts on the robot now, whatever instant the data views show.
+  // Switching acts on the robot now, whatever instant the data views show.
   const auto tables =
       latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().newest());
   auto values = valuesOf(tables);

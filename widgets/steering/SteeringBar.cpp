@@ -46,7 +46,7 @@ void SteeringBar::refresh(robotlink::Session& session, const std::string& robot)
 
 void SteeringBar::run() {
   if (!state_) return;
-  // What the robot objects to comes as an error of the window.
+  // Objections of the robot are shown as an error of the window.
   static_cast<void>(commands_.run("robot.steer", {robot_, state_->who == Who::kOther}));
 }
 

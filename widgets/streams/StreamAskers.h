@@ -21,8 +21,8 @@ struct StreamAsked {
   /// The views of this window that read it, and the recording that writes it; and the clients that subscribe
   /// to it over a link.
   QStringList views, clients;
-  /// The debug key that publishes it, with its mode: "package/models/ball: always"; empty: it is published
-  /// always, or nobody knows.
+  /// The debug key that publishes it, with its mode: "package/models/ball: always"; empty: it is always
+  /// published, or the key is unknown.
   QString key;
   bool isRead() const { return !views.isEmpty() || !clients.isEmpty(); }
   bool operator==(const StreamAsked&) const = default;
@@ -45,7 +45,7 @@ class StreamAskers {
   robotlink::Session& session_;
   /// Keyed by the paths of what they publish. A key also publishes what is below its path.
   std::map<std::string, Key> keys_;
-  /// What is recorded now.
+  /// The streams that are recorded now.
   std::optional<logplayer::RecordedStreams> recorded_;
 };
 

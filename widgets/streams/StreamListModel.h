@@ -32,7 +32,7 @@ struct StreamRow {
   double byteRate = 0, meanSize = 0;
   /// Its part of the bytes of all streams, 0 to 1.
   double share = 0;
-  /// What did not come over the line; only for a remote robot.
+  /// The messages that the line did not deliver; only for a remote robot.
   robotlink::MissingMessages missing = {};
   StreamAsked asked = {};
   /// Whether it has a row in the timeline.
@@ -63,7 +63,7 @@ class StreamListModel final : public RowModel<StreamRow> {
     kLog,
     kColumns
   };
-  /// Which streams are listed.
+  /// The selection of streams in the list.
   enum class Which : std::uint8_t { kAll, kUnread, kLeftOut };
   /// Numbers as numbers.
   static constexpr int kSortRole = Qt::UserRole + 1;

@@ -17,7 +17,7 @@ class QListWidgetItem;
 namespace widgets {
 
 /// A dialog that selects streams by patterns or by check boxes for the streams that there are; a change of
-/// either updates the other. What it is about is said by the classes that derive from it. GUI thread.
+/// either updates the other. Derived classes say what it is about. GUI thread.
 class StreamPicker : public QDialog {
   Q_OBJECT
  public:
@@ -55,7 +55,7 @@ class StreamPicker : public QDialog {
   /// The paths in the list.
   const std::vector<std::string> streams_;
   QLineEdit* patterns_ = nullptr;
-  /// What is wrong with the patterns; then the dialog cannot be accepted.
+  /// The problem with the patterns; then the dialog cannot be accepted.
   QLabel* problem_ = nullptr;
   QListWidget* list_ = nullptr;
   QDialogButtonBox* buttons_ = nullptr;

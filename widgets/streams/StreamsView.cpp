@@ -115,7 +115,7 @@ std::vector<StreamRow> StreamsView::logRows() const {
 }
 
 void StreamsView::showStreams() {
-  // What this view looks up is not read by anybody.
+  // This view's own look-ups do not count as reading.
   session().store().setReader(0);
   const bool isLog = !logs_.logs().empty();
   std::vector<StreamRow> rows = isLog ? logRows() : StreamListModel::rowsOf(session());
@@ -138,7 +138,7 @@ void StreamsView::showStreams() {
 }
 
 void StreamsView::tick() {
-  // As often as rates can be read.
+  // The period allows reading the rates.
   constexpr int kEvery = 15;
   const bool isDue = ticks_++ % kEvery == 0;
   const std::uint64_t listVersion = session().store().listVersion();

@@ -26,7 +26,7 @@ MarkedTextEdit::MarkedTextEdit(QWidget* parent) : QPlainTextEdit(parent) {
 
 void MarkedTextEdit::connectPlace() {
   const auto note = [this] {
-    // What happens to an editor behind others, or to one that is being closed, is not the user's doing.
+    // Changes in an editor behind others, or in one that is being closed, are not made by the user.
     if (isVisible()) Q_EMIT placeChanged();
   };
   connect(this, &QPlainTextEdit::cursorPositionChanged, this, note);

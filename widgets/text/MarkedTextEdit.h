@@ -11,7 +11,7 @@
 
 namespace widgets {
 
-/// Something that is said about a part of a text. The cursor's selection is the part; it moves with the text
+/// A remark about a part of a text. The cursor's selection is the part; it moves with the text
 /// as that is edited.
 struct TextMark {
   QTextCursor part;
@@ -19,7 +19,7 @@ struct TextMark {
   Meaning meaning = Meaning::kBad;
 };
 
-/// A text in a font of fixed width, whose line with the cursor stands out, and parts of which are underlined
+/// A text in a font of fixed width, whose line with the cursor is highlighted. Parts of it are underlined
 /// in the color of what they mean; the mouse over them shows what is said. Tab leaves it, unless a derived
 /// class uses that key. GUI thread.
 class MarkedTextEdit : public QPlainTextEdit {
@@ -29,7 +29,7 @@ class MarkedTextEdit : public QPlainTextEdit {
 
   /// Replaces all marks. Only the first ones are shown if there are very many.
   void setMarks(std::vector<TextMark> marks);
-  /// What is said about a place of the viewport, a line each; empty: nothing.
+  /// The errors at a place of the viewport, a line each; empty: none.
   QString errorAt(const QPoint& place) const;
 
   TextPlace place() const;
@@ -42,12 +42,12 @@ class MarkedTextEdit : public QPlainTextEdit {
   void placeChanged();
 
  protected:
-  /// What the mouse shows at a place: by default errorAt().
+  /// The tooltip at a place: by default errorAt().
   virtual QString tipAt(const QPoint& place) const { return errorAt(place); }
   bool viewportEvent(QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
-  /// Another place is to be shown than that of setPlace().
+  /// Call this when another place is to be shown than that of setPlace().
   void dropPlace() { unscrolled_.reset(); }
 
  private:
@@ -57,7 +57,7 @@ class MarkedTextEdit : public QPlainTextEdit {
   void scrollToPlace();
 
   std::vector<TextMark> marks_;
-  /// Where to scroll once the editor is visible; unset: nowhere.
+  /// The place to scroll to once the editor is visible; unset: none.
   std::optional<TextPlace> unscrolled_;
 };
 

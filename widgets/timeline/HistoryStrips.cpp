@@ -131,7 +131,7 @@ void HistoryStrips::takeMade() {
 void HistoryStrips::takeTexts() {
   const auto& store = session_.store();
   const auto* archive = session_.history().archive();
-  // What has left the memory since was not seen here.
+  // Messages that have left the memory since were not seen here.
   if (archive != nullptr && store.horizon() > knownTo_) {
     for (const Piece& piece : archive->pieces()) {
       if (piece.held.to >= knownTo_) unread_.push_back(piece);
@@ -159,7 +159,7 @@ void HistoryStrips::addTexts(const std::vector<LogEntry>& texts) {
   for (auto& [robot, all] : ofRobots) {
     auto& said = robots_[robot].strip.said;
     if (said) all.insert(all.end(), said->begin(), said->end());
-    // What is in memory may also be on disk.
+    // Texts in memory may also be on disk.
     std::sort(all.begin(), all.end(), isBefore);
     all.erase(std::unique(all.begin(), all.end(), isSame), all.end());
     if (all.size() > kMaxSaid) all.erase(all.begin(), all.end() - std::ptrdiff_t{kMaxSaid});

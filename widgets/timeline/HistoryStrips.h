@@ -25,7 +25,7 @@ namespace widgets {
 /// Nothing is done but in tick(). GUI thread; the session must outlive it.
 class HistoryStrips {
  public:
-  /// What is kept of a robot.
+  /// The contents of the strip of a robot.
   struct Strip {
     /// The stream whose images are shown; empty: there is none.
     std::string imageStream = {};
@@ -36,7 +36,7 @@ class HistoryStrips {
   };
   /// More are dropped: all images, the oldest texts.
   static constexpr std::size_t kMaxThumbnails = 600, kMaxSaid = 5000;
-  /// Once in so many ticks, so many images are begun, and texts of so many files.
+  /// Once in this many ticks, a limited number of images and of files with texts is begun.
   static constexpr int kEvery = 6;
   static constexpr std::size_t kImagesAtOnce = 4, kPiecesAtOnce = 8;
 
@@ -87,9 +87,9 @@ class HistoryStrips {
   /// Takes texts that have arrived, and finds out what of them is only on disk.
   void takeTexts();
   void addTexts(const std::vector<LogEntry>& texts);
-  /// The next images; empty: none are wanted.
+  /// The next images to read; empty: none.
   std::vector<Picture> nextPictures();
-  /// Where an image is; unset: nowhere.
+  /// The image of a robot at a time; unset: there is none.
   std::optional<Picture> find(const std::string& robot, robotlink::Instant time) const;
 
   robotlink::Session& session_;

@@ -104,9 +104,9 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   void scrollContentsBy(int dx, int dy) override;
 
  private:
-  /// What a press of the left button has begun.
+  /// The action that a press of the left button has begun.
   enum class Drag : std::uint8_t { kNone, kScrub, kPan, kSelect, kRangeEdge, kBookmark, kOffset };
-  /// What is at a point of the canvas.
+  /// The object at a point of the canvas.
   struct Hit {
     Drag drag = Drag::kNone;
     int band = -1;
@@ -134,7 +134,7 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   QString markToolTip(double x) const;
   /// The value of a track at a time.
   QString trackToolTip(const TimeLineBand& of, const std::string& source, robotlink::Instant time) const;
-  /// What a press at a point would begin.
+  /// The action that a press at a point would begin.
   Hit hitAt(const QPointF& point, Qt::KeyboardModifiers modifiers) const;
   /// Id of the bookmark at a point of a lane; 0: none.
   std::uint64_t bookmarkAt(const TimeLineLayout::Lane& lane, const QPointF& point) const;
@@ -153,7 +153,7 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   QString timeToolTip(robotlink::Instant time) const;
   /// About the gap of a robot's line at a point; empty if there is none.
   QString gapToolTip(const TimeLineBand& of, const QPointF& point) const;
-  /// Where the messages of a live robot are at a point.
+  /// The tooltip about where the messages of a live robot are at a point.
   QString keptToolTip(const TimeLineBand& of, const QPointF& point) const;
   /// Text of the warnings and errors near a time.
   QString saidNear(const TimeLineBand& of, robotlink::Instant time) const;
@@ -173,7 +173,7 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   bool fitted_ = true;
   bool follow_ = true;
   bool scrubsEverywhere_ = false;
-  /// What is being dragged.
+  /// The object that is being dragged.
   Hit held_;
   /// Whether the mouse has moved since the press.
   bool moved_ = false;

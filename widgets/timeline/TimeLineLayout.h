@@ -24,14 +24,14 @@ namespace widgets {
 
 /// A value as a curve over time.
 struct TimeLineTrack {
-  /// What it shows, as PlotSource::text() has it.
+  /// The source that it shows, in the form of PlotSource::text().
   QString source;
   QString unit = {};
   /// Times are seconds on the session's timeline; null: there are no values.
   std::shared_ptr<const robotlink::Series> series = {};
   /// Why there are no values.
   QString problem = {};
-  /// What of the history the series lacks.
+  /// The parts of the history that the series lacks.
   std::vector<MissingValues> missing = {};
   /// How many points there are, and the time of the last one: a series changes while it is shown.
   std::size_t points = 0;
@@ -39,7 +39,7 @@ struct TimeLineTrack {
   bool operator==(const TimeLineTrack&) const = default;
 };
 
-/// One log of a timeline, or the history of a live robot. Times are the log's own; `offset` is added to
+/// A log of a timeline, or the history of a live robot. Times are the log's own; `offset` is added to
 /// them.
 struct TimeLineBand {
   /// Name of the log.
@@ -58,7 +58,7 @@ struct TimeLineBand {
   std::shared_ptr<const std::vector<LogEntry>> said = {};
   /// Whether there is a lane with thumbnails.
   bool hasImages = false;
-  /// What is kept of a live robot's messages, in order of time, of which what is before `inMemory` is on
+  /// The stretches of a live robot's messages that are kept, in order of time; those before `inMemory` are on
   /// disk; between these stretches messages were dropped. Empty for a log.
   std::vector<robotlink::Stretch> kept;
   robotlink::Instant inMemory{};
@@ -96,13 +96,13 @@ struct TimeLineLook {
   std::pair<int, std::uint64_t> bookmark{-1, 0};
   /// Band and path of the stream whose messages are stepped; -1: none.
   std::pair<int, std::string> stream{-1, {}};
-  /// What is marked in the ruler: texts, and what a search found, in order of time; may be null.
+  /// The marks in the ruler: texts, and results of a search, in order of time; may be null.
   std::shared_ptr<const std::vector<TimeMark>> texts = {}, hits = {};
   /// Whether the widget has the focus.
   bool focused = false;
 };
 
-/// Where everything lies, in widget pixels.
+/// The places of everything, in widget pixels.
 struct TimeLineLayout {
   /// The lanes of a band from top to bottom: title, thumbnails, text messages, one per stream, and one per
   /// value.

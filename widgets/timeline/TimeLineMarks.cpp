@@ -19,7 +19,7 @@ using robotlink::Instant;
 
 namespace {
 
-constexpr double kMarkGrip = 4;  // pixels beside a mark that still mean it
+constexpr double kMarkGrip = 4;  // the distance in pixels from a mark at which it is still meant
 constexpr int kMaxStepValues = 20;
 
 }  // namespace

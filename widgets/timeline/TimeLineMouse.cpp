@@ -26,7 +26,7 @@ using Kind = TimeLineLayout::Kind;
 
 namespace {
 
-constexpr double kGrip = 4;  // pixels beside an edge that still grab it
+constexpr double kGrip = 4;  // the distance in pixels from an edge at which it is still grabbed
 constexpr double kZoomStep = 1.25;
 
 }  // namespace

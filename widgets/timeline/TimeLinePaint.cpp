@@ -130,7 +130,7 @@ void paintGaps(const Canvas& canvas, const TimeLineBand& band, const QRectF& plo
   const QColor warning = colorOf(Meaning::kWarning, canvas.palette);
   for (const robotlink::LineGap& gap : band.gaps) {
     const double from = std::max(plot.left(), canvas.look.scale.x(gap.from));
-    // One that lasts ends at no time that the session knows.
+    // A gap that lasts has no end that the session knows.
     const double to = gap.to ? std::min(plot.right(), canvas.look.scale.x(*gap.to)) : plot.right();
     if (to < plot.left() || from > plot.right()) continue;
     const QRectF rect(from, plot.top(), std::max(2.0, to - from), plot.height());
@@ -361,7 +361,7 @@ void paintTrack(const Canvas& canvas, const TimeLineBand& band, const Lane& lane
   if (curve.size() > 1) painter.drawPolyline(curve);
   if (curve.size() == 1) painter.drawEllipse(curve.front(), 1.5, 1.5);
   painter.setRenderHint(QPainter::Antialiasing, false);
-  // The range that the height stands for.
+  // The range that the height represents.
   const auto shortNumber = [](double value) { return QString::number(value, 'g', 4); };
   painter.setPen(canvas.muted());
   const QRectF labels(0, lane.rect.top() + 1, canvas.look.gutter - kLaneMargin, lane.rect.height() - 2);

@@ -21,7 +21,7 @@ struct TimeLineTracks::Track {
 
   PlotSource source;
   PlotReader reader;
-  /// What has arrived, behind what was read of the history.
+  /// The values that have arrived, behind those read of the history.
   std::shared_ptr<robotlink::Series> live = std::make_shared<robotlink::Series>();
   PastValues past = {};
   /// Null: no open log has it.

@@ -17,7 +17,7 @@ namespace widgets {
 class OpenLogs;
 
 /// The values that a timeline shows as curves below its streams: of whole logs, which are read in the
-/// background, or of live robots, with what of their history is on disk, which is read likewise. GUI thread;
+/// background, or of live robots, including the part of their history that is read from disk. GUI thread;
 /// session and logs must outlive it.
 class TimeLineTracks {
  public:
@@ -46,7 +46,7 @@ class TimeLineTracks {
   struct Track;
   /// Reads what of a track is on disk, and puts it before what has arrived.
   void readHistory(Track& track);
-  /// Switches on the debug keys of streams that nobody publishes, each once.
+  /// Switches on the debug keys of streams that are not published, each once.
   void requestMissing(Track& track);
 
   robotlink::Session& session_;

@@ -40,7 +40,7 @@ class TimeLineView final : public View, public HiddenTick {
   /// Shows the logs, the play head and the progress of a job.
   void tick() override;
   void tickHidden() override;
-  /// What is shown of all logs and robots: bookmarks, warnings and errors, and the curves' points in sight.
+  /// The data shown of all logs and robots: bookmarks, warnings and errors, and the curves' points in sight.
   std::optional<QString> numbers() override;
   /// Shows a value as a curve: "red1/models/ball: position.x".
   robotlink::Result<void> addTrack(const QString& source) { return tracks_.add(source); }
@@ -117,7 +117,7 @@ class TimeLineView final : public View, public HiddenTick {
   void loopRange();
   /// Asks for files and starts the jobs.
   void cut();
-  /// The same for some streams, which are asked for first; without a range of all of the logs.
+  /// The same for some streams, which the user selects first; without a range of all of the logs.
   void cutStreams();
   /// Asks for the file of a new log, and writes it.
   void writeCut(const LogRange& range, const logplayer::StreamFilter& streams);
@@ -130,7 +130,7 @@ class TimeLineView final : public View, public HiddenTick {
   void repair(const QString& log);
   /// The range in a log's own times; unset: none.
   std::optional<std::pair<robotlink::Instant, robotlink::Instant>> rangeOf(const OpenLogs::Log& log) const;
-  /// Suggested name of an output file beside the log.
+  /// Suggested name of an output file in the folder of the log.
   QString suggested(const OpenLogs::Log& log, const QString& suffix) const;
   /// A dialog for an output file.
   struct FileQuestion {

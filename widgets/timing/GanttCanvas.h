@@ -20,7 +20,7 @@ namespace widgets {
 /// of the place; the wheel zooms, dragging moves the chart.
 ///
 /// It follows the instant that the timeline shows, which is near its right edge then, until the user moves
-/// it or clicks; then it stands still, so that what was clicked stays in sight. It follows again when the
+/// it or clicks; then it stops, so that what was clicked stays in sight. It follows again when the
 /// user wants it to or goes live, and moves when the timeline jumps out of it. GUI thread.
 class GanttCanvas final : public QWidget {
   Q_OBJECT
@@ -60,7 +60,7 @@ class GanttCanvas final : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  /// What decides whether the picture changed: the store's messages of these streams.
+  /// The contents that decide whether the picture changed: the store's messages of these streams.
   struct Contents {
     std::string robot;
     std::uint64_t generation = 0, messages = 0;
@@ -82,7 +82,7 @@ class GanttCanvas final : public QWidget {
   bool wasLive_ = true;
   /// The axis changed since the lanes were read.
   bool isMoved_ = true;
-  /// Where the left button was pressed, and where the chart was dragged to; unset: it is not pressed.
+  /// The point at which the left button was pressed, or to which the chart was dragged; unset: not pressed.
   std::optional<QPoint> pressed_;
   bool isDragged_ = false;
   QPoint dragged_;

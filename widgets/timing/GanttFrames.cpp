@@ -11,7 +11,7 @@
 namespace widgets {
 namespace {
 
-/// Frames that began so long before a stretch, and are still running in it, are found.
+/// Frames that began this long before a stretch, and are still running in it, are found.
 constexpr robotlink::Duration kBeforeStretch = std::chrono::seconds(2);
 
 double wholeSecondsOf(const robotcontrol::StopwatchTimes& times) {

@@ -98,7 +98,7 @@ void paintGanttFrame(const GanttSheet& sheet, const GanttHit& of) {
   const QRectF bar = ganttBar(sheet.look, of);
   painter.fillRect(bar, mixed(sheet.base(), sheet.text(), 0.32));
   if (frame.overruns()) {
-    // What is beyond the period is in another color and hatched.
+    // The part beyond the period is in another color and hatched.
     QRectF beyond = bar;
     beyond.setLeft(std::min(bar.left() + widthOf(sheet.look, frame.period), bar.right() - 3));
     painter.fillRect(beyond, mixed(sheet.base(), sheet.bad(), 0.75));
@@ -125,7 +125,7 @@ void paintGanttLane(const GanttSheet& sheet, std::size_t lane) {
   const QRectF rect = ganttLaneRect(sheet.look, lane);
   const auto& frames = sheet.look.lanes[lane].frames;
   painter.setClipRect(rect.adjusted(sheet.look.scale.left, 0, 0, 0));
-  // Where many frames share a pixel, one is painted, and all that overrun.
+  // If many frames share a pixel, only one is painted, and all that overrun.
   double painted = -1e9;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const QRectF bar = ganttBar(sheet.look, {lane, i, -1});

@@ -30,7 +30,7 @@ struct GanttLook {
   std::vector<std::string> tasks;
 };
 
-/// What lies at a place: a frame of a lane and, if `task` is not negative, one of its tasks.
+/// The object at a place: a frame of a lane and, if `task` is not negative, one of its tasks.
 struct GanttHit {
   std::size_t lane = 0, frame = 0;
   int task = -1;
@@ -47,7 +47,7 @@ QRectF ganttLaneRect(const GanttLook& look, std::size_t lane);
 /// The bar of a frame, at least a pixel wide; and that of one of its tasks, below.
 QRectF ganttBar(const GanttLook& look, const GanttHit& of);
 std::optional<GanttHit> ganttHit(const GanttLook& look, const QPointF& at);
-/// What a tooltip says of it: names, begin, how long, which share of the period, whether it overruns.
+/// The tooltip about it: names, begin, how long, which share of the period, whether it overruns.
 QString ganttText(const GanttLook& look, const GanttHit& of);
 void paintGantt(QPainter& painter, const GanttLook& look, const QPalette& palette);
 

@@ -21,7 +21,7 @@ struct Latency {
   std::string reading, command;
   /// On the robot's clock: from the reading's timestamp to the beginning of the frame that sent the command.
   double waiting = 0;
-  /// In real time: from there to when it was sent; and, where the clock stands while processes compute, what
+  /// In real time: from there to when it was sent; and, where the clock stops while processes compute, what
   /// the processes before took until they sent their results.
   double computing = 0;
   double total() const { return waiting + computing; }
@@ -33,14 +33,14 @@ struct Latency {
 /// reading that reached it, by whichever way.
 ///
 /// Messages of several processes arrive in any order, so frames are evaluated half a second of the robot's
-/// time after they ran; for so long, and a little longer, they are kept. GUI thread.
+/// time after they ran; for that time, and a little longer, they are kept. GUI thread.
 class LatencyTrace {
  public:
   /// Adds a frame of a process.
   void add(const robotcontrol::StopwatchTimes& times);
   /// Returns what became known since the last call, in order of time; each reading once for each command.
   std::vector<Latency> take();
-  /// Forgets everything; also done by itself when the clock goes back.
+  /// Forgets everything; this also happens when the clock goes back.
   void clear();
 
  private:

@@ -38,7 +38,7 @@ class TimingView final : public View {
   void tick() override;
 
  protected:
-  /// In a low and wide view, the tables are beside the chart instead of below it.
+  /// In a low and wide view, the tables are next to the chart instead of below it.
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -82,7 +82,7 @@ class TimingView final : public View {
   QAction* zoomOut_ = nullptr;
   QAction* reset_ = nullptr;
   QAction* copy_ = nullptr;
-  /// What was already read of each stream, by path.
+  /// The part of each stream that was already read, by path.
   std::map<std::string, StreamCursor> cursors_;
   std::string robot_;
   /// Processes with their tasks and periods as one string, to detect another layout; and the periods by

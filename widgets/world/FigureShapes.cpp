@@ -105,7 +105,7 @@ MessageView innerPose(const MessageView& from) {
   return pose;
 }
 
-/// Where in a point of a cloud a coordinate is, as a float of 32 or 64 bits; -1: it has none.
+/// The offset of a coordinate in a point of a cloud, as a float of 32 or 64 bits; -1: it has none.
 struct CloudField {
   long offset = -1;
   bool isDouble = false;
@@ -219,7 +219,7 @@ void gridFigure(const Message& message, foxglove::SceneEntity& entity) {
 
 void packedGridFigure(const Message& message, foxglove::SceneEntity& entity) {
   setFrame(entity, MessageView(&message));
-  // What came over a connection is of a type that was made from its description.
+  // A message from a connection has a type that was made from its description.
   foxglove::Grid parsed;
   const auto* grid = dynamic_cast<const foxglove::Grid*>(&message);
   if (grid == nullptr && parsed.ParseFromString(message.SerializeAsString())) grid = &parsed;

@@ -24,7 +24,7 @@ std::optional<Pose3> poseIn(const FrameTree::Frames& frames, const std::string& 
   for (std::size_t depth = 0; depth <= frames.size(); ++depth) {
     const auto found = frames.find(*name);
     if (found == frames.end()) {
-      // The root is known as somebody's parent.
+      // The root is known only as a parent.
       const auto isParent = [&](const auto& each) { return each.second.parent == *name; };
       if (!isKnown && std::ranges::none_of(frames, isParent)) return std::nullopt;
       return pose;

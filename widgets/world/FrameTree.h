@@ -46,15 +46,15 @@ class FrameTree {
   void update(const robotlink::StreamStore& store, robotlink::Instant shown);
   /// All of a tree by the names of the children.
   using Frames = std::map<std::string, Frame>;
-  /// In the frame without a parent; unset if the name is unknown, or if the frames go around in a circle.
-  /// What the robot's own tree does not have is looked up in that of the streams without a robot; if the
+  /// In the frame without a parent; unset if the name is unknown, or if the frames form a cycle.
+  /// Frames that the robot's own tree lacks are looked up in that of the streams without a robot; if the
   /// robot has no tree at all, also in the only one that there is.
   std::optional<robotlink::Pose3> pose(const std::string& robot, const std::string& frame) const;
 
   static constexpr std::size_t kMaxMessages = 5000;
 
  private:
-  /// What was read of a stream: its newest message, at this time.
+  /// The data read of a stream: its newest message, at this time.
   struct Read {
     robotlink::PackagePtr newest;
     robotlink::Instant time;

@@ -69,7 +69,7 @@ void ModelDrag::send(robotlink::Session& session) {
   robotcontrol::Request request;
   request.mutable_place_model()->set_model(model_);
   robotlink::assign(*request.mutable_place_model()->mutable_pose_in_field(), wanted_);
-  // The reply to an older request says nothing about the pose that is wanted now.
+  // The reply to an older request says nothing about the newest pose.
   const auto answered = [answer = answer_](const robotcontrol::RequestResult& result) {
     if (result.id() < answer->newest) return;
     answer->refusal = result.accepted() ? QString() : QString::fromStdString(result.reason());

@@ -40,7 +40,7 @@ class ModelDrag {
   /// Whether the button is pressed.
   bool active() const { return active_; }
   const std::string& model() const { return model_; }
-  /// The pose at which the model is wanted.
+  /// The pose to which the model is dragged.
   const robotlink::Pose2& wanted() const { return wanted_; }
   /// Why the newest pose was refused; empty if it was not. Cleared two seconds after the end.
   QString refusal() const;

@@ -26,7 +26,7 @@ ObjectPose objectPose(const robotlink::Pose3& pose);
 
 /// The object of a path in the stream "objects"; null: there is none. Valid until the session's next tick.
 const robotcontrol::WorldObject* worldObject(robotlink::Session& session, const std::string& path);
-/// Where an object is in the field; unset: it has no place, or its frame is not known.
+/// The pose of an object in the field; unset: it has none, or its frame is not known.
 std::optional<robotlink::Pose3> worldPose(const robotcontrol::WorldObject& object, const SceneState& scene);
 /// Asks to place a model, as it is tilted, too.
 robotcontrol::Request placeRequest(const std::string& model, const robotlink::Pose3& pose);

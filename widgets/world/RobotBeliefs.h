@@ -30,7 +30,7 @@ struct RobotBelief {
   /// Length and width in m of a robot on wheels, set by the view from the robot's description; zero: a
   /// four-legged robot.
   robotlink::Vector2 body = robotlink::Vector2::Zero();
-  /// Its base has not been heard for a while: it may be elsewhere by now, and is shown in gray.
+  /// Its base has sent nothing for a while: it may be elsewhere by now, and is shown in gray.
   bool silent = false;
   std::optional<robotlink::Pose2> truth;  ///< known of simulated robots only
   std::optional<robotlink::Pose2> estimate;
@@ -49,9 +49,9 @@ struct RobotBelief {
   std::optional<robotlink::Pose2> place;
 
   bool operator==(const RobotBelief&) const = default;
-  /// Where the robot is: the true pose if known, else the estimate.
+  /// The robot's pose: the true one if known, else the estimate.
   std::optional<robotlink::Pose2> pose() const { return truth ? truth : estimate; }
-  /// Where its own drawings are placed; unset: nowhere.
+  /// The pose at which its own drawings are placed; unset: none.
   std::optional<robotlink::Pose2> drawingPose() const { return isPlaced ? place : pose(); }
 };
 

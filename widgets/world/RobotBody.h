@@ -30,7 +30,7 @@ struct RobotBody {
   std::vector<robotlink::Pose3> parts;
   /// The joints; a parent's joint comes before those of its children.
   std::vector<Joint> joints;
-  /// What is seen: entity i is part i, in the frame of that part.
+  /// The visible shapes: entity i is part i, in the frame of that part.
   std::shared_ptr<const foxglove::SceneUpdate> shapes;
 };
 

@@ -12,7 +12,7 @@ namespace widgets {
 struct SceneEvent {
   enum class Kind : std::uint8_t { kKeyPressed, kKeyReleased, kMousePressed, kMouseMoved, kMouseReleased };
   Kind kind = Kind::kKeyPressed;
-  /// What is on the key: "A", "1", "Space", "Left".
+  /// The name of the key: "A", "1", "Space", "Left".
   QString key = {};
   /// For the mouse: the ray through the cursor, in the field's frame, m.
   robotlink::Vector3 origin = robotlink::Vector3::Zero(), direction = robotlink::Vector3::UnitX();

@@ -52,7 +52,7 @@ std::optional<SceneRename> renameBetween(const robotcontrol::WorldObjects& befor
   if (before.file() != now.file() || old.size() != fresh.size()) return std::nullopt;
   const auto *gone = onlyMissing(old, fresh), *come = onlyMissing(fresh, old);
   if (gone == nullptr || come == nullptr || gone->kind() != come->kind()) return std::nullopt;
-  // A model that stands in the scene's own file is a type of its own, with its name.
+  // A model defined in the scene's own file is a type of its own, with its name.
   const std::string type = typeOf(*gone);
   if (type != typeOf(*come) && type != gone->name()) return std::nullopt;
   return SceneRename{gone->path(), come->path()};

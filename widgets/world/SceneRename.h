@@ -19,7 +19,7 @@ struct SceneRename {
 };
 
 /// Finds out which object was renamed between two lists of the objects of a scene: the only one of the scene
-/// itself that has gone, if the only one that has come is of the same kind and type. Unset: none was.
+/// itself that has gone, if the only new one is of the same kind and type. Unset: none was.
 std::optional<SceneRename> renameBetween(const robotcontrol::WorldObjects& before,
                                          const robotcontrol::WorldObjects& now);
 

@@ -20,7 +20,7 @@ class SceneSelection final : public QObject {
   void select(const std::string& object);
 
  Q_SIGNALS:
-  /// Another object is selected, or none.
+  /// Emitted when another object is selected, or none.
   void changed();
 
  private:

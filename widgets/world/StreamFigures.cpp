@@ -27,7 +27,7 @@ constexpr char kSceneType[] = "foxglove.SceneUpdate";
 bool isOfTransforms(const std::string& type) {
   return type == "foxglove.FrameTransforms" || type == "foxglove.FrameTransform";
 }
-/// So many messages of a scene's stream are read at most when one goes back in time.
+/// At most this many messages of a scene's stream are read when going back in time.
 constexpr std::ptrdiff_t kMaxSceneMessages = 2000;
 
 struct FigureType {

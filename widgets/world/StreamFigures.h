@@ -44,9 +44,9 @@ class StreamFigures {
     robotlink::PackagePtr message;
     robotlink::Instant time;
     std::uint64_t generation = 0;
-    /// What the messages of a scene up to this one have left, by the entities' ids, with their times.
+    /// The figures left by the messages of a scene up to this one, by the entities' ids, with their times.
     std::map<std::string, std::pair<Figure, robotlink::Instant>> entities;
-    /// What was made of a message that is no scene.
+    /// The figure made of a message that is not a scene.
     std::shared_ptr<const foxglove::SceneUpdate> made;
   };
   static void addFrame(const std::string& frame, robotlink::Instant time, Shown& at);
@@ -56,7 +56,7 @@ class StreamFigures {
   std::map<std::string, Shown> shown_;
 };
 
-/// What is drawn for one message, in its frame; null: its type has no figure, or it is a scene itself.
+/// The figure that is drawn for a message, in its frame; null: its type has none, or it is a scene itself.
 std::shared_ptr<const foxglove::SceneUpdate> figureOf(const google::protobuf::Message& message);
 
 }  // namespace widgets

@@ -25,12 +25,12 @@ class Trails {
   using Frames = std::map<std::string, std::string>;
   /// Paths of the streams of robotcontrol.RobotPose, by robot.
   using Estimates = std::map<std::string, std::string>;
-  /// Where a robot's estimate of the ball is: paths of robotcontrol.RobotPose and robotcontrol.BallModel.
+  /// The sources of a robot's estimate of the ball: paths of robotcontrol.RobotPose and BallModel.
   struct BallSource {
     std::string pose, ball;
     bool operator==(const BallSource&) const = default;
   };
-  /// Where positions are read from. The keys of `estimates` and `balls`, and the values of `frames`, are
+  /// The sources of positions. The keys of `estimates` and `balls`, and the values of `frames`, are
   /// those of places(); each should be in one of them only.
   struct Sources {
     Frames frames;
@@ -58,7 +58,7 @@ class Trails {
 
   robotlink::Duration reach_ = std::chrono::seconds(10);
   Places places_;
-  /// What they were read from.
+  /// The sources from which they were read.
   Sources sources_;
   std::uint64_t generation_ = 0;
   /// Instant of the newest positions.

@@ -14,7 +14,7 @@ using robotlink::Instant;
 constexpr Duration kNewBeginning = std::chrono::seconds(1);
 /// Times and shifts beyond it are nonsense; no sum of some of them leaves what an Instant can hold.
 constexpr Duration kMaxTime = std::chrono::hours(24 * 365 * 70);
-/// How long a shortest delay is looked for.
+/// The time over which the shortest delay is determined.
 constexpr Duration kLookTime = std::chrono::seconds(1);
 
 }  // namespace

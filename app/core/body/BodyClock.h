@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// The time of a body elsewhere, as its program here goes by it. It follows the times that are heard of the
+/// The clock by which the local program of a remote body runs. It follows the times received from the
 /// body, whatever their delay: it is the body's time less the shortest delay. Between them, and while the
 /// link is cut, it continues as real time does. It never goes back: a body that is restarted, whose times
 /// begin again, continues.
@@ -20,7 +20,7 @@ class BodyClock final : public robotlink::Clock {
   explicit BodyClock(const robotlink::Clock& local) : local_(local) {}
 
   robotlink::Instant now() const override;
-  /// A time of the body has come.
+  /// Call this when a time of the body has arrived.
   void hear(robotlink::Instant bodyTime);
   /// The newest one; zero before the first.
   robotlink::Instant heard() const { return heard_.value_or(robotlink::Instant()); }
@@ -29,12 +29,12 @@ class BodyClock final : public robotlink::Clock {
 
  private:
   const robotlink::Clock& local_;
-  /// Nanoseconds that local time is behind; and the newest result of now().
+  /// The nanoseconds by which local time is behind; and the newest result of now().
   std::atomic<std::int64_t> offset_{0};
   mutable std::atomic<std::int64_t> newest_{0};
   std::optional<robotlink::Instant> heard_;
   robotlink::Duration shift_{0};
-  /// The least that this clock was ahead of what came since lookedAt_.
+  /// The least by which this clock was ahead of the times received since lookedAt_.
   robotlink::Duration ahead_ = robotlink::Duration::max();
   robotlink::Instant lookedAt_;
 };

@@ -168,7 +168,7 @@ Errors BodyFeed::describeRobot() {
     if (!read) return read.error();
     map = std::make_shared<const robotlink::GroundMap>(std::move(*read));
   }
-  // What the body says about itself counts in a process of its own, too, if it could be read.
+  // A program in a process of its own also uses the body's texts about itself, if they could be read.
   const bool isRead = body.known.description && (body.known.field || body.setup->field().text().empty());
   if (isRead) options_.program.own.texts = body.setup;
   auto clock = std::make_unique<BodyClock>(local_);
@@ -183,7 +183,7 @@ Errors BodyFeed::describeRobot() {
 
 Errors BodyFeed::startProgram() {
   if (Errors errors = program_->checkSolutions(); !errors.empty()) return errors;
-  // A team that is heard here is not heard by way of the body.
+  // Team messages that arrive here directly are not received through the body, too.
   std::set<std::string> leftOut;
   if (options_.program.team.port) leftOut = {robotlink::kTeamMessages.name, robotlink::kTeamMessage.name};
   auto platform = std::make_unique<RemoteBodyPlatform>(*link_, *clock_, local_, leftOut);

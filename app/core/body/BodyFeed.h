@@ -24,11 +24,11 @@ struct BodyOptions {
   /// The robot whose body it is; empty: the first that is offered there.
   std::string robot = {};
   RealTimeOptions program = {};
-  /// What the connection may carry, where no memory has it.
+  /// The limits of the connection, if no memory has them.
   LinkLimits limits = {};
   /// Gets why the body refuses the connection once it is open; may be null.
   std::shared_ptr<BodyRefusal> refusal = nullptr;
-  /// How long the body is looked for while nothing comes that says more about it.
+  /// The time to look for the body while no further information about it arrives.
   robotlink::Duration patience = std::chrono::seconds(5);
 };
 
@@ -73,7 +73,7 @@ class BodyFeed final : public RealTimeFeed {
   void stepProgram() override;
   /// Why a server has no body for this program, as it says itself; empty if it may still offer it.
   std::string whyNoBody() const;
-  /// What a server has not said yet, so that its body is not known.
+  /// Names the information that a server has not sent yet, so that its body is not known.
   std::string whatIsMissing() const;
   // In this order:
   robotlink::Errors findBody();

@@ -57,7 +57,7 @@ json bodyFigures(const BodyFeed& feed, double seconds) {
           {"longest_gap_s", robotlink::seconds(counts.longestSilence)}};
 }
 
-/// Prints texts: those of the platform always, those of the program if they are wanted.
+/// Prints texts: those of the platform always, those of the program only if `all`.
 void printBodyText(std::ostream& out, const robotlink::StreamMessage& message, bool all) {
   const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
   if (text == nullptr || !(all || text->name() == "platform")) return;

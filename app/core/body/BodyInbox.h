@@ -12,8 +12,8 @@
 
 namespace app {
 
-/// The commands from programs elsewhere on their way to the bodies of the robots here. A body obeys one
-/// program at a time: the one that commanded it first, until nothing came from it for kGivenUp. Any thread.
+/// The commands from remote programs on their way to the bodies of the robots here. A body obeys one
+/// program at a time: the one that commanded it first, until it sent nothing for kGivenUp. Any thread.
 class BodyInbox {
  public:
   static constexpr robotlink::Duration kGivenUp = std::chrono::seconds(2);

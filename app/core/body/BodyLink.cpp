@@ -20,7 +20,7 @@ namespace streams = robotlink::streams;
 
 namespace {
 
-/// Texts of a body that wait for somebody to take them.
+/// The maximum number of texts of a body that wait to be taken.
 constexpr std::size_t kMaxTexts = 100;
 constexpr robotlink::StreamStore::Limits kBodyHistory{std::chrono::seconds(1), 16U << 20U};
 
@@ -38,7 +38,7 @@ BodyLink::BodyLink(Options options) : wantedRobot_(std::move(options.robot)), se
   linked.connection = std::move(options.connection);
   linked.convert = decodedImage;
   linked.alsoWanted = [this](const std::string& path) { return wants(path); };
-  // Such as the poses of a whole world, which would keep a slow link busy.
+  // Other streams, such as the poses of a whole world, would keep a slow link busy.
   linked.wantsNothingElse = true;
   linked.passed = [this](const robotlink::StreamMessage& message) { look(message); };
   client_ = std::make_unique<SessionClient>(session_, std::move(linked));
@@ -58,7 +58,7 @@ void BodyLink::followLine() {
   const auto state = client_->state();
   if (state.roundTrip == roundTrip_) return;
   roundTrip_ = state.roundTrip;
-  // Another line, perhaps.
+  // The next connection may have another line.
   if (!roundTrip_) line_ = {};
   const double before = line_.bytesPerSecond();
   if (roundTrip_) line_.measured(*roundTrip_, state.bytesPerSecond);
@@ -100,7 +100,7 @@ void BodyLink::look(const robotlink::StreamMessage& message) {
     if (auto state = std::dynamic_pointer_cast<const BodyState>(message.value)) arrived_.state = state;
   } else if (stream == streams::kLog) {
     const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
-    // Whether it stands, and why, is in its state.
+    // The body's state already says whether it stands still, and why.
     if (text != nullptr && text->name() != "program" && arrived_.texts.size() < kMaxTexts)
       arrived_.texts.push_back(text->name() + ": " + text->message());
   } else if (packages_.contains(stream)) {

@@ -35,14 +35,14 @@ class BodyLink {
     std::string robot = {};
     LinkLimits limits = {};
   };
-  /// What the body is, once it is known.
+  /// The properties of the body, once they are known.
   struct Body {
     robotcontrol::BodyOffer offer;
     KnownRobot known;
-    /// What that was read from; not null.
+    /// The setup from which it was read; not null.
     std::shared_ptr<const robotcontrol::ProgramSetup> setup;
   };
-  /// What came since the last call of take().
+  /// The messages that arrived since the last call of take().
   struct Arrived {
     /// The newest of each package, by its name.
     std::map<std::string, robotlink::PackagePtr> sensors;
@@ -57,7 +57,7 @@ class BodyLink {
   BodyLink(const BodyLink&) = delete;
   BodyLink& operator=(const BodyLink&) = delete;
 
-  /// Takes in what came.
+  /// Processes what was received.
   void tick();
   const std::optional<Body>& body() const { return body_; }
   /// Whether another body than this one is offered under its name now.

@@ -28,10 +28,10 @@ using robotlink::PackagePtr;
 
 namespace {
 
-/// The name of what stands for the program in the executor.
+/// The name of the stand-in for the program in the executor.
 constexpr char kBodyProcess[] = "body";
 
-/// What a sender of the platform has sent since the last frame: the newest package.
+/// The newest package that a sender of the platform has sent since the last frame.
 class NewestLink final : public robotlink::Link {
  public:
   void offer(PackagePtr package) override {
@@ -137,7 +137,7 @@ struct BodyProgram::Implementation {
   std::uint64_t frame = 0;
   /// The sender of the newest command, and what became of the commands of this sender.
   std::uint64_t commander = 0, obeyed = 0, late = 0;
-  /// Whether commands came too late, or not at all, and are not trusted again yet; and since when they come
+  /// Whether commands were late or missing, and are not trusted again yet; and since when they arrive
   /// in time.
   bool isUnsteady = false;
   std::optional<Instant> steadySince;
@@ -206,7 +206,7 @@ void BodyProgram::Implementation::runFrame() {
 }
 
 void BodyProgram::Implementation::takeCommands(Instant now) {
-  // The world was reset: what was commanded before answers readings that nobody has made yet.
+  // The world was reset: earlier commands answer readings that have not been made yet.
   if (basedOn && *basedOn > now) basedOn.reset();
   const auto newest = options.inbox->take(robot);
   if (!newest) return;
@@ -236,8 +236,8 @@ void BodyProgram::Implementation::obey(const BodyCommands& newest) {
   }
 }
 
-/// A line that is too narrow delivers now in time, now too late. A robot that went and stood many times a
-/// second would fall: after it stood it waits until all commands were in time for as long as they may be
+/// A slow link delivers commands now in time, now too late. A robot that started and stopped many times a
+/// second would fall: after a stop it waits until all commands were in time for as long as they may be
 /// late.
 void BodyProgram::Implementation::followLateness(Instant now) {
   if (!isInTime(now)) {

@@ -8,12 +8,12 @@
 
 namespace app {
 
-/// Stands for the program of a robot that is only a body, because its program runs elsewhere
+/// Stands in for the program of a robot that is only a body, because its program runs elsewhere
 /// (REMOTE_BODY.md). In each frame it publishes what the platform has sent, and gives the platform the newest
 /// commands from the BodyInbox.
 ///
 /// The watchdog: commands say which readings they answer. When the newest one answers readings that are older
-/// than `watchdog`, or says that STOP is engaged there, the robot stands, whether commands are lost or late.
+/// than `watchdog`, or says that STOP is engaged there, the robot stops, whether commands are lost or late.
 /// Only the body's own clock counts.
 class BodyProgram final : public HostedProgram {
  public:
@@ -36,7 +36,7 @@ class BodyProgram final : public HostedProgram {
   std::vector<std::string> yieldedPackages() const override { return {}; }
   const std::vector<robotlink::Process*>& processes() const override;
   const robotlink::Process& debugProcess() const override;
-  /// Nothing is done with it: what needs a program is refused before, and the rest concerns none.
+  /// Ignores the request: what needs a program is refused before, and the rest concerns none.
   bool request(const robotcontrol::Request&) override { return true; }
   std::string refusal() const override;
   std::unique_ptr<ProgramPreview> preview() override;

@@ -46,7 +46,7 @@ robotlink::Result<void> BodyQuestion::finish(const std::vector<std::string>& sou
 }
 
 void BodyQuestion::follow() {
-  // What a body asks that is to be opened is answered first.
+  // A question of the body that is being opened is answered first.
   if (!open_.refusal || (asked_ && !isOpen_)) return;
   asked_ = questionIn(open_.refusal());
   isOpen_ = asked_.has_value();

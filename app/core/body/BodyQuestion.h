@@ -14,7 +14,7 @@ namespace app {
 /// user has answered. At most one question at a time. One thread.
 class BodyQuestion {
  public:
-  /// A platform is going to be opened; what was asked before is not asked any more.
+  /// Call this when a platform is going to be opened; earlier questions are dropped.
   void begin(const PlatformOpening& opening);
   /// Call this when opening failed. Returns whether the user can resolve the failure, and is therefore asked.
   bool ask(const robotlink::Errors& errors);
@@ -25,9 +25,9 @@ class BodyQuestion {
 
   const std::optional<LinkQuestion>& asked() const { return asked_; }
   bool isAbout(const std::string& url) const { return asked_ && asked_->url == url; }
-  /// The user has compared the fingerprint: it is remembered. Returns what is to be opened again; nothing if
-  /// it is open, since its connection is tried again all the time. Fails if it is not the fingerprint that
-  /// was asked about.
+  /// The user has compared the fingerprint: it is remembered. Returns the opening to repeat; unset if
+  /// it is open, since its connection is tried again all the time. Fails if it is not the fingerprint in the
+  /// question.
   robotlink::Result<std::optional<PlatformOpening>> trust(const std::string& fingerprint);
   /// The user has entered a token. Returns what is to be opened again.
   PlatformOpening show(const std::string& token);
@@ -35,7 +35,7 @@ class BodyQuestion {
   void rememberToken() { remembers_ = true; }
   /// Whether it is being opened with a token that was entered.
   bool isShowing(const std::string& url) const { return !token_.empty() && wanted_.url == url; }
-  /// The user does not want it any more. Returns whether it is open.
+  /// Gives up opening, since the user no longer wants it. Returns whether it is open.
   bool drop();
 
  private:
@@ -51,7 +51,7 @@ class BodyQuestion {
   std::optional<LinkQuestion> asked_;
   /// Whether that is about open_.
   bool isOpen_ = false;
-  /// What the user has answered while the connection was not tried again yet.
+  /// The question that the user has answered while the connection was not tried again yet.
   std::optional<LinkQuestion> answered_;
   /// The token that the user has entered, and whether to remember it.
   std::string token_;

@@ -9,7 +9,7 @@ namespace {
 
 /// A queue is emptied quickly, and what the line carries beyond is found slowly.
 constexpr double kLess = 0.75, kMore = 1.1;
-/// A budget that is so many times what is sent limits nothing.
+/// A budget of this many times what is sent limits nothing.
 constexpr double kFarAway = 2;
 
 }  // namespace

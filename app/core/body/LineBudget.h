@@ -10,7 +10,7 @@ namespace app {
 /// time by which a round trip takes longer than the shortest one. A plain value.
 class LineBudget {
  public:
-  /// A round trip was measured, while so much was received.
+  /// Call this when a round trip was measured, with the bytes received meanwhile per second.
   void measured(robotlink::Duration roundTrip, double bytesPerSecond);
   /// In bytes a second; 0: as much as is sent.
   double bytesPerSecond() const { return budget_; }

@@ -26,13 +26,13 @@ using robotlink::PackagePtr;
 namespace {
 
 constexpr Duration kBodyStatusPeriod = std::chrono::milliseconds(250);
-/// How often STOP is said again to a body that has not accepted it, and to one that is held by it.
+/// The period at which STOP is repeated to a body that has not accepted it, and to one that it holds.
 constexpr Duration kStopRepeat = std::chrono::milliseconds(300);
 constexpr Duration kStopHold = std::chrono::milliseconds(100);
 
 std::uint64_t randomSender() {
   std::random_device random;
-  return (std::uint64_t{random()} << 32U | random()) | 1U;  // never 0, which is nobody
+  return (std::uint64_t{random()} << 32U | random()) | 1U;  // never 0, which means no sender
 }
 
 /// Why a body does not move as `sender` commands; empty if it does.
@@ -227,13 +227,13 @@ bool RemoteBodyPlatform::hasNewCommands() {
   bool isNew = false;
   for (auto& [package, command] : commands_) {
     const bool hasCome = std::exchange(command.taken, command.receiver->taken()) != command.receiver->taken();
-    // What is sent to the team moves nothing; it goes with the commands that do.
+    // Messages to the team move nothing; they go with the commands that do.
     isNew |= hasCome && package != robotlink::kTeamMessage.name;
   }
   return isNew;
 }
 
-/// A program that commands nothing any more is not kept alive: the body shall stand.
+/// A program that no longer commands anything is not kept alive: the body has to stop.
 void RemoteBodyPlatform::sendCommands() {
   const Instant now = local_.now();
   const bool isNew = hasNewCommands();
@@ -266,7 +266,7 @@ void RemoteBodyPlatform::engageStop(bool engaged) {
 void RemoteBodyPlatform::sendStop(bool engaged) {
   link_.engageStop(engaged, [open = stopOpen_, engaged](const std::string& why) {
     int expected = engaged ? 1 : 2;
-    // A watcher cannot release it, however often that is asked.
+    // A watcher cannot release it, however often it requests that.
     if (why.empty() || !engaged) open->compare_exchange_strong(expected, 0);
   });
 }

@@ -38,21 +38,21 @@ class RemoteBodyPlatform final : public robotlink::Platform {
                      const std::set<std::string>& leftOut = {});
   ~RemoteBodyPlatform() override;
 
-  /// Takes in what came, and sends commands.
+  /// Processes what was received, and sends commands.
   void actuate() override;
   /// At once; repeated until the body has accepted it. Any thread.
   void engageStop(bool engaged) override;
-  /// Whether it is engaged, here or by somebody at the body.
+  /// Whether it is engaged, here or at the body.
   bool stopEngaged() const override { return stopWanted_.load() || stoppedThere_.load(); }
   std::vector<robotlink::AnySender*> onRequest() override;
   /// The request goes to the body; a refusal is reported as a text.
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
   robotlink::Result<void> setCamera(const robotcontrol::SetCamera& details) override;
 
-  /// What was sent and received.
+  /// Counts of what was sent and received.
   struct Counts {
     std::uint64_t frames = 0, commands = 0, cuts = 0;
-    /// As the body counts: commands of this program that it obeyed, and those that came too late.
+    /// The body's counts: commands of this program that it obeyed, and those that came too late.
     std::uint64_t obeyed = 0, late = 0;
     robotlink::Duration longestSilence{0};
   };
@@ -103,7 +103,7 @@ class RemoteBodyPlatform final : public robotlink::Platform {
   /// Tells the body the commands of this program from those of others.
   const std::uint64_t sender_;
   std::uint64_t number_ = 0;
-  /// The local times at which a command or the status was sent, and the body was heard last.
+  /// The local times at which a command or the status was sent, and the body was last heard.
   robotlink::Instant sentAt_, statusAt_;
   std::optional<robotlink::Instant> heardAt_;
   bool isConnected_ = false, wasConnected_ = false, isOther_ = false;
@@ -112,7 +112,7 @@ class RemoteBodyPlatform final : public robotlink::Platform {
   /// The state of the body's own line, such as a serial one; null: it has none.
   std::shared_ptr<const robotcontrol::LinkStatus> bodyLine_;
   std::atomic<bool> stopWanted_{false}, stoppedThere_{false};
-  /// What the body has not accepted yet: 0 nothing, 1 engage, 2 release.
+  /// The STOP request that the body has not accepted yet: 0 none, 1 engage, 2 release.
   std::shared_ptr<std::atomic<int>> stopOpen_ = std::make_shared<std::atomic<int>>(0);
   robotlink::Instant stopSentAt_;
   /// From the link's thread, which may be later than the end of this object.

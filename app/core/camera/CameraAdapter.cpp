@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The adapter of cameras of this computer: the addresses that it opens, and what users are asked for.
+// The adapter of cameras of this computer: the addresses that it opens, and the form for users.
 #include <fmt/format.h>
 
 #include "app/core/camera/CameraAddress.h"

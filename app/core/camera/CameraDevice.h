@@ -22,11 +22,11 @@ class CameraDevice {
   /// A setting of the camera, such as its exposure time.
   struct Control {
     std::uint32_t id = 0;
-    /// As in CameraAddress::controls, and as the driver calls it.
+    /// The name in CameraAddress::controls, and the name that the driver uses.
     std::string name, title;
     std::int32_t minimum = 0, maximum = 0, step = 1, initial = 0, value = 0;
   };
-  /// How it takes images, which may differ from what was asked for.
+  /// How it takes images, which may differ from what was requested.
   struct Mode {
     int width = 0, height = 0;
     /// Four letters.
@@ -44,10 +44,10 @@ class CameraDevice {
   CameraDevice& operator=(const CameraDevice&) = delete;
 
   /// The newest image, waiting for one up to a time; empty if none came. Fails with "camera.damaged" if the
-  /// image cannot be decoded, and the next one may be read; otherwise the camera is gone.
+  /// image cannot be decoded, and the next one may be read; otherwise the camera is disconnected.
   robotlink::Result<std::optional<robotlink::Image>> next(int milliseconds);
 
-  /// What the driver calls the camera.
+  /// The driver's name of the camera.
   const std::string& title() const { return title_; }
   const Mode& mode() const { return mode_; }
   /// With their values at the last refresh().

@@ -19,7 +19,7 @@ RealRobotOptions cameraOptions(std::string url, VideoCalls& calls) {
           .robot = "camera",
           .kind = "camera",
           .platform = platform,
-          // Where it stands is known from its description, not from joints.
+          // The camera's pose is known from its description, not from joints.
           .program = {.solutions = {{"camera-pose", "mounted"}}}};
 }
 

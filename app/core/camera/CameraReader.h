@@ -59,7 +59,7 @@ class CameraReader {
  private:
   /// The thread's function.
   void run();
-  /// Reads until the camera is gone or the thread is to end; returns why.
+  /// Reads until the camera is disconnected or the thread is to end; returns why.
   robotlink::Error read(CameraDevice& device);
   void setState(std::string state);
   /// Sets the state to what does not work.

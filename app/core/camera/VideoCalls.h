@@ -18,7 +18,7 @@ class VideoCalls {
   /// Maps a buffer of the device for reading; null if that fails.
   virtual void* map(int file, std::size_t length, std::int64_t offset) = 0;
   virtual void unmap(void* memory, std::size_t length) = 0;
-  /// Waits until an image is there: 1; the time is over: 0; the device is gone: -1.
+  /// Waits until an image is there: 1; the time is over: 0; the device is disconnected: -1.
   virtual int wait(int file, int milliseconds) = 0;
 };
 

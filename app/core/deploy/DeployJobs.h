@@ -18,13 +18,13 @@ namespace app {
 /// uses must outlive it.
 class DeployJobs {
  public:
-  /// What came of the newest job of a robot, and how the one in progress is getting on. A plain value.
+  /// The outcome of a robot's newest job, and the progress of the one that is running. A plain value.
   struct State {
     bool isBusy = false;
     double share = 0;
     /// Whether files were sent, or its program was started again, rather than compared only.
     bool wasSent = false, wasRestarted = false;
-    /// Nothing before the first job is done, and if it failed.
+    /// Unset before the first job is done, and if it failed.
     std::optional<std::vector<DeployDifference>> differences = {};
     std::optional<robotlink::Error> error = {};
   };
@@ -47,7 +47,7 @@ class DeployJobs {
   }
   /// Cancels what is in progress and what waits; a file that is being sent is sent as a whole or not at all.
   void cancel();
-  /// Empty if nothing was asked for.
+  /// Empty if there was no request.
   State state(const std::string& robot) const;
 
  private:
@@ -55,7 +55,7 @@ class DeployJobs {
   void run(const std::string& robot, std::vector<DeployFile> files, Job job);
 
   const ServiceCall call_;
-  /// The number of times that all was canceled: jobs of before do nothing any more.
+  /// The number of times that all was canceled: earlier jobs do nothing then.
   std::atomic<std::uint64_t> cancels_ = 0;
   /// Protects the states.
   mutable std::mutex mutex_;

@@ -37,7 +37,7 @@ bool isThere(const DeployDifference& difference) {
   return difference.state == State::kSame || difference.state == State::kWaiting;
 }
 
-/// Reads the files that a robot shall have, and notes what is wrong with them.
+/// Reads the files that a robot should have, and notes their problems.
 class DeployReader {
  public:
   explicit DeployReader(fs::path folder) : folder_(std::move(folder)) {}
@@ -99,11 +99,11 @@ std::string folderName(fs::path folder) {
   return folder.filename().string();
 }
 
-/// What a robot answers to deploy/list.
+/// A robot's answer to deploy/list.
 struct RobotFileList {
   /// The checksums of what it has, by path.
   std::map<std::string, std::string> digests;
-  /// What its program has not read yet; and the layout in which it runs, empty if that is not known.
+  /// The files that its program has not read yet; and the layout in which it runs, empty if unknown.
   std::set<std::string> waiting;
   std::string layout;
 
@@ -117,7 +117,7 @@ struct RobotFileList {
   }
 };
 
-/// What the list says of the program of a robot. Robots of before say nothing.
+/// Reads what the list says about a robot's program. Older robots say nothing.
 void readProgram(const json& answer, const std::string& robot, RobotFileList& list) {
   const auto robots = answer.find("robots");
   if (robot.empty() || robots == answer.end() || !robots->is_array()) return;

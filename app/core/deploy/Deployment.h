@@ -12,17 +12,17 @@
 
 namespace app {
 
-/// A file that a robot shall have. A plain value.
+/// A file that a robot should have. A plain value.
 struct DeployFile {
   /// In the robot's resource folder: "layouts/compact.yaml".
   std::string path;
-  /// Where it is here.
+  /// The path on this computer.
   std::filesystem::path source;
   std::string contents, sha256;
 };
 
-/// The files that a robot of a set shall have; `folder` is that of the set's file. Fails with all files that
-/// cannot be read, are no layout or color table, or that robots do not take.
+/// The files that a robot of a set should have; `folder` is that of the set's file. Fails with all files that
+/// cannot be read, are not a layout or color table, or that robots do not accept.
 tl::expected<std::vector<DeployFile>, robotlink::Errors> filesFor(const RobotSet::Robot& robot,
                                                                   const std::filesystem::path& folder);
 
@@ -49,14 +49,14 @@ class Deployment {
   explicit Deployment(ServiceCall call, std::string robot = {})
       : call_(std::move(call)), robot_(std::move(robot)) {}
 
-  /// One for each file, in their order.
+  /// Returns one difference for each file, in their order.
   robotlink::Result<std::vector<DeployDifference>> check(const std::vector<DeployFile>& files,
                                                          const Progress& progress = {});
   /// Sends what differs, and checks again; fails if something differs still.
   robotlink::Result<std::vector<DeployDifference>> send(const std::vector<DeployFile>& files,
                                                         const Progress& progress = {});
-  /// Starts the robot's program again if it has not read some of the files, in the layout among them, and
-  /// checks again. The robot stands meanwhile.
+  /// Restarts the robot's program, in the layout among the files, if it has not read some of them, and
+  /// checks again. The robot stands still meanwhile.
   robotlink::Result<std::vector<DeployDifference>> restart(const std::vector<DeployFile>& files,
                                                            const Progress& progress = {});
 

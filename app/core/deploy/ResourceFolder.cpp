@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using robotlink::failure;
 using robotlink::Result;
 
-/// What lies where: folder, depth of the path, and suffixes. An empty suffix: any.
+/// An area of the resources: folder, depth of the paths, and suffixes. An empty suffix: any.
 struct Area {
   const char* folder;
   int depth;
@@ -106,7 +106,7 @@ Result<std::vector<ResourceFolder::Entry>> ResourceFolder::listWithoutDigests() 
 Result<std::vector<ResourceFolder::Entry>> ResourceFolder::list() const {
   auto entries = listWithoutDigests();
   if (!entries) return entries;
-  // What cannot be read, or is longer than anybody could have sent, has no digest, and differs from all.
+  // Files that cannot be read, or are too long to have been sent, have no digest, and differ from all.
   for (Entry& entry : *entries) {
     const auto contents = robotlink::readFile(folder_ / entry.path, kMaxFileBytes);
     if (contents) entry.sha256 = robotlink::websocket::sha256(*contents);

@@ -36,7 +36,7 @@ class ResourceFolder {
   /// Writes a file as a whole or not at all, in the place of one of that path. Fails, with what is allowed,
   /// if the path is not one of those above, or the file is too large.
   robotlink::Result<Entry> put(const std::string& path, std::string_view contents) const;
-  /// Where a file of that path is, or would be.
+  /// Returns the location that a file of that path has, or would have.
   robotlink::Result<std::filesystem::path> find(const std::string& path) const;
 
   /// Whether a path is one of a layout, of parameters, a motion or a color table.

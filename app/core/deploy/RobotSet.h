@@ -10,8 +10,8 @@
 
 namespace app {
 
-/// Robots that belong together, such as a team for a game: where they are, and what each shall have. A plain
-/// value; ROBOT_SETS.md describes the file.
+/// Robots that belong together, such as a team for a game: their addresses, and the files that each should
+/// have. A plain value; ROBOT_SETS.md describes the file.
 struct RobotSet {
   struct Robot {
     std::string name;

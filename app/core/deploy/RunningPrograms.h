@@ -12,7 +12,7 @@ namespace app {
 /// Returns the path of a robot's preset in its resource folder, by the robot's name.
 std::string presetPathOf(const std::string& robot);
 
-/// What the programs of a server's robots run in, and which of the files that were deployed they have not
+/// The layouts in which the programs of a server's robots run, and the deployed files that they have not
 /// read yet: a program reads its layout, parameters and motions when it starts. Any thread.
 class RunningPrograms {
  public:

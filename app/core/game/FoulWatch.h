@@ -34,7 +34,7 @@ class FoulWatch {
     /// Its index, the same in all calls.
     std::size_t index = 0;
     std::size_t team = 0;
-    /// Where its goal is, -1 or 1.
+    /// The side of its goal, -1 or 1.
     int ownSide = -1;
     bool isGoalie = false;
     robotlink::Vector2 place = robotlink::Vector2::Zero();
@@ -50,7 +50,7 @@ class FoulWatch {
   FoulWatch(const GameRules& rules, const robotlink::FieldDescription& field)
       : rules_(rules), field_(field) {}
 
-  /// Nothing has lasted so far, of so many robots.
+  /// Resets all durations, for this many robots.
   void restart(std::size_t robots);
   /// Forgets what has lasted of one robot, which was put elsewhere.
   void forget(std::size_t robot);
@@ -63,7 +63,7 @@ class FoulWatch {
  private:
   struct History {
     robotlink::Duration outside{}, pushing{}, defending{}, holding{};
-    /// Where it was the last time.
+    /// Its position the last time.
     std::optional<robotlink::Vector2> place;
   };
   bool pushes(const Robot& robot, const std::vector<Robot>& all,
@@ -74,7 +74,7 @@ class FoulWatch {
 
   const GameRules& rules_;
   const robotlink::FieldDescription& field_;
-  /// One for each robot, by its index.
+  /// The history of each robot, by its index.
   std::vector<History> histories_;
 };
 

@@ -18,7 +18,7 @@ namespace app {
 /// GameRules::teams. Time is what passes in pass(), so the game continues whatever clocks do.
 class GameMachine {
  public:
-  /// As in robotcontrol::GameState::Phase.
+  /// The phases of a game, as in robotcontrol::GameState::Phase.
   enum class Phase : std::uint8_t { kInitial, kReady, kSet, kPlaying, kFinished };
 
   /// The rules must outlive it.

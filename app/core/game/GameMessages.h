@@ -17,10 +17,10 @@ namespace app {
 
 class Referee;
 
-/// What it says to a robot; a robot that does not play gets what concerns all.
+/// Returns the referee's message to a robot; a robot that does not play gets what concerns all.
 std::shared_ptr<robotcontrol::GameState> gameStateFor(const Referee& referee, const std::string& robot,
                                                       robotlink::Instant now);
-/// What it says to those who watch.
+/// Returns the referee's message to spectators.
 std::shared_ptr<robotcontrol::GameStatus> gameStatus(const Referee& referee, const RadioSettings& radio,
                                                      robotlink::Instant now);
 

@@ -26,7 +26,7 @@ class GamePlacing {
       : rules_(rules), field_(field), simulation_(simulation) {}
 
   robotlink::Pose2 kickOffPlace(const GamePlayer& player, int direction, bool kicks) const;
-  /// Where it stands while it is penalized.
+  /// The pose of a player while it is penalized.
   robotlink::Pose2 penaltyPlace(const GamePlayer& player, int direction) const;
   /// Whether a player may stand where it does before a kick-off.
   bool mayStand(const GamePlayer& player, int direction, bool kicks) const;

@@ -15,7 +15,7 @@ struct GameRules;
 
 /// A robot of one of the two teams of a game. A plain value.
 struct GamePlayer {
-  /// What the scene calls the role of a goalkeeper.
+  /// The scene's name for the role of a goalkeeper.
   static constexpr char kGoalie[] = "goalie";
 
   std::string robot;
@@ -23,7 +23,7 @@ struct GamePlayer {
   std::size_t team = 0;
   /// In its team, from 1.
   unsigned number = 1;
-  /// As the scene says; may be empty.
+  /// The role that the scene gives it; may be empty.
   std::string role = {};
   /// The height of its model at the start, m.
   double height = 0;

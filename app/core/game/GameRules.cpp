@@ -39,7 +39,7 @@ std::vector<Vector2> placesAt(const YamlNode& node, std::string_view key) {
   return places;
 }
 
-/// Which of these words it is; the first one after a failure.
+/// Returns the value of the word in the node; that of the first word after a failure.
 template <class T>
 T wordOf(const YamlNode& node, const std::vector<std::pair<const char*, T>>& words) {
   const auto word = node.as<std::string>();
@@ -110,7 +110,7 @@ void readPenalties(const YamlNode& root, GameRules& rules) {
   rules.pushingSpeed = pushing.numberIn("speed", 0, 10);
   rules.pushingNearBall = pushing.numberIn("near_ball", 0, 10);
   rules.leavingMargin = root.child("leaving").numberIn("margin", 0, 10);
-  // Files of before do not have it, and need not unless they watch for it.
+  // Older files do not have it, and need it only if they watch for it.
   const bool isHoldingWatched = rules.penaltyFor(GameRules::Watch::kHolding) != nullptr;
   if (isHoldingWatched || !root.optionalChild("holding").empty())
     rules.holdingDistance = root.child("holding").numberIn("distance", 0.01, 10);

@@ -28,7 +28,7 @@ struct RadioSettings {
 /// How a simulated game is refereed, as read from a file like resources/games/2002.yaml. Meters, in the
 /// field's frame; places are those of the team that plays toward +x. A plain value.
 struct GameRules {
-  /// What the referee notices by itself.
+  /// The fouls that the referee notices by itself.
   enum class Watch : std::uint8_t { kNothing, kLeaving, kPushing, kDefending, kHolding };
   enum class Placing : std::uint8_t { kAll, kIllegal };
   /// Why a robot is taken out of the game, and for how long.
@@ -57,7 +57,7 @@ struct GameRules {
 
   robotlink::Duration ballOut{}, ballStuck{};
   double ballInset = 0, stuckDistance = 0;
-  /// Where a ball that is stuck may go, in the field's frame for both teams.
+  /// The places to which a stuck ball may be put, in the field's frame for both teams.
   std::vector<robotlink::Vector2> drops;
 
   /// Not empty.
@@ -67,7 +67,7 @@ struct GameRules {
   double leavingMargin = 0;
   /// A ball that is nearer to the middle of a robot lies under it, m.
   double holdingDistance = 0;
-  /// Where penalized robots stand: from the field's edge, and from each other.
+  /// The distances of penalized robots from the field's edge, and from each other.
   double besideField = 0, besideSpacing = 0;
 
   RadioSettings radio;

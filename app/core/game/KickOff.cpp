@@ -124,7 +124,7 @@ std::optional<std::string> KickOff::whileWaiting(const Vector3& ball) {
 }
 
 void KickOff::placeRobots() {
-  // A robot that stands where another one belongs leaves in the first round, so the second one succeeds.
+  // A robot in another one's place leaves it in the first round, so the second one succeeds.
   for (int round = 0; round < 2; ++round) {
     for (const Robot& robot : robots_) (void)simulation_.placeModel(robot.name, robot.start);
   }

@@ -26,7 +26,7 @@ constexpr Duration kRefereeStep = SimulatedWorld::kStep;
 constexpr double kLeftPlace = 0.15, kLeftPenaltyPlace = 0.5;
 /// The same of the ball.
 constexpr double kBallLeftPlace = 0.03;
-/// The cosine of the tilt from which a robot lies.
+/// The cosine of the tilt from which a robot counts as lying.
 constexpr double kLies = 0.5;
 /// A ball that is dropped goes at least so far, m.
 constexpr double kFarDrop = 0.3;
@@ -150,7 +150,7 @@ std::vector<std::string> Referee::step() {
 
 void Referee::followPhases() {
   const auto next = machine_.due();
-  // The ball lies where it belongs before the game continues.
+  // The ball must be in its place before the game continues.
   if (!next || (*next == Phase::kPlaying && ballToPlace_)) return;
   (void)enter(*next);
 }
@@ -174,7 +174,7 @@ void Referee::beginPlacing() {
     toPlace_[i] = !penalized_[i] && !mayStay;
   }
   fouls_.restart(players_.size());
-  // A robot that stands where another one belongs leaves in the first round, so the second one succeeds.
+  // A robot in another one's place leaves it in the first round, so the second one succeeds.
   continuePlacing();
   continuePlacing();
 }
@@ -199,7 +199,7 @@ void Referee::correctPlaces() {
     toPlace_[i] = (pose->translation() - place.translation()).norm() > kLeftPlace;
   }
   continuePlacing();
-  // Whoever finds no room now plays from where it is.
+  // A robot that finds no room now plays from where it is.
   toPlace_.assign(players_.size(), false);
 }
 
@@ -319,7 +319,7 @@ void Referee::passPenalties() {
     if (!penalized) continue;
     if (isRunning) penalized->left = std::max(Duration(), penalized->left - kRefereeStep);
     if (isAutomatic_ && penalized->left == Duration() && returnPlayer(i)) continue;
-    // Whoever walks away is carried back.
+    // A penalized robot that walks away is carried back.
     const auto pose = placing_.poseOf(players_[i]);
     const auto place = placing_.penaltyPlace(players_[i], directionOf(players_[i]));
     if (pose && (pose->translation() - place.translation()).norm() > kLeftPenaltyPlace)

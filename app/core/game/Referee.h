@@ -21,10 +21,10 @@ class ControlGame;
 namespace app {
 
 /// The referee of a simulated game, by rules that are data: phases, clock, score, kick-off with automatic
-/// placing, balls that are out or stuck, and penalties. It decides by itself, or does only what is asked.
+/// placing, balls that are out or stuck, and penalties. It decides by itself, or does only what is requested.
 ///
-/// The simulation must outlive it. What it does follows from the state of the simulation and from what was
-/// asked; it is part of snapshots. Used in the simulation's thread.
+/// The simulation must outlive it. Its actions follow from the state of the simulation and from the
+/// requests; it is part of snapshots. Used in the simulation's thread.
 class Referee final : public Umpire {
  public:
   /// A penalty that a robot is serving.
@@ -33,7 +33,7 @@ class Referee final : public Umpire {
     robotlink::Duration left{};
   };
 
-  /// What became of a player since the game began.
+  /// The record of a player since the game began.
   struct Tally {
     unsigned penalties = 0;
     /// How long it was outside of the field at most, without being penalized, and how long it lay.
@@ -47,7 +47,7 @@ class Referee final : public Umpire {
 
   std::vector<std::string> step() override;
   void restart() override;
-  /// As it was at the start: the referee decides by itself, too.
+  /// Restores the state at the start, in which the referee also decides by itself.
   void startOver() {
     isAutomatic_ = true;
     restart();
@@ -58,7 +58,7 @@ class Referee final : public Umpire {
   bool followModels() override;
   const std::map<std::string, int>& goals() const override { return goals_; }
 
-  /// Does what is asked, but for the radio. Fails with the reason, changing nothing.
+  /// Fulfills a request, but for the radio. Fails with the reason, changing nothing.
   robotlink::Result<void> control(const robotcontrol::ControlGame& wanted);
 
   const GameRules& rules() const { return *rules_; }
@@ -86,13 +86,13 @@ class Referee final : public Umpire {
   void beginPlacing();
   /// Puts those that have not found room yet.
   void continuePlacing();
-  /// Puts those back that have left their places before the game went on.
+  /// Puts those back that have left their places before the game continued.
   void correctPlaces();
   bool kicks(const GamePlayer& player) const { return player.team == machine_.kickOff(); }
   int directionOf(const GamePlayer& player) const { return machine_.direction(player.team); }
   robotlink::Result<std::size_t> playerNamed(const std::string& robot) const;
   robotlink::Result<std::size_t> teamNamed(const std::string& team) const;
-  // What is asked by name.
+  // Requests by name.
   robotlink::Result<void> penalizeFor(const std::string& robot, const std::string& reason);
   robotlink::Result<void> bringBack(const std::string& robot);
   robotlink::Result<void> setScore(const std::string& team, unsigned goals);

@@ -16,7 +16,7 @@ namespace {
 
 /// Separates these random numbers from others of the seed.
 constexpr std::uint64_t kRadioStream = 0x7465616d2d726164ULL;
-/// What a station may have on the way; the oldest is given up.
+/// The maximum number of messages in transit to a station; the oldest is dropped.
 constexpr std::size_t kMaxOnTheWay = 10'000;
 
 std::uint64_t hashOf(const std::string& text) {
@@ -83,7 +83,7 @@ TeamRadio::Messages TeamRadio::receive(const std::string& robot, Instant now) {
   std::erase_if(receiver.onTheWay, [&](const OnTheWay& one) {
     if (one.due > now) return false;
     Heard& heard = receiver.heard[one.message->sender()];
-    // One that was overtaken, since the delay was changed, is old.
+    // A message that was overtaken because the delay was changed is outdated.
     if (one.number > heard.number) {
       heard = {one.number, one.message};
       isNew = true;

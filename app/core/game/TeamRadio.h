@@ -33,10 +33,10 @@ class TeamRadio {
  public:
   using Message = std::shared_ptr<const robotcontrol::TeamMessage>;
   using Messages = std::shared_ptr<const robotcontrol::TeamMessages>;
-  /// A robot that can hear and be heard.
+  /// A robot that can send and receive.
   struct Station {
     std::string robot;
-    /// Empty: nobody hears it.
+    /// Empty: no robot receives its messages.
     std::string team;
     robotlink::Vector2 place = robotlink::Vector2::Zero();
   };
@@ -55,15 +55,15 @@ class TeamRadio {
   void setStations(std::vector<Station> stations);
   /// Sends a message of a station; its sender and team are filled in.
   void send(const std::string& robot, const Message& message, robotlink::Instant now);
-  /// What a robot has received by now, the newest of each other robot of its team, if there is something new
+  /// Returns what a robot has received by now, the newest of each teammate, if there is something new
   /// since the last call; otherwise null. Instants do not decrease.
   Messages receive(const std::string& robot, robotlink::Instant now);
 
-  /// Writes or reads what was sent, what is on the way, and what was heard. How long a message is still on
-  /// its way counts from `now`, as instants go on where a world goes back.
+  /// Writes or reads the messages sent, in transit, and received. The remaining time of one in transit counts
+  /// from `now`, since instants keep increasing when a world goes back.
   void transfer(simcore::StateStream& stream, robotlink::Instant now);
 
-  /// The messages that were sent to somebody, and those of them that did not arrive, since the start.
+  /// The number of messages sent to other robots, and of those that did not arrive, since the start.
   std::uint64_t sent() const { return sent_; }
   std::uint64_t lost() const { return lost_; }
 
@@ -80,7 +80,7 @@ class TeamRadio {
   };
   struct Receiver {
     std::vector<OnTheWay> onTheWay;
-    /// One for each sender, by its name.
+    /// The newest message of each sender, by its name.
     std::map<std::string, Heard> heard;
   };
   bool arrives(const Station& from, const Station& to, std::uint64_t number) const;
@@ -88,7 +88,7 @@ class TeamRadio {
   std::uint64_t seed_ = 0;
   RadioSettings settings_;
   std::vector<Station> stations_;
-  /// One for each robot, by its name.
+  /// The receiver of each robot, by its name.
   std::map<std::string, Receiver> receivers_;
   std::map<std::string, std::uint64_t> numbers_;
   std::uint64_t sent_ = 0, lost_ = 0;

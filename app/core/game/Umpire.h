@@ -12,7 +12,7 @@ class StateStream;
 namespace app {
 
 /// Watches a simulated game and acts in its world: a Referee where the scene names rules, otherwise a
-/// KickOff. Decisions depend on the state of the simulation and on what was asked only, so a run stays
+/// KickOff. Decisions depend on the state of the simulation and on requests only, so a run stays
 /// reproducible. Used in the simulation's thread.
 class Umpire {
  public:
@@ -24,9 +24,9 @@ class Umpire {
   virtual void restart() = 0;
   /// Writes or reads all that the game consists of.
   virtual void transfer(simcore::StateStream& stream) = 0;
-  /// The simulation went back or on to another instant; the game continues as it is.
+  /// Call this when the simulation jumped to another instant; the game continues as it is.
   virtual void worldJumped() = 0;
-  /// Call this when there are other models. False if there is no game any more.
+  /// Call this when there are other models. Returns false if there is no longer a game.
   virtual bool followModels() = 0;
   /// Goals by the name of the team that scored.
   virtual const std::map<std::string, int>& goals() const = 0;

@@ -19,7 +19,7 @@
 namespace app {
 namespace {
 
-/// What a report begins with: one of the program's end, and one that it was asked for.
+/// The first lines of reports: of one at the program's end, and of one that was requested.
 constexpr std::string_view kEndHead = "end\n", kAskedHead = "report\n";
 constexpr std::string_view kActivity = "activity ", kProcess = "process ", kStack = "stack\n";
 constexpr int kMaxCalls = 64;
@@ -28,7 +28,7 @@ constexpr int kInSignal = 3, kInExit = 2;
 /// Signals that end a program because of what it did.
 constexpr std::array kFatal{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGXCPU, SIGTRAP};
 
-// What handlers of signals need. Written before they can be called, except that watch() is called once later.
+// Data of signal handlers. Written before they can be called, except that watch() is called once later.
 int reportTo = -1;                                          // NOLINT
 const std::vector<robotlink::Process*>* watched = nullptr;  // NOLINT
 std::array<char, 65536> signalStack;                        // NOLINT
@@ -41,7 +41,7 @@ struct ProcessThread {
   std::atomic<::pid_t> thread;
 };
 std::array<ProcessThread, 64> processThreads;  // NOLINT
-/// The thread that a report is asked of; 0: any.
+/// The thread from which a report is requested; 0: any.
 std::atomic<::pid_t> suspected{0};  // NOLINT
 /// The thread in which a module has called exit(); 0: none.
 std::atomic<::pid_t> leaving{0};  // NOLINT
@@ -111,7 +111,7 @@ void onFatal(int signal) {
 
 void onExit(int status, void*) {
   putReport(kEndHead, kInExit);
-  // The destructors of more static objects would run beside the robot's program.
+  // The destructors of more static objects would run concurrently with the robot's program.
   ::_exit(status);
 }
 
@@ -119,7 +119,7 @@ void handle(int signal, void (*handler)(int), int flags) {
   struct sigaction action = {};
   action.sa_handler = handler;
   action.sa_flags = SA_ONSTACK | flags;
-  // The report of an end is not interrupted by one that is asked for.
+  // The report of an end is not interrupted by a requested one.
   sigaddset(&action.sa_mask, SIGUSR1);
   ::sigaction(signal, &action, nullptr);
 }
@@ -141,7 +141,7 @@ std::string readable(std::string_view line) {
   return (status == 0 && plain ? std::string(plain.get()) : symbol) + offset + " (" + file + ")";
 }
 
-/// Where the head of a report begins: at the beginning of a line. npos: nowhere.
+/// Returns the position of a report's head, at the beginning of a line; npos if there is none.
 std::size_t firstHead(std::string_view text, std::string_view head) {
   auto at = text.find(head);
   while (at != text.npos && at > 0 && text[at - 1] != '\n') at = text.find(head, at + 1);

@@ -21,7 +21,7 @@ struct CrashReport {
   /// The calls that led there, innermost first, a line each, as far as they are known.
   std::string stack;
 
-  /// Reads the report of the program's end in a text, or, without one, the last that it was asked for; empty
+  /// Reads the report of the program's end in a text, or, without one, the last that was requested; empty
   /// if there is none.
   static CrashReport parse(std::string_view text);
   /// Whether a text has a report of the program's end.
@@ -37,7 +37,7 @@ struct CrashReport {
   // With a thread for each process:
   /// Call this in the thread of a process, which then is what a report of this thread is about.
   static void enterThread(const robotlink::Process& process);
-  /// The next reports that are asked for are about the thread of this process; null: any.
+  /// Makes the next requested reports be about the thread of this process; null: any.
   static void suspect(const robotlink::Process* process);
 };
 

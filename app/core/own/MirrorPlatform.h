@@ -20,10 +20,10 @@ class MirrorPlatform final : public robotlink::Platform {
  public:
   MirrorPlatform(const robotcontrol::WireSetup& setup, const robotlink::Clock& clock);
 
-  /// What the next frame sends, and the turns.
+  /// Sets the packages that the next frame sends, and the turns.
   void setPackages(google::protobuf::RepeatedPtrField<robotcontrol::WirePackage> packages);
-  /// What is executed in the turn of a process, whose packages the platform sends then; null if there are
-  /// none.
+  /// Returns what is executed in the turn of a process: the platform then sends its packages. Null if there
+  /// are none.
   robotlink::Process* turnOf(const std::string& process);
   /// Adds what has arrived since the last call.
   void takeTo(google::protobuf::RepeatedPtrField<robotcontrol::WirePackage>& packages);

@@ -28,9 +28,9 @@ namespace {
 constexpr std::size_t kMaxWaitingRequests = 1000;
 /// More than a debug process has in the longest step.
 constexpr std::uint64_t kMaxDebugFrames = 1000;
-/// The name of what stands for the program in the executor.
+/// The name of the stand-in for the program in the executor.
 constexpr char kExchange[] = "program";
-/// How often it is looked whether the wait for an answer was cut short.
+/// How often to check whether the wait for an answer was cut short.
 constexpr std::chrono::milliseconds kAnswerLook{10};
 /// With threads, what a socket does not take within this time is sent in the next step.
 constexpr std::chrono::milliseconds kSendTime{5};
@@ -66,7 +66,7 @@ struct OwnProgram::Implementation {
   // ---- Steps
   void startStep();
   void runStep();
-  /// With threads: takes all that has come.
+  /// With threads: takes everything that has arrived.
   void takeNews();
   /// In lockstep: waits for the answer as long as the patience lasts, which begins when the step is sent. All
   /// robots' steps are sent at once, so several programs that hang are waited for together.
@@ -114,7 +114,7 @@ struct OwnProgram::Implementation {
   bool hasBegun = false;
   /// The frames of the platform when the last step was sent.
   std::uint64_t platformFrames = 0;
-  /// As in the newest result.
+  /// The missing process according to the newest result.
   std::string missingProcess;
   WireOrder order;
   WireAnswer answer;
@@ -188,7 +188,7 @@ OwnProgram::~OwnProgram() {
 void OwnProgram::stop() {
   implementation_->ports.close();
   implementation_->exchange.stop();
-  // One that does not answer does not listen either.
+  // A program that does not answer does not listen either.
   const bool listens = !implementation_->waits && !implementation_->isStuck;
   if (implementation_->child && !listens) implementation_->child->kill();
   implementation_->child.reset();

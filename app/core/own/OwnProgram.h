@@ -10,7 +10,7 @@ namespace app {
 
 /// A robot's program in a process of the operating system of its own (OWN_PROCESS.md). Whatever ends that
 /// process, or keeps it busy, concerns only this robot: the platform then is unattended, and the robot
-/// stands. In lockstep it computes the same as an InsideProgram, byte by byte. One thread at a time.
+/// stands still. In lockstep it computes the same as an InsideProgram, byte by byte. One thread at a time.
 class OwnProgram final : public HostedProgram {
  public:
   using Options = OwnProgramOptions;

@@ -22,10 +22,10 @@ namespace {
 using robotcontrol::WireOrder;
 
 constexpr std::chrono::hours kForever{24 * 365};
-/// How long a program may take to end after its host has gone.
+/// The time that a program may take to end after its host has ended.
 constexpr std::chrono::milliseconds kGrace{1000};
 
-/// Ends this process when the host has gone, whatever the program does then.
+/// Ends this process when the host has ended, whatever the program does then.
 void watchHost() {
   std::thread([] {
     sigset_t all;
@@ -75,7 +75,7 @@ int run(const std::string& robot) {
 
 std::optional<int> ownProgramMain(int argc, char** argv) {
   if (argc < 3 || std::string(argv[1]) != kProgramArgument) return std::nullopt;
-  // What failed was reported by the program that has started this one.
+  // Failures were reported by the program that has started this one.
   loadPluginsOfParent();
   // Started by hand, there is no host at the other end.
   pollfd look{kProgramSocket, 0, 0};

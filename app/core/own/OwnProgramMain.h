@@ -11,7 +11,7 @@ inline constexpr char kProgramArgument[] = "--robot-program";
 inline constexpr int kProgramSocket = 3, kProgramReports = 4;
 
 /// Call this first in main() of each executable that hosts robots. If the arguments ask for the program of
-/// a robot, runs it until its host is gone, and returns the status of the process; otherwise nothing.
+/// a robot, runs it until its host has ended, and returns the status of the process; otherwise nothing.
 std::optional<int> ownProgramMain(int argc, char** argv);
 
 }  // namespace app

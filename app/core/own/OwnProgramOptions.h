@@ -21,7 +21,7 @@ class SpareChild;
 
 /// How a robot's program in a process of the operating system of its own is run. A plain value.
 struct OwnProgramOptions {
-  /// What is started; the executable's main() begins with ownProgramMain().
+  /// The executable to start; its main() begins with ownProgramMain().
   std::filesystem::path executable = "/proc/self/exe";
   /// How long a step, or the answer to a question, may take before the program counts as not answering, from
   /// when it was sent.
@@ -33,13 +33,13 @@ struct OwnProgramOptions {
   /// How much memory it may allocate, bytes; 0: as much as there is.
   std::uint64_t memoryLimit = std::uint64_t{2} << 30U;
   /// Whether each process of the layout has a thread there, and nothing waits for it: a step sends what the
-  /// platform has sent, and takes what has come from the program. Otherwise a step is one in lockstep.
+  /// platform has sent, and takes what has arrived from the program. Otherwise a step is one in lockstep.
   bool threads = false;
   /// With threads: whether the clock continues as real time does; otherwise only the steps advance it.
   bool inRealTime = false;
   /// The texts of description and field, for robots of logs and bodies elsewhere; null: those of the files.
   std::shared_ptr<const robotcontrol::ProgramSetup> texts = nullptr;
-  /// Where the process comes from; null: it is started when the program is made. Not for several robots.
+  /// The source of the process; null: it is started when the program is made. Not for several robots.
   std::shared_ptr<SpareChild> spare = nullptr;
   /// The processes of a log, in whose order the program's are executed, and by package the one in whose
   /// turn the platform sends it; empty for platforms that send all at once.

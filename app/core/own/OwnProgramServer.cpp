@@ -22,7 +22,7 @@ using robotlink::Errors;
 namespace {
 
 constexpr std::chrono::hours kServeForever{24 * 365};
-/// What waits for a host that does not read.
+/// The maximum number of events that wait for a host that does not read.
 constexpr int kMaxWaitingEvents = 5000;
 
 robotlink::Instant orderedTime(std::int64_t nanoseconds) {
@@ -200,7 +200,7 @@ void OwnProgramServer::serveThreads() {
     if (look[0].revents == 0) continue;
     const auto outcome = link_.receive(order, std::chrono::milliseconds(0));
     if (outcome == ProgramLink::Outcome::kEnded) break;
-    if (outcome == ProgramLink::Outcome::kTimeout) continue;  // the rest comes later
+    if (outcome == ProgramLink::Outcome::kTimeout) continue;  // the rest is received later
     answer_.Clear();
     fulfill(order);
     send();
@@ -258,7 +258,7 @@ void OwnProgramServer::takeRequests(const robotcontrol::WireStep& step) {
   for (const auto& request : step.requests()) (void)program_->debugProcess().request(request);
 }
 
-// As an executor does it that runs the platform itself: the sensors, then all processes that can run, then
+// Works like an executor that runs the platform itself: the sensors, then all processes that can run, then
 // what goes to the actuators.
 void OwnProgramServer::step(const robotcontrol::WireStep& step) {
   clock_.set(orderedTime(step.time()));

@@ -19,7 +19,7 @@
 namespace app {
 
 /// The program of one robot in a process of its own, with all that runs it: makes it as its host says, and
-/// fulfills the orders of the host until that has gone (OWN_PROCESS.md). Its processes are executed in turn,
+/// fulfills the orders of the host until that has ended (OWN_PROCESS.md). Its processes are executed in turn,
 /// each step being one order, or have a thread each; then their news go to the host whenever there are some.
 class OwnProgramServer {
  public:
@@ -31,7 +31,7 @@ class OwnProgramServer {
 
   /// Makes the program; what is wrong goes into the answer.
   void make(const robotcontrol::WireSetup& setup);
-  /// Fulfills orders until the host has gone. There may be threads that never end then.
+  /// Fulfills orders until the host has ended. There may be threads that never end then.
   void serve();
 
  private:

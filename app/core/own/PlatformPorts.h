@@ -29,7 +29,7 @@ class PlatformPorts {
   void describeTo(robotcontrol::WireSetup& setup, const std::map<std::string, std::string>& turns) const;
   /// Makes the links: the receivers in `fed` get packages.
   void connect(const Indices& fed, const Indices& connected);
-  /// Which of the senders have receivers in the program. Those that produce only on request are connected
+  /// Sets which senders have receivers in the program. Those that produce only on request are connected
   /// only then; of the others, only the types go over the wire.
   void setConnected(const Indices& connected);
   /// Whether the program falls behind: only the newest package of each sender is kept.

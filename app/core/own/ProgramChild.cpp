@@ -160,7 +160,7 @@ CrashReport ProgramChild::report() {
 
 CrashReport ProgramChild::ask() {
   readReports();
-  // One that does not answer may be about to end, and then has written why.
+  // A program that does not answer may be about to end, and then has written the reason.
   if (!CrashReport::hasEnd(written_)) written_.clear();
   const std::size_t begin = written_.size();
   ::kill(pid_, askSignal());

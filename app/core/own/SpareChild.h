@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// A process that waits for the next program of a robot, so that nobody waits for its start: for programs
+/// A process that waits for the next program of a robot, so that its start takes no time: for programs
 /// that are made repeatedly, as at each jump in a log. One thread at a time.
 class SpareChild {
  public:

@@ -10,8 +10,8 @@
 
 namespace app {
 
-/// The clock of a program in a process of its own: shows the time of the newest step and, in real time, what
-/// has passed since. In real time it never goes back. Any thread may call now(), one calls set().
+/// The clock of a program in a process of its own: shows the time of the newest step plus, in real time, the
+/// time since then. In real time it never goes back. Any thread may call now(), one calls set().
 class StepClock final : public robotlink::Clock {
  public:
   explicit StepClock(bool inRealTime) : inRealTime_(inRealTime) {}

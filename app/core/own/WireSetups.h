@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// What a program in a process of its own is to be made of, as it goes over the wire; without the ports of
+/// Returns the parts of a program in a process of its own, as they go over the wire; without the ports of
 /// its platform.
 robotcontrol::WireSetup wireSetup(const HostedProgram::Parts& parts, const OwnProgramOptions& options);
 /// The layout of such a setup. Positions in files are lost on the way.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The adapter of robots that are reached over a line: the addresses that it opens, and what users are asked
-// for.
+// The adapter of robots that are reached over a line: the addresses that it opens, and the form for
+// users.
 #include <charconv>
 #include <filesystem>
 
@@ -46,7 +46,7 @@ Result<PlatformOpening> openPioneer(const PlatformChoices& choices) {
 
 // ---- The form: an address, or its parts
 
-/// What an address means.
+/// Returns the meaning of an address.
 std::string meaningOf(const arcos::StreamUrl& url) {
   if (const auto* tcp = std::get_if<arcos::TcpAddress>(&url))
     return "over the network: " + tcp->host + ", port " + std::to_string(tcp->port);

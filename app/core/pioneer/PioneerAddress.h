@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// The address of a Pioneer with what is connected beside it, as users write it: an address of StreamUrl.h,
+/// The address of a Pioneer and of devices connected separately, as users write it: one of StreamUrl.h,
 /// and after "?" or "&" options in any order, of which "laser" is the last:
 ///
 ///   tcp://robot:8101?robot=p3dx

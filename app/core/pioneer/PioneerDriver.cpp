@@ -181,7 +181,7 @@ void PioneerDriver::actuate(bool stopEngaged, Instant now) {
   if (stopEngaged != held_) {
     held_ = stopEngaged;
     driving_ = false;
-    // What was requested before does not count after it.
+    // Requests made before STOP do not count after it.
     if (held_) requestCame_.reset();
     if (held_) command(CommandId::kEStop, 0, now);
     command(CommandId::kEnable, !held_ && motorsWanted_ ? 1 : 0, now);

@@ -45,7 +45,7 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
     /// Whether the motors are switched on when the robot is connected.
     bool motorsOn = false;
     /// Whether a simulator is asked for laser scans. The laser of a real robot has a line of its own, whose
-    /// scans come by takeScan().
+    /// scans arrive by takeScan().
     bool laser = true;
   };
 
@@ -106,7 +106,7 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   const robotlink::arcos::ClientSession& session() const { return client_.session(); }
 
  private:
-  // What the client reports.
+  // Reports of the client.
   void packetPassed(robotlink::arcos::Direction direction, const robotlink::arcos::Packet& packet,
                     std::span<const std::uint8_t> frame, robotlink::Instant now) override;
   void damageCame(const robotlink::arcos::DamagedBytes& damage, robotlink::Instant now) override;
@@ -140,11 +140,11 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   std::string report_;
   /// The times of the last event of each kind.
   robotlink::Instant lineOpened_, lastBytes_, commandSent_, statusSent_;
-  /// When the newest request of the program came; nothing if the robot was held since.
+  /// The time of the program's newest request; unset if the robot was held since.
   std::optional<robotlink::Instant> requestCame_;
   /// The speeds that were last commanded, mm/s and degrees/s; valid while driving_.
   int speedMmS_ = 0, rotationDegS_ = 0;
-  /// As of the last actuate(): whether STOP is engaged, and whether the last command made it drive.
+  /// The state in the last actuate(): whether STOP is engaged, and whether the last command made it drive.
   bool held_ = false, driving_ = false;
 
   /// Received data that was not sent yet; null if there is none.

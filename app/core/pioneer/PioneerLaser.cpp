@@ -18,7 +18,7 @@ PioneerLaser::~PioneerLaser() {
 
 void PioneerLaser::step() {
   for (const PioneerLine::Event& event : line_.take()) {
-    // What came from a line that is to be opened again is out of date.
+    // Events of a line that is to be opened again are out of date.
     if (session_.wantedLine() != wanted_) break;
     if (const auto* bytes = std::get_if<PioneerLine::Bytes>(&event.what)) {
       session_.take(*bytes, event.time);

@@ -34,7 +34,7 @@ class PioneerLaser {
   const robotlink::Clock& clock_;
   robotlink::arcos::SickSession session_;
   PioneerLine line_;
-  /// What line_ was last opened for; events of an earlier opening are of no use.
+  /// The settings with which line_ was last opened; events of an earlier opening are of no use.
   std::optional<robotlink::arcos::SickSession::Line> wanted_;
 };
 

@@ -35,7 +35,7 @@ class PioneerLine {
   struct Lost {
     robotlink::Error why;
   };
-  /// What happened on the line, and when.
+  /// An event on the line, and its time.
   struct Event {
     std::variant<Opened, Bytes, Lost> what;
     robotlink::Instant time;
@@ -52,7 +52,7 @@ class PioneerLine {
   std::vector<Event> take() { return events_.drain(); }
   /// Enqueues bytes for the robot; drops them while the line is not open.
   void send(Bytes bytes);
-  /// As send(), but not even dropped if the robot has not taken what waits before: for STOP.
+  /// Like send(), but sends even if the robot has not taken what waits before: for STOP.
   void sendUrgent(Bytes bytes);
   /// Opens the line if it is not open. Either an Opened or a Lost follows.
   void open();

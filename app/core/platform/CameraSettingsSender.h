@@ -12,20 +12,20 @@
 
 namespace app {
 
-/// Sends the settings of a platform's camera while somebody wants them: at once, when they change, and every
+/// Sends the settings of a platform's camera while a client wants them: at once, when they change, and every
 /// second. The platform must outlive it.
 class CameraSettingsSender {
  public:
   explicit CameraSettingsSender(robotlink::Process& platform);
 
   robotlink::AnySender* sender() { return &sender_; }
-  /// Whether somebody wants them.
+  /// Whether a client wants them.
   bool isWanted();
   void send(robotcontrol::CameraSettings settings, robotlink::Instant now);
 
  private:
   robotlink::Sender<robotcontrol::CameraSettings> sender_;
-  /// What was sent last, without its time; empty: nothing.
+  /// The settings that were sent last, without their time; empty: none.
   std::string sent_;
   robotlink::Instant sentAt_;
 };

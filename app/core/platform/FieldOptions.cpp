@@ -23,8 +23,8 @@ CLI::Option* addValueOption(CLI::App& command, const PlatformField& field, Field
       field.help);
 }
 
-/// What is wrong with the text of a number; empty if nothing is, or if it is no number, which the parser
-/// says.
+/// Returns the problem with the text of a number; empty if there is none, or if it is not a number, which the
+/// parser reports.
 std::string problemOfText(const PlatformField& field, const std::string& text) {
   double number = 0;
   return CLI::detail::lexical_cast(text, number) ? problemOf(field, number) : "";

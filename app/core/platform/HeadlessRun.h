@@ -32,12 +32,12 @@ struct HeadlessChoices {
   std::string layout = {};
   /// Maps tasks to solutions, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
-  /// What the programs start with besides; null: nothing.
+  /// A preset with which the programs additionally start; null: none.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
-  /// What runs in the shadow of the solutions that are used, in all programs that have the tasks.
+  /// The solutions that run in shadow mode, in all programs that have their tasks.
   std::vector<robotlink::ShadowName> shadows = {};
   RecordOptions record = {};
-  /// Which of the layout's programs is run; without one, all processes are.
+  /// The program of the layout to run; without one, all processes run.
   SpreadOptions spread = {};
   /// The options that only some kinds of platforms have.
   FieldOptions options = {};
@@ -45,7 +45,7 @@ struct HeadlessChoices {
 
 /// The program that runs it; all functions are set.
 struct HeadlessConsole {
-  /// Where lines for the user are printed that are not the result.
+  /// The stream for lines to the user that are not the result.
   std::ostream& errors;
   /// Whether the user wants it to end.
   std::function<bool()> interrupted;

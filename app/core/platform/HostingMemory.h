@@ -53,8 +53,8 @@ class HostingMemory {
   bool hasChanged_ = false;
 };
 
-/// The choices for a platform that is opened: what is asked for now, if that is processes of their own,
-/// otherwise what is remembered. Without a memory, only the former.
+/// The choices for a platform that is opened: the requested ones if they are processes of their own,
+/// otherwise the remembered ones. Without a memory, only the former.
 HostingChoices hostingAtOpening(const HostingChoices& asked, const HostingMemory* memory,
                                 const std::string& adapter);
 /// Remembers where programs run now that a request was fulfilled, if it chose that. Without a memory,

@@ -20,7 +20,7 @@ class PacedThread {
  public:
   using Clock = std::chrono::steady_clock;
   using Job = std::function<void()>;
-  /// What the thread does besides jobs.
+  /// The work of the thread besides jobs.
   struct Work {
     /// When the next step is due; nothing: no step until a job changes that. Called again after each step and
     /// each job.

@@ -27,7 +27,7 @@ class LinkLimitsMemory;
 class PlatformFeed;
 struct HeadlessPlatform;
 
-/// The kind of time that a platform goes by. It decides how users can control the platform.
+/// The kind of time by which a platform runs. It decides how users can control the platform.
 enum class TimeKind : std::uint8_t {
   /// Simulated time: can be paused, stepped, reset and sped up.
   kSimulated,
@@ -37,14 +37,14 @@ enum class TimeKind : std::uint8_t {
   kReal
 };
 
-/// What a platform needs from the workbench when it is made. Session, recorder and memory must outlive the
+/// The context in which a platform is made. Session, recorder and memory must outlive the
 /// platform.
 struct PlatformContext {
   /// The session to which the platform publishes.
   robotlink::Session& session;
   /// The recorder that gets what a log may contain.
   logplayer::Recorder& recorder;
-  /// What the adapter keeps from one of its platforms to the next; empty at first. Only in the platform's
+  /// Data that the adapter keeps from one of its platforms to the next; at first empty. In the platform's
   /// thread.
   std::any& memory;
   /// The user's overrides, by robot, from the last time the same sources were open; otherwise empty.
@@ -52,9 +52,9 @@ struct PlatformContext {
   /// Call this with the share of PlatformOpening::file that was read; returns false if that is to be
   /// canceled. May be empty.
   std::function<bool(double share)> progress = {};
-  /// Where the user wants programs to run; null: nobody has chosen, and nothing is to be remembered.
+  /// The user's choices of where programs run; null: nobody has chosen, and nothing is to be remembered.
   HostingMemory* hosting = nullptr;
-  /// What the user lets connections to robots elsewhere carry; null: nothing is limited.
+  /// The user's limits for connections to remote robots; null: nothing is limited.
   const LinkLimitsMemory* limits = nullptr;
 };
 
@@ -71,15 +71,15 @@ struct PlatformOpening {
   std::function<Made(const PlatformContext& context)> make;
   /// The file that is read meanwhile, if that may take a while.
   std::filesystem::path file = {};
-  /// The same with a token that the user was asked for meanwhile, or, if that is empty, as before; unset:
-  /// nothing is asked for. May be called from any thread.
+  /// The same with a token that the user has entered meanwhile, or, if that is empty, as before; unset:
+  /// no token is needed. May be called from any thread.
   std::function<PlatformOpening(const std::string& token)> withToken = {};
   /// Why the robot refuses the connection while the platform is open, see make(); empty if it does not. May
   /// be called from any thread. Unset: it never does.
   std::function<robotlink::Errors()> refusal = {};
 };
 
-/// What the user wants to be opened. A plain value.
+/// The user's choice of what to open. A plain value.
 struct PlatformChoices {
   /// Files, or one address.
   std::vector<std::string> sources;
@@ -94,7 +94,7 @@ struct PlatformChoices {
 struct PlatformAdapter {
   /// A unique name: "simulation".
   const char* name;
-  /// What it opens, for users: "a world (.sdf, .world) or a map (.map)".
+  /// The sources that it opens, for users: "a world (.sdf, .world) or a map (.map)".
   const char* sources;
   /// The kind of time of its platforms.
   TimeKind time;
@@ -115,11 +115,11 @@ struct PlatformAdapter {
   const char* fileFilter = nullptr;
   /// The perspective that fits a source; null or "": the one that the user saw last.
   const char* (*perspective)(const std::string& source) = nullptr;
-  /// What the user is asked for before a platform is opened; null: nothing.
+  /// The form that the user fills in before a platform is opened; null: none.
   PlatformForm (*form)() = nullptr;
   /// How `robotctl run` runs it; null: it does not.
   HeadlessPlatform (*headless)() = nullptr;
-  /// What runs it instead, as a sentence; null: nothing.
+  /// The command that runs it instead, as a sentence; null: none.
   const char* insteadOfHeadless = nullptr;
 };
 

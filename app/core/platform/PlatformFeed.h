@@ -55,7 +55,7 @@ struct LoadedPlatform {
   std::vector<std::string> lostChoices;
   /// How much of a scene is left out, if no robot has a log that says so; empty if nothing is.
   std::string leftOut = {};
-  /// What the platform that ran before reported about its end, as a sentence each: "p3at1: The platform was
+  /// The reports of the previous platform about its end, as a sentence each: "p3at1: The platform was
   /// shut down in 12.5 ms."
   std::vector<std::string> ended;
 
@@ -135,9 +135,9 @@ class PlatformFeed {
   virtual std::shared_ptr<StopSwitch> stopSwitch() const { return nullptr; }
   /// Publishes whether the platform runs, how fast, and where it is.
   virtual void publishStatus() = 0;
-  /// From now on, what nobody reads need not be published repeatedly: status, transforms, the ends of
-  /// frames. What happens and what is latched always is. The present state is published when somebody begins
-  /// to read.
+  /// From now on, status, transforms and the ends of frames need not be published repeatedly if they have no
+  /// reader. Events and latched messages are always published. The present state is published when reading
+  /// begins.
   virtual void setDemand(const Demand& demand) = 0;
 
   // The following four are for the replacement of this platform by another one of the same adapter.
@@ -154,7 +154,7 @@ class PlatformFeed {
   /// The user's overrides, by robot. Empty where the adapter does not keep them for a later opening.
   virtual std::map<std::string, ProgramOverrides> overrides() const { return {}; }
 
-  /// Makes a platform that has one more log and stands where this one stands; `offset` is added to the times
+  /// Makes a platform with one more log, at the instant where this one is; `offset` is added to the times
   /// of that log. Fails if no log is open. This platform does not change.
   virtual PlatformOpening::Made withLog(const std::filesystem::path& file, robotlink::Duration offset,
                                         const logplayer::LogFile::Progress& progress) const;

@@ -22,7 +22,7 @@ bool flagOf(const FormValues& values, const std::string& field, bool fallback = 
 double numberOf(const FormValues& values, const std::string& field, double fallback = 0);
 std::string textOf(const FormValues& values, const std::string& field, const std::string& fallback = {});
 
-/// Something that a user is asked for before a platform is opened: in a dialog, as an argument of a command,
+/// A value that a user enters before a platform is opened: in a dialog, as an argument of a command,
 /// or as an option of the command line. A plain value; texts are in English, as in the source.
 struct PlatformField {
   enum class Kind : std::uint8_t {
@@ -34,7 +34,7 @@ struct PlatformField {
     /// A file, which can be chosen in a dialog.
     kFile
   };
-  /// One choice.
+  /// An item of a choice.
   struct Item {
     std::string title, value;
     /// The tooltip; may be empty.
@@ -45,13 +45,13 @@ struct PlatformField {
   /// Unique in its form: "port".
   std::string name = {};
   Kind kind = Kind::kText;
-  /// "First &port:"; that of a flag is the text beside its box.
+  /// The label, "First &port:"; that of a flag is the text next to its box.
   std::string label = {};
   /// The tooltip, and the help of argument and option.
   std::string help = {};
   /// Also decides the type of the values: a number for kNumber, a bool for kFlag, otherwise a text.
   FormValue initial = std::string();
-  /// What it is called in a sentence about a wrong value: "number of robots".
+  /// The name of the field in a sentence about a wrong value: "number of robots".
   std::string noun = {};
 
   // The range of a number, the places that are shown behind its point, and its unit.
@@ -108,24 +108,24 @@ struct FormState {
     bool bad = false;
   };
   FormValues values;
-  // What PlatformForm::follow derives from the values; before each call these are reset to nothing.
+  // Results of PlatformForm::follow, derived from the values; before each call these are reset to nothing.
   std::set<std::string> disabled, hidden;
   std::map<std::string, Note> notes;
-  /// What the values mean, if that is not obvious.
+  /// The meaning of the values, if it is not obvious.
   std::string hint;
   /// Whether the form can be accepted.
   bool complete = true;
 };
 
-/// What users are asked for before a platform of one kind is opened. Menu entry, dialog, command and options
-/// are made from it. A plain value.
+/// The fields that users fill in before a platform of one kind is opened. Menu entry, dialog, command and
+/// options are made from it. A plain value.
 struct PlatformForm {
   /// Names of widgets begin with it: "connect". Empty: the adapter has no form.
   std::string name = {};
   /// The command that opens a platform: "robot.connect". Its arguments are those fields that are arguments.
   std::string command = {}, commandHelp = {};
 
-  /// Where the entry of the menu is: "file" or "robot".
+  /// The menu of the entry: "file" or "robot".
   std::string menu = {};
   /// The entry, its name for scripts and tests, its icon, keys and tooltip.
   std::string entry = {}, action = {}, icon = {}, keys = {}, entryHelp = {};

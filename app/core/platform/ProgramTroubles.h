@@ -28,7 +28,7 @@ class ProgramTroubles {
   /// The stream must outlive it.
   explicit ProgramTroubles(std::ostream& out) : out_(out) {}
 
-  /// Where a robot's program runs, or whether it does, has changed. Prints the text and the stack, if there
+  /// Call this when the hosting of a robot's program has changed. Prints the text and the stack, if there
   /// are any that have not been printed since the program ran.
   void note(const std::string& robot, const robotcontrol::HostingStatus& status);
   /// Something is wrong with a process: "Process cognition was stopped because it threw: ..." is kept; that

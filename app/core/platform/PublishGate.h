@@ -35,7 +35,7 @@ robotlink::StreamMessage textMessage(const std::string& robot, const std::string
 /// continues if that fails.
 ///
 /// A replay also passes its messages to a recorder here; it begins a new file whenever the gate is opened
-/// with messages kept back, since these come from another place in the log. (A simulation taps the run
+/// with messages kept back, since these are from another place in the log. (A simulation taps the run
 /// itself, at full rate: RecordingTap.)
 ///
 /// Any thread. Session and recorder must outlive it.
@@ -51,7 +51,7 @@ class PublishGate {
   void close();
   /// Drops what is kept back.
   void discard();
-  /// Whether somebody reads what is published. If nobody does, queues in which frames only end are dropped.
+  /// Whether the published messages have readers. Otherwise queues in which frames only end are dropped.
   void setRead(bool isRead) { isRead_ = isRead; }
 
   /// Publishes one message.
@@ -76,7 +76,7 @@ class PublishGate {
   /// Call this before the run ends: what the platforms report from now on is kept, since the session will
   /// belong to another run.
   void keepReports();
-  /// What was kept, as a sentence each. After the run has ended.
+  /// The kept reports, as a sentence each. After the run has ended.
   std::vector<std::string> keptReports() const { return *reports_; }
   /// Publishes where a robot's program runs, and in the robot's log what happened to it.
   void publishHosting(const std::string& robot, robotlink::Instant time,
@@ -101,7 +101,7 @@ class PublishGate {
   std::mutex mutex_;
   bool open_ = false;
   std::atomic<bool> isRead_{true};
-  /// What open() will call.
+  /// The calls that open() will make.
   std::vector<std::function<void()>> kept_;
   /// Null before keepReports().
   std::unique_ptr<std::vector<std::string>> reports_;

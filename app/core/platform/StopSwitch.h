@@ -36,7 +36,7 @@ class StopSwitch {
     const std::lock_guard lock(mutex_);
     if (endWaits_) endWaits_();
   }
-  /// The robots are gone; later calls of the other functions have no effect.
+  /// Call this when the robots are removed; later calls of the other functions have no effect.
   void forget() {
     const std::lock_guard lock(mutex_);
     act_ = {};

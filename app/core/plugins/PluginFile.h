@@ -9,7 +9,7 @@ namespace app {
 /// A plug-in that was loaded, or why it was not. A plain value.
 struct LoadedPlugin {
   std::filesystem::path file;
-  /// What it states about itself; empty if it could not be loaded.
+  /// The plug-in's statements about itself; empty if it could not be loaded.
   std::string name, version, help;
   /// In a sentence that says what to do; empty if the plug-in is in use.
   std::string problem;

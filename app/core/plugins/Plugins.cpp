@@ -51,7 +51,7 @@ void load(const std::filesystem::path& file) {
   all.push_back(loadPlugin(file));
 }
 
-/// What was loaded is loaded by the programs that this one starts.
+/// Makes the programs that this one starts load the same plug-ins.
 void passOn() {
   std::string value;
   for (const LoadedPlugin& plugin : plugins()) {

@@ -32,7 +32,7 @@ const std::vector<LoadedPlugin>& loadPlugins(const PluginOptions& options);
 /// that has loaded.
 const std::vector<LoadedPlugin>& loadPluginsOfParent();
 
-/// What loadPlugins() has found; empty before.
+/// The plug-ins that loadPlugins() has found; empty before.
 const std::vector<LoadedPlugin>& loadedPlugins();
 
 /// A line for each plug-in that failed: "/home/me/counter.so: it was built for ...".

@@ -58,7 +58,7 @@ class HostedProgram {
     /// Called when hosting() has changed.
     std::function<void()> hosting;
   };
-  /// What a program is made of.
+  /// The parts from which a program is made.
   struct Parts {
     const HostedRobot& robot;
     robotlink::Platform& platform;
@@ -84,9 +84,9 @@ class HostedProgram {
   virtual const robotlink::Layout& layout() const = 0;
   /// All packages that its tasks yield; sorted.
   virtual std::vector<std::string> yieldedPackages() const = 0;
-  /// What the host has to execute together with the platform, in this order.
+  /// The processes that the host executes together with the platform, in this order.
   virtual const std::vector<robotlink::Process*>& processes() const = 0;
-  /// The debug process, or what stands for it: its name, its senders, and its number of frames.
+  /// The debug process, or its stand-in: its name, its senders, and its number of frames.
   virtual const robotlink::Process& debugProcess() const = 0;
   /// The program, if it is in this process of the operating system, otherwise null.
   virtual robotlink::RobotProgram* inside() { return nullptr; }
@@ -112,9 +112,9 @@ class HostedProgram {
   /// The name of one of its processes that decides what the robot does and has stopped, or cannot be reached,
   /// so that the robot has to stand; empty: all run.
   virtual std::string missingProcess() const { return {}; }
-  /// Where it runs, and whether it does.
+  /// The program's hosting: where it runs, and whether it does.
   virtual robotcontrol::HostingStatus hosting() const = 0;
-  /// Ends it. Its processes must not be in an executor any more. Idempotent.
+  /// Ends it. Its processes must no longer be in an executor. Idempotent.
   virtual void stop() = 0;
 };
 

@@ -31,7 +31,7 @@ struct HostedRobot {
   std::filesystem::path fieldFile = {};
   /// The file of `map`; empty if there is none.
   std::filesystem::path mapFile = {};
-  /// What its first program starts with, instead of what its layout and files say; null: nothing.
+  /// The preset with which its first program starts, instead of what its layout and files say; null: none.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
   /// A preset that each of its programs starts with if it is another than before, and none was given; it need
   /// not exist. Empty: none.

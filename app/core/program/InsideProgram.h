@@ -11,7 +11,7 @@ namespace app {
 class InsideProgram final : public HostedProgram {
  public:
   static Made create(Parts parts) { return create(std::move(parts), {}); }
-  /// One of several programs, the one with the debug process.
+  /// Creates one of several programs, the one with the debug process.
   static Made create(Parts parts, const robotlink::RobotProgram::Part& part);
   ~InsideProgram() override;
 

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// How long modules are waited for, in real time. While somebody has asked for a STOP that cannot be
-/// fulfilled before the wait is over, that is only a moment, and when all ends, only a moment for all
+/// How long to wait for modules, in real time. While a STOP request cannot be fulfilled before the wait is
+/// over, that is only a moment, and when all programs end, only a moment for all
 /// together. Any thread.
 class ModulePatience {
  public:

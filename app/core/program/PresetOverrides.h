@@ -20,7 +20,7 @@ namespace app {
 /// key, task, solution or parameter.
 tl::expected<robotlink::Preset, robotlink::Errors> presetToStartWith(const std::string& nameOrFile);
 
-/// A preset with the keys that let solutions run in the shadow of those that are used; the same one if there
+/// Adds to a preset the keys that let solutions run in shadow mode; returns the same one if there
 /// are none. Null stands for an empty preset.
 std::shared_ptr<const robotlink::Preset> withShadows(std::shared_ptr<const robotlink::Preset> preset,
                                                      const std::vector<robotlink::ShadowName>& shadows);

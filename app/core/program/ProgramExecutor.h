@@ -25,7 +25,7 @@ const char* nameOf(ExecutorKind kind);
 /// The task that a process executes: "ball-percept (region)"; "its program" if that is not known.
 std::string taskOf(const robotlink::Process& process);
 
-/// What is reported of a process that has thrown, before the reason: "Process cognition was stopped ...".
+/// The text about a process that has thrown, before the reason: "Process cognition was stopped ...".
 inline constexpr char kStoppedText[] = "was stopped because it threw: ";
 
 /// Executes the programs of all robots of one world together with their platforms: either in lockstep, each
@@ -87,7 +87,7 @@ class ProgramExecutor {
 
   /// Stops all processes, and waits for their frames for a moment, for all together. Returns false if some
   /// have not returned: this object, their programs and platforms, and the world must exist until hasEnded().
-  /// Nothing is called any more.
+  /// Nothing is called afterward.
   bool stop();
   bool hasEnded() const;
   /// Whether the frames of the processes of one platform have returned.
@@ -126,7 +126,7 @@ class ProgramExecutor {
   std::vector<std::unique_ptr<Team>> teams_;
   /// Shared with callbacks: nothing is reported after stop().
   const std::shared_ptr<std::atomic<bool>> isMuted_ = std::make_shared<std::atomic<bool>>(false);
-  /// One of the two is null, depending on the kind.
+  /// One of the two executors is null, depending on the kind.
   std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;
   /// Null before the first turn, and if processes run in the caller's thread, or all in their own. The last

@@ -101,7 +101,7 @@ class ProgramRequests {
   /// Counts the ids that addOwn() assigned.
   std::uint64_t ownRequests_ = 0;
   ProgramOverrides overrides_;
-  /// What the next program continues with.
+  /// The requests with which the next program continues.
   std::vector<robotcontrol::Request> continued_;
 };
 

@@ -27,7 +27,7 @@ struct ProgramFiles {
   std::filesystem::path description;
   /// Empty if the program knows no field.
   std::filesystem::path field;
-  /// As nameOf(ExecutorKind) gives it: "lockstep" or "threads".
+  /// The name of the executor, as returned by nameOf(ExecutorKind): "lockstep" or "threads".
   std::string executor;
 };
 

@@ -77,9 +77,9 @@ struct RecordingTap::Robot {
   std::set<std::string> chosen;
   /// The packages that the program was requested to publish.
   std::set<std::string> asked;
-  /// What the platform sends.
+  /// The packages that the platform sends.
   std::shared_ptr<TappedFrame> sensors = std::make_shared<TappedFrame>();
-  /// What the debug process sends on behalf of the user.
+  /// The packages that the debug process sends on behalf of the user.
   std::shared_ptr<TappedFrame> debugPackages = std::make_shared<TappedFrame>();
 
   // Only in the debug process's thread:

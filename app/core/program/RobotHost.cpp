@@ -34,12 +34,12 @@ std::string timeTaken(Call call) {
   return text;
 }
 
-/// What is in the file; unset: there is none.
+/// Returns the contents of the file; unset: there is none.
 std::optional<std::string> presetTextIn(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
   auto text = robotlink::readFile(file, kMaxPresetBytes);
-  // What cannot be read is wrong with it once.
+  // A read error counts as contents, so that it is reported once.
   return text ? *std::move(text) : text.error().text;
 }
 
@@ -121,7 +121,7 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   if (tap_ != nullptr) record(executor.kind());
   setUp();
   std::vector<std::string> lost;
-  // A file that was changed since an earlier start is the newest that somebody chose.
+  // A file that was changed since an earlier start is the newest choice.
   const bool isFirst = !std::exchange(hasBegun_, true);
   if (const auto preset = presetToBegin()) {
     const auto chosen = requestsOf(*preset, program_->parameters());

@@ -55,14 +55,14 @@ class RobotHost {
     std::function<void(const std::string& robot, robotlink::Instant time, const std::string& text)> problem =
         {};
   };
-  /// What a program is to be made of.
+  /// The parts from which a program is made.
   struct Parts {
     /// Null if the robot keeps its platform.
     std::unique_ptr<robotlink::Platform> platform;
     /// The file of the layout; empty if it comes from elsewhere.
     std::filesystem::path file;
     robotlink::Layout layout;
-    /// What the robot is from then on; unset: what it is now.
+    /// The robot's properties from then on; unset: as they are now.
     std::optional<HostedRobot> robot = std::nullopt;
     /// Parameters that take the place of those in the robot's files.
     std::vector<robotcontrol::ParameterValues> parameters = {};
@@ -113,7 +113,7 @@ class RobotHost {
   /// Makes a program. If that is impossible, the program that runs continues.
   tl::expected<Candidate, robotlink::Errors> make(Parts parts);
   /// Replaces program and, if it has one, platform by those of the candidate. The previous program must not
-  /// be in an executor any more; the previous platform is shut down.
+  /// still be in an executor; the previous platform is shut down.
   void adopt(Candidate candidate);
   /// Initializes the platform, if it is new, and adds platform and program to an executor that has not
   /// started. Returns a sentence for each override that this program refuses.
@@ -121,14 +121,14 @@ class RobotHost {
   /// Adds platform and program, which have begun, to another executor that has not started, because the
   /// program of another robot is replaced.
   void continueIn(ProgramExecutor& executor);
-  /// Ends the program, whose processes must not be running in an executor any more. The platform stays.
+  /// Ends the program, whose processes must no longer be running in an executor. The platform stays.
   void stop();
   /// Ends a program that has a frame which does not return; it must exist until that has returned.
   std::unique_ptr<HostedProgram> release();
   /// Shuts the platform down, which must exist until a frame that uses it has returned.
   std::unique_ptr<robotlink::Platform> releasePlatform();
-  /// What of the program does not return, "ball-percept (region) of process cognition"; empty: it returns.
-  /// Meanwhile the robot stands.
+  /// Notes the part of the program that does not return, "ball-percept (region) of process cognition"; empty:
+  /// it returns. Meanwhile the robot stands still.
   void noteStuck(const std::string& what);
   bool isStuck() const { return !stuck_.empty(); }
   /// Shuts the platform down before this object is destroyed.
@@ -160,7 +160,7 @@ class RobotHost {
   /// The results that the program will give in its next frames, each only once; null if there are none. Only
   /// in lockstep, between steps.
   std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome();
-  /// What the user chose for this robot so far.
+  /// The user's choices for this robot so far.
   ProgramOverrides overrides() const { return requests_.overrides(); }
 
   /// Whether a process is the platform or belongs to the program.
@@ -176,7 +176,7 @@ class RobotHost {
   std::shared_ptr<const robotlink::Preset> presetToBegin();
   /// Initializes the platform once, and reports how long that took.
   void setUp();
-  /// Passes where the program runs to the listener; a robot without one, or with a part of one, stands.
+  /// Tells the listener where the program runs; a robot without one, or with a part of one, stands still.
   void reportHosting();
   /// Call this when a process that decides what the robot does is missing, or is back.
   void noteMissing();
@@ -207,9 +207,9 @@ class RobotHost {
   std::unique_ptr<robotlink::Platform> platform_;
   std::unique_ptr<HostedProgram> program_;
   std::filesystem::path layout_;
-  /// As in the candidate that was adopted last.
+  /// The value in the candidate that was adopted last.
   bool overridden_ = false;
-  /// What was in the file of the robot's preset when a program began last; unset: there was none.
+  /// The contents of the robot's preset file when a program last began; unset: there was none.
   std::optional<std::string> presetText_;
   bool hasBegun_ = false;
   std::vector<robotlink::Process*> processes_;

@@ -21,7 +21,7 @@ std::vector<std::filesystem::path> shippedScenes();
 std::filesystem::path sceneNamed(const std::string& name);
 
 /// Replaces the name of a shipped scene by its file. Fails if there is no file and no scene of this name,
-/// with those that there are; a path that leads nowhere is reported by whoever reads it.
+/// with those that there are; an invalid path is reported when it is read.
 robotlink::Result<void> findScene(std::filesystem::path& scene);
 
 /// The shipped layouts.

@@ -28,7 +28,7 @@ struct SolutionChoice {
   std::string name;
   std::string task, solution;
 };
-/// What a text chooses for an option ("--solution"): "TASK=SOLUTION" or "NAME/TASK=SOLUTION". Fails if it is
+/// Parses the text of an option ("--solution"): "TASK=SOLUTION" or "NAME/TASK=SOLUTION". Fails if it is
 /// no such text.
 robotlink::Result<SolutionChoice> solutionChoiceOf(const std::string& text, const std::string& option);
 

@@ -26,7 +26,7 @@ class TextLimit {
   /// How many texts may be shown at refilled_.
   double tokens_ = kBurst;
   RealTime refilled_;
-  /// When the first of the unreported suppressed texts came.
+  /// The time of the first of the unreported suppressed texts.
   RealTime counted_;
   /// Suppressed in all, and of these returned by takeSuppressed().
   std::uint64_t suppressed_ = 0, reported_ = 0;

@@ -130,7 +130,7 @@ void TurnCrew::loop(Worker& worker) {
     lock.unlock();
     if (handover_ && !isLost) handover_->done.signal();
     done_.notify_all();
-    // Whoever joins it may hold the lock.
+    // The thread that joins it may hold the lock.
     if (isLost) return;
   }
 }

@@ -20,13 +20,13 @@
 
 namespace app {
 
-/// Threads in which the turns of several members are made, several at a time, while whoever asks for them
+/// Threads in which the turns of several members are made, several at a time, while the caller
 /// waits, for a limited time: a turn that does not return only keeps its member and one thread busy,
 /// which is replaced. One thread at a time may ask.
 class TurnCrew {
  public:
   /// How a crew of one thread and its caller wait for each other. Alert ones spin for a while,
-  /// which is faster where nobody else needs the processors; those asleep leave them to others, such as the
+  /// which is faster where the processors are free; those asleep leave them to others, such as the
   /// views of a window. Crews of several threads are always alert.
   enum class Waiting { kAlert, kAsleep };
   /// `turn` is called with the number of a member in one of `threads` threads, at least one. Turns of

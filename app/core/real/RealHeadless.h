@@ -12,12 +12,12 @@ namespace app {
 
 /// An adapter's declaration of how its real robots run without a window. A plain value.
 struct RealHeadless {
-  // As in HeadlessPlatform.
+  // The same as in HeadlessPlatform.
   const char* help;
   const char* usage;
   /// The robot's name if the user gives none.
   std::string robot;
-  /// Options beside those of all real robots.
+  /// Options in addition to those of all real robots.
   std::vector<PlatformField> options = {};
   /// The robot with its platform, of what the user chose.
   RealRobotOptions (*robotOf)(const std::string& url, const FormValues& values);

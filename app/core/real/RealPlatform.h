@@ -24,7 +24,7 @@ class RealPlatform : public robotlink::Platform {
   virtual bool isConnected() const = 0;
   /// The state of the connection as a sentence without its period.
   virtual std::string connectionText() const = 0;
-  /// What is known of the connection until now.
+  /// The figures of the connection so far.
   virtual std::vector<Figure> connectionFigures() const = 0;
 };
 

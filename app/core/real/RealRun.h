@@ -16,7 +16,7 @@ struct RealRobotOptions {
 
   /// The name of its PlatformAdapter.
   std::string adapter;
-  /// Where it is: "tcp://localhost:8101", "camera:///dev/video0". The same robot always has the same address.
+  /// The address: "tcp://localhost:8101", "camera:///dev/video0". The same robot always has the same address.
   std::string url;
   /// The robot's name in the workbench.
   std::string robot;

@@ -40,7 +40,7 @@ class RealTimeFeed : public PlatformFeed {
   /// remembers what the user chooses; it may be null, otherwise it must outlive the feed.
   RealTimeFeed(robotlink::Session& session, logplayer::Recorder& recorder, HostingMemory* hosting,
                std::string adapter, std::chrono::milliseconds period);
-  /// One step of the program.
+  /// Executes one step of the program.
   virtual void stepProgram() { program_->step(); }
   /// Passes all requests for the robot on, whatever the program does.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
@@ -59,7 +59,7 @@ class RealTimeFeed : public PlatformFeed {
   HostingMemory* const hosting_;
   const std::string adapter_;
   const std::chrono::milliseconds period_;
-  /// Whether somebody reads what is published.
+  /// Whether the published messages have readers.
   bool isRead_ = true;
   /// When the next step is due, and when the status was last published.
   Clock::time_point due_, lastStatus_;

@@ -63,7 +63,7 @@ RealTimeProgram::~RealTimeProgram() {
 
 Errors RealTimeProgram::checkSolutions() const {
   const auto plain = robotlink::readLayout(layout());
-  // What is wrong with the layout itself is said when it is read to make the program.
+  // Errors in the layout itself are reported when it is read to make the program.
   if (!plain) return {};
   return app::checkSolutions(options_.solutions, robotlink::registeredTasks(), {&*plain});
 }
@@ -136,7 +136,7 @@ void RealTimeProgram::adopt(RobotHost::Candidate program) {
 }
 
 void RealTimeProgram::stop() {
-  // The robot must not go on as the program commanded last. Who begins another one ends this.
+  // The robot must not continue with the program's last commands. The next program ends this.
   if (executor_) {
     robotlink::Platform& platform = *host_.platform();
     platform.setUnattended(true);

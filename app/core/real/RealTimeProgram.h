@@ -37,7 +37,7 @@ struct RealTimeOptions {
   std::filesystem::path map = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
-  /// What the program starts with besides; null: nothing.
+  /// A preset with which the program additionally starts; null: none.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
   /// Whether the program runs in a process of the operating system of its own.
   HostingChoices hosting = {};
@@ -45,14 +45,14 @@ struct RealTimeOptions {
   OwnProgram::Options own = {};
   /// Makes what runs instead of a program, such as a link to one elsewhere; empty: a program.
   HostedProgram::Maker instead = {};
-  /// Which of the layout's programs it is, if other programs run the other processes.
+  /// The program of the layout that this one is, if other programs run the other processes.
   SpreadOptions spread = {};
   /// The link by which it hears its team.
   TeamLinkOptions team = {};
   /// Gets sentences about the other programs, from any thread; empty: they go to the listener of the
   /// platform.
   std::function<void(const std::string& text)> spreadReport = {};
-  /// What the user chose for this robot when it was connected before.
+  /// The user's choices for this robot when it was connected before.
   ProgramOverrides overrides = {};
 };
 
@@ -82,7 +82,7 @@ class RealTimeProgram {
   /// Whether all modules of programs that were ended have returned. Any thread, after end().
   bool hasEnded() const { return leftOver_.haveEnded(); }
 
-  /// One step of the platform: requests, commands, sensor data.
+  /// Executes one step of the platform: requests, commands, sensor data.
   void step();
   /// Restarts the program in another layout while the platform continues. If that is impossible, the program
   /// that runs continues. The user's overrides are kept as far as the layout permits.

@@ -29,7 +29,7 @@ class JobQueue {
     const std::lock_guard lock(mutex_);
     left.swap(waiting_);
   }
-  /// Waits for the job in progress; after this, nothing is done any more.
+  /// Waits for the job in progress; after this, no more jobs are done.
   void close() {
     std::deque<Job> left;
     {

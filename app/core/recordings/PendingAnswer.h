@@ -17,7 +17,7 @@ namespace app {
 using ServiceCall = std::function<void(const std::string& service, const std::string& argument,
                                        std::function<void(robotlink::Result<std::string>)> handler)>;
 
-/// An answer that comes later.
+/// An answer that arrives later.
 class PendingAnswer {
  public:
   using Answer = robotlink::Result<std::string>;
@@ -27,7 +27,7 @@ class PendingAnswer {
     future_ = promise->get_future();
     call(service, argument, [promise](Answer answer) { promise->set_value(std::move(answer)); });
   }
-  /// Empty if `proceed` returned false before it came; that is asked ten times a second.
+  /// Empty if `proceed`, which is called ten times a second, returned false before it arrived.
   std::optional<Answer> wait(const std::function<bool()>& proceed) {
     while (future_.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
       if (!proceed()) return std::nullopt;

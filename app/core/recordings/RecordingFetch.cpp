@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Small enough that others get through between two of them on a slow line.
 constexpr std::uint64_t kPieceBytes = 64U << 10U;
-/// So many are asked for at once, so that a long way there costs little.
+/// This many pieces are requested at once, so that a long round trip costs little.
 constexpr std::size_t kPiecesUnderWay = 4;
 /// In seconds since 1970, as Instants can have them.
 constexpr double kMaxModified = 9e9;
@@ -203,7 +203,7 @@ Result<void> RecordingFetch::read(const std::string& name, Part& part, std::uint
       continue;
     }
     if (!isOfLine(answer->error()) || Clock::now() > end) return tl::unexpected(answer->error());
-    // What else was asked for is lost, too.
+    // The other requested pieces are lost, too.
     underWay.clear();
     asked = part.is.bytes;
     std::this_thread::sleep_for(kPause);

@@ -44,7 +44,7 @@ class RecordingFetch {
   /// `patience`: how long nothing may come before it fails.
   explicit RecordingFetch(Call call, std::chrono::milliseconds patience = std::chrono::seconds(30));
 
-  /// What the robot has, the newest first; without names that are none of a file alone.
+  /// Returns the robot's recordings, the newest first; without those whose names are not plain file names.
   robotlink::Result<std::vector<Entry>> list(const Progress& progress = {});
   /// Writes a recording to `file`, which must not exist unless `replaces`. Until it is whole and its checksum
   /// fits, it is `file`.part, from which a later call continues after a cut, a cancel (error "canceled") or

@@ -47,7 +47,7 @@ Result<std::vector<RecordingFolder::Entry>> RecordingFolder::list() const {
   if (error == std::errc::no_such_file_or_directory) return entries;
   for (; !error && file != fs::directory_iterator(); file.increment(error)) {
     const std::string name = file->path().filename().string();
-    // What cannot be asked, since it was just deleted, is left out.
+    // Files without a status, since they were just deleted, are left out.
     std::error_code gone;
     if (!isName(name) || file->is_symlink(gone) || !file->is_regular_file(gone)) continue;
     const std::uint64_t bytes = file->file_size(gone);

@@ -25,12 +25,12 @@ class RecordingFolder {
     bool operator==(const Entry&) const = default;
   };
   struct Checksum {
-    /// How many of the first bytes it is of: fewer than were asked for if the file is shorter.
+    /// The number of bytes from the beginning: fewer than were requested if the file is shorter.
     std::uint64_t bytes = 0;
     /// CRC-32 as in zip and PNG, of the first bytes.
     std::uint32_t crc = 0;
   };
-  /// What read() returns at most.
+  /// The maximum number of bytes that read() returns.
   static constexpr std::uint64_t kMaxPiece = 1U << 20U;
 
   explicit RecordingFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}

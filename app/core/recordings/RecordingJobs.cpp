@@ -34,7 +34,7 @@ void RecordingJobs::act(Kind kind, const std::string& name, const Action& action
 void RecordingJobs::list() {
   if (isListing_.exchange(true)) return;
   act(Kind::kList, {}, [this](RecordingFetch& robot, const RecordingFetch::Progress& proceed) {
-    // What changes from now on is seen by the next one.
+    // Changes from now on are seen by the next listing.
     isListing_ = false;
     auto entries = robot.list(proceed);
     if (!entries) return Result<void>(tl::unexpected(entries.error()));

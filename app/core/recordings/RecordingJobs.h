@@ -19,15 +19,15 @@ namespace app {
 class RecordingJobs {
  public:
   enum class Kind { kList, kStart, kStop, kFetch, kRemove };
-  /// What came of a job. A plain value.
+  /// The outcome of a job. A plain value.
   struct Outcome {
     Kind kind;
     /// The recording; empty if it is of none.
     std::string name;
-    /// Where it was fetched to.
+    /// The file to which it was fetched.
     std::filesystem::path file = {};
     RecordingFetch::Fetched fetched = {};
-    /// Nothing: done. The id "canceled" is that of a fetch that the user canceled.
+    /// Unset: done. The id "canceled" is that of a fetch that the user canceled.
     std::optional<robotlink::Error> error = {};
   };
   /// The fetch in progress.
@@ -42,22 +42,22 @@ class RecordingJobs {
   RecordingJobs(const RecordingJobs&) = delete;
   RecordingJobs& operator=(const RecordingJobs&) = delete;
 
-  /// Asks the robot for its recordings, unless it was asked already. All but fetch() end with this.
+  /// Asks the robot for its recordings, unless this is in progress. All but fetch() end with this.
   void list();
   /// Begins or ends a recording at the robot.
   void start();
   void stop();
   /// Deletes a recording at the robot.
   void remove(const std::string& name);
-  /// See RecordingFetch::fetch(); waits for those that were asked for before.
+  /// See RecordingFetch::fetch(); waits for earlier fetches.
   void fetch(const std::string& name, const std::filesystem::path& file, bool replaces);
   /// Ends the fetch in progress, and drops those that wait. The next one continues where this one is.
   void cancel();
 
-  /// What the robot had when it was asked last; nothing before it has answered.
+  /// The recordings that the robot had when it was last asked; unset before it has answered.
   std::optional<std::vector<RecordingFetch::Entry>> recordings() const;
   std::optional<Progress> fetching() const;
-  /// Removes and returns what came of the jobs that are done; those that listed only if they failed.
+  /// Removes and returns the outcomes of the jobs that are done; those of lists only if they failed.
   std::vector<Outcome> takeOutcomes();
 
  private:

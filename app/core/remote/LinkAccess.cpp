@@ -32,7 +32,7 @@ std::string idOf(ObjectionKind kind) {
   return kRefused;
 }
 
-/// What others see of who steers.
+/// The name that others see when this program steers.
 std::string nameOfThisProgram() {
   for (const char* variable : {"USER", "LOGNAME"}) {
     const char* user = std::getenv(variable);
@@ -70,7 +70,7 @@ robotlink::Result<websocket::Connector::Options> linkOptions(const std::string& 
   if (!parsed) return tl::unexpected(parsed.error());
   websocket::Connector::Options options;
   options.url = *std::move(parsed);
-  // One in the URL is what the user wants.
+  // A token in the URL takes precedence over the remembered one.
   options.token = token.empty() ? tokenIn(options.url.target) : token;
   if (options.token.empty())
     options.token = websocket::RememberedTokens().find(toString(options.url)).value_or(std::string());

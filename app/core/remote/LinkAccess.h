@@ -13,7 +13,7 @@ namespace app {
 
 // How the programs of this user connect with robots elsewhere; all of them do it in this way.
 
-/// Decides whether a robot that was never seen is the one that is meant, see Connector::Options::isTrusted.
+/// Decides whether a robot that was never seen is the intended one, see Connector::Options::isTrusted.
 using TrustRule = std::function<bool(const std::string& server, const std::string& fingerprint)>;
 /// Returns the rule that trusts no unknown robot: the user is asked, see LinkQuestion.
 TrustRule askWhomToTrust();
@@ -27,9 +27,9 @@ robotlink::Result<robotlink::websocket::Connector::Options> linkOptions(const st
                                                                         const std::string& token,
                                                                         TrustRule isTrusted);
 
-/// What a robot elsewhere objects to, as long as a person can do something about it. A plain value.
+/// An objection of a remote robot, as long as a person can resolve it. A plain value.
 struct LinkQuestion {
-  /// As toString(ServerUrl) has it.
+  /// The URL as toString(ServerUrl) returns it.
   std::string url;
   robotlink::websocket::ServerObjection objection;
   bool operator==(const LinkQuestion&) const = default;
@@ -37,7 +37,7 @@ struct LinkQuestion {
 
 /// Why there is no connection, as an error from which questionIn() reads what the person is to be asked.
 robotlink::Error refusalOf(const std::string& url, const robotlink::websocket::ConnectionState& state);
-/// Nothing if these errors are about something else.
+/// Returns the question in these errors; unset if they are about something else.
 std::optional<LinkQuestion> questionIn(const robotlink::Errors& errors);
 
 }  // namespace app

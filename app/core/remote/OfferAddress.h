@@ -13,9 +13,9 @@ namespace app {
 /// machine only. Fails, with what to do instead, for addresses at which nothing may be offered.
 robotlink::Result<robotlink::websocket::ListenAddress> parseOfferAddress(const std::string& text);
 
-/// What clients connect to, "ws://192.168.1.7:8765". An address that stands for all networks of this machine
-/// (0.0.0.0, ::) leads to one URL for each IPv4 address that other machines reach, or if there is none to
-/// that of the loopback interface. `scheme` is "ws" or "wss".
+/// Returns the URLs for clients, "ws://192.168.1.7:8765". An address that stands for all networks of this
+/// machine (0.0.0.0, ::) leads to one URL for each IPv4 address that other machines reach, or else
+/// to that of the loopback interface. `scheme` is "ws" or "wss".
 std::vector<std::string> offerUrls(const std::string& scheme,
                                    const robotlink::websocket::ListenAddress& address,
                                    const std::vector<std::string>& localAddresses);

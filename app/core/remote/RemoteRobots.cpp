@@ -48,13 +48,13 @@ struct RemoteRobots::Line {
   /// The limits that the client uses now.
   LinkLimits limits = {};
   std::unique_ptr<SessionClient> client;
-  /// These use the client; null until they were asked for.
+  /// These use the client; null until they are needed.
   std::unique_ptr<RecordingJobs> recordings;
   std::unique_ptr<DeployJobs> deployment;
   std::uint64_t robotsVersion = 0;
   /// The beginning of the last gap that was noted in the robots' texts.
   std::optional<Instant> noted = {};
-  /// What was left out of its streams, by their paths.
+  /// The messages that were left out of its streams, by their paths.
   std::map<std::string, robotlink::MissingMessages> missing = {};
 
   void countLeftOut();
@@ -275,7 +275,7 @@ void RemoteRobots::tick() {
   subscribeRecorded();
 }
 
-/// The first that was heard, but foreign servers, which have no simulation, after the others; if none was
+/// Chooses the first line heard, but foreign servers, which have no simulation, after the others; if none was
 /// heard, the first. When another one leads, the session's time continues.
 void RemoteRobots::findLeader() {
   const auto isHeard = [](const Line& line) { return line.client && line.client->newest().has_value(); };
@@ -320,7 +320,7 @@ void RemoteRobots::describeRobots() {
 
 /// Tells views how these robots are connected.
 void RemoteRobots::showRobots() {
-  // What is left out is looked up less often, because there are many streams.
+  // Left-out messages are counted less often, because there are many streams.
   constexpr unsigned kTicksBetween = 15;
   const bool counts = ticks_++ % kTicksBetween == 0;
   std::map<std::string, robotlink::RemoteRobot> shown;

@@ -35,9 +35,9 @@ namespace app {
 class DeployJobs;
 class RecordingJobs;
 
-/// The robots of a session whose programs run elsewhere, beside those of the platform that is open: one
+/// The remote robots of a session, in addition to those of the platform that is open: one
 /// connection for each server (robotlink/foxglove/FOXGLOVE.md). Connections are lost and found again by
-/// themselves. Requests to these robots go to them; what is asked of no robot goes to the connection that
+/// themselves. Requests to these robots go to them; requests to no robot go to the connection that
 /// leads, unless a platform is open: the first one to a session of this program, or else the first one. What
 /// is received is recorded as that of other robots.
 ///
@@ -71,7 +71,7 @@ class RemoteRobots {
   robotlink::Result<std::string> connect(const std::string& url, const std::string& token = {});
   /// Ends a connection; its robots leave the session. Fails if there is none.
   robotlink::Result<void> disconnect(const std::string& url);
-  /// What connections to a URL may carry, as the user chose.
+  /// Returns the user's limits for connections to a URL.
   LinkLimits limits(const std::string& url) const { return limits_.limits(url); }
   /// The streams of a connection, with what was left out of each; empty if there is no such connection.
   std::vector<robotlink::websocket::RemoteStream> streams(const std::string& url) const;
@@ -91,15 +91,15 @@ class RemoteRobots {
   void setPlatform(std::optional<std::set<std::string>> robots);
   /// The names of all remote robots, in the order of the connections.
   std::vector<std::string> robots() const;
-  /// What is known of a robot; without anything if it has said nothing about itself.
+  /// Returns what is known of a robot; empty if it has said nothing about itself.
   KnownRobot known(const std::string& robot) const;
   /// Increases with each change of robots() or of what is known of them.
   std::uint64_t version() const { return version_; }
 
-  /// What users do with the recordings at the robots of a connection; null if there is no such connection.
+  /// Returns the jobs for the recordings at the robots of a connection; null if there is no such connection.
   /// Valid until that ends or is connected again.
   RecordingJobs* recordings(const std::string& url);
-  /// What is deployed to the robots of a connection; null if there is no such connection. Valid as long.
+  /// Returns the jobs that deploy to the robots of a connection; null if there is none. Valid as long.
   DeployJobs* deployment(const std::string& url);
   /// Takes control of a robot, even if another client has it, or gives control up. Fails if it is not one of
   /// these; what the robot objects to is among the notes.
@@ -107,7 +107,7 @@ class RemoteRobots {
 
   /// Removes and returns what users have to know: what robots object to, and what could not be saved.
   robotlink::Errors takeNotes() { return notes_->drain(); }
-  /// Does what came since the last time; call this before Session::tick().
+  /// Processes what was received since the last call; call this before Session::tick().
   void tick();
   /// Sends a request to the connection to which it belongs; returns false if it belongs to none.
   bool take(const robotcontrol::Request& request);

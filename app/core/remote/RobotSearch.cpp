@@ -12,7 +12,7 @@ namespace {
 using robotlink::dds::AnnouncedRobots;
 using robotlink::dds::RobotDiscovery;
 
-/// How often it is looked what is heard; and how often, whether there are other networks.
+/// The period of checks for announcements; and the number of these per check for other networks.
 constexpr std::chrono::milliseconds kSearchLook{100};
 constexpr int kLooksPerNetworks = 20;
 
@@ -120,7 +120,7 @@ void RobotSearch::run() {
       robots = source->robots();
       problem = source->problem();
     } catch (const std::exception& error) {
-      // Tried again, in case that the network comes back.
+      // The search is tried again, in case the network comes back.
       source.reset();
       problem = std::string("Robots cannot be searched for (") + error.what() + "). Enter the URL instead.";
     }

@@ -16,18 +16,18 @@
 
 namespace app {
 
-/// Looks for robots that announce themselves on the networks of this machine, but only while somebody wants
-/// to see them, and in a thread of its own, since DDS takes its time to begin and to end. One thread uses it,
+/// Looks for robots that announce themselves on the networks of this machine, but only while a user wants
+/// to see them, and in a thread of its own, since DDS takes time to begin and to end. One thread uses it,
 /// which is never blocked, except by the destructor.
 class RobotSearch {
  public:
-  /// What listens. Made, used and destroyed in the thread.
+  /// The listener. Made, used and destroyed in the thread.
   class Source {
    public:
     virtual ~Source() = default;
     /// Returns the robots that are being announced now.
     virtual std::vector<robotlink::dds::AnnouncedRobots> robots() = 0;
-    /// Why nothing can be heard: a sentence that says what to do. Empty: something can.
+    /// The reason why nothing can be heard: a sentence that says what to do. Empty: something can.
     virtual std::string problem() const { return {}; }
   };
   using Open = std::function<std::unique_ptr<Source>()>;
@@ -41,14 +41,14 @@ class RobotSearch {
     robotlink::dds::AnnouncedRobots robots;
     robotlink::Duration age{0};
   };
-  /// What came of the search until now. A plain value.
+  /// The result of the search so far. A plain value.
   struct State {
     /// Whether it has begun, and for how long it has listened.
     bool isListening = false;
     robotlink::Duration age{0};
     /// Sorted by the names of the robots.
     std::vector<Found> found = {};
-    /// As that of the source.
+    /// The problem of the source.
     std::string problem = {};
   };
 
@@ -61,7 +61,7 @@ class RobotSearch {
 
   /// Listens by another source from the next time on.
   void listenBy(Open open);
-  /// Whether somebody wants to see the robots; at first nobody does.
+  /// Sets whether a user wants to see the robots; initially not.
   void setWanted(bool wanted);
   State state() const;
 
@@ -77,7 +77,7 @@ class RobotSearch {
   Open open_;
   bool isWanted_ = false, isOver_ = false, isListening_ = false;
   robotlink::Instant since_;
-  /// What is heard, and since when, by URL.
+  /// The programs that are heard, and since when, by URL.
   struct Heard {
     robotlink::dds::AnnouncedRobots robots;
     robotlink::Instant since;

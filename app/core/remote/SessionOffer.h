@@ -29,9 +29,9 @@ class SessionOffer {
   struct Client {
     /// "192.168.1.7:51324", and what it calls itself; the latter may be empty.
     std::string address, name;
-    /// What it was sent, over the last second.
+    /// The rate at which data was sent to it, over the last second.
     double bytesPerSecond = 0;
-    /// What waits to be sent to it.
+    /// The amount of data that waits to be sent to it.
     std::size_t waitingBytes = 0;
     /// Whether it may only watch.
     bool isReadOnly = false;
@@ -53,7 +53,7 @@ class SessionOffer {
   /// is offered.
   robotlink::Result<void> steer(const std::string& robot, bool giveUp);
   bool isOffered() const { return listener_ != nullptr; }
-  /// What others connect to, "ws://127.0.0.1:8765": one for each network of this machine; none if nothing is
+  /// The URLs for clients, "ws://127.0.0.1:8765": one for each network of this machine; none if nothing is
   /// offered.
   const std::vector<std::string>& urls() const { return urls_; }
   /// The first of them; empty if nothing is offered.
@@ -61,7 +61,7 @@ class SessionOffer {
   /// The tokens that others have to show, to do everything or to watch; empty if they need none.
   const std::string& controlToken() const { return admission_.token; }
   const std::string& watchToken() const { return admission_.watchToken; }
-  /// What the person here has to know of the offer, as sentences: how it is protected, the fingerprint.
+  /// Notes on the offer for the local user, as sentences: how it is protected, the fingerprint.
   const std::vector<std::string>& notes() const { return notes_; }
   /// Whether this is where the session is offered, by an address of this machine.
   bool isOfferedAt(const std::string& address, std::uint16_t port) const;
@@ -94,7 +94,7 @@ class SessionOffer {
   std::vector<std::string> urls_, notes_;
   std::vector<Client> clients_;
   std::deque<std::string> reports_;
-  /// What each client was sent until clients_ was measured, by its id.
+  /// The bytes sent to each client until clients_ was measured, by its id.
   std::map<std::uint64_t, std::uint64_t> sent_;
   robotlink::Instant measured_;
   std::function<void(const std::string& robot, bool giveUp)> steerElsewhere_;

@@ -15,7 +15,7 @@ namespace app {
 /// "<robot>/logged/<path>". The rule is described in robotlink/session/STREAMS.md. One thread.
 class LoggedPaths {
  public:
-  /// Nothing is recomputed.
+  /// The paths of a log of which nothing is recomputed.
   LoggedPaths() = default;
   /// For the program of a plan, which is only used during the call.
   explicit LoggedPaths(const ReplayPlan& plan);

@@ -18,7 +18,7 @@ class Playback {
   /// The least real time from one loop to the next, however short the range is.
   static constexpr std::chrono::milliseconds kShortestLoop{100};
 
-  /// Where the logs are, in times of their common timeline.
+  /// The position in the logs, in times of their common timeline.
   struct Place {
     robotlink::Instant now, begin, end;
     /// The time of the next step; unset at the end.

@@ -58,7 +58,7 @@ struct Computed {
   std::set<std::string> wanted;
   std::vector<StreamMessage> messages;
   std::vector<std::string> troubles;
-  /// Why a program does not go on.
+  /// The reason why a program cannot continue.
   std::optional<robotlink::Error> end;
   /// Declared last, since its end calls the listeners.
   std::unique_ptr<ReplayRun> run;

@@ -77,7 +77,7 @@ class ReplayFeed final : public PlatformFeed {
   ReplayRun::Listeners listeners();
   /// Inherits playback and step process from the feed that this one replaces; both have logs in common.
   void playLike(const ReplayFeed& before);
-  /// Where the logs are.
+  /// The position in the logs.
   Playback::Place place() const;
   /// The time of the first image of the robot by which the logs are stepped; without images the first frame
   /// of the step process; else the beginning.
@@ -118,7 +118,7 @@ class ReplayFeed final : public PlatformFeed {
   logplayer::Recorder& recorder_;
   /// Publishes to the session from begin() on; closed during jumps.
   PublishGate gate_;
-  /// Whether somebody reads that.
+  /// Whether it has readers.
   bool isRead_ = true;
   std::unique_ptr<ReplayRun> run_;
   /// Remembers where the user lets programs run; may be null.

@@ -58,7 +58,7 @@ Result<void> ReplayFeed::requestRobot(const robotcontrol::Request& request) {
   return done;
 }
 
-/// What the logged robot did cannot be changed, and nothing that its program commands here gets anywhere. So
+/// The actions of the logged robot cannot be changed, and its program's commands here have no effect. So
 /// nothing has to be released.
 Result<void> ReplayFeed::stop(const robotcontrol::Request& request) {
   if (!run_->description(request.robot()))

@@ -345,7 +345,7 @@ ExitStatus statusOf(const HeadlessRecording& recording, const ReplayStatus& stat
   return damaged ? kDoneWithLosses : kDone;
 }
 
-/// What is done with a replay.
+/// The purposes of a replay.
 struct HeadlessAims {
   RecordOptions record;
   std::vector<robotlink::ShadowName> shadows;

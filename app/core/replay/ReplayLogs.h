@@ -73,7 +73,7 @@ class ReplayLogs {
                      robotcontrol::ReplayStatus& status) const;
 
  private:
-  /// Where a stream of the replay is in the logs; the source is null if there is no such stream.
+  /// The position of a stream of the replay in the logs; the source is null if there is no such stream.
   struct Place {
     Source* source = nullptr;
     /// Its path in the log.

@@ -15,7 +15,7 @@
 
 namespace app {
 
-/// One of the logs of a replay. A plain value.
+/// A log of a replay. A plain value.
 struct ReplayLog {
   std::filesystem::path file;
   /// Added to the times of the log.
@@ -27,7 +27,7 @@ struct ReplayLog {
   std::shared_ptr<logplayer::LogFile> opened = {};
 };
 
-/// What is replayed, and how. A plain value.
+/// The logs to replay, and how. A plain value.
 struct ReplayOptions {
   /// Robots of equal names in several logs get "-2", "-3" and so on behind their names.
   std::vector<ReplayLog> logs;
@@ -36,7 +36,7 @@ struct ReplayOptions {
   std::filesystem::path layout;
   /// Maps tasks to solutions, instead of the layout's.
   std::map<std::string, std::string> solutions;
-  /// What the user chose for the robots before, by name.
+  /// The user's earlier choices for the robots, by name.
   std::map<std::string, ProgramOverrides> overrides;
   /// Sources of packages, by "<robot>/<package>" or, for all robots, "*/<package>". For others the contents
   /// of the logs decide.
@@ -51,7 +51,7 @@ struct ReplayOptions {
   robotlink::Duration preroll = std::chrono::seconds(2);
   /// How long a module may take before it counts as not returning, in real time; 0: for ever.
   std::chrono::milliseconds patience{0};
-  /// Which programs run in processes of the operating system of their own; always in lockstep.
+  /// The choice of programs that run in processes of the operating system of their own; always in lockstep.
   HostingChoices hosting = {};
   /// How those are run.
   OwnProgram::Options own = {};

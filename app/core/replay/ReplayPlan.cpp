@@ -94,7 +94,7 @@ class Planner {
   ReplayPlan plan_;
   /// See findObtainable().
   std::set<std::string> obtainable_;
-  /// What the log and the debug process offer.
+  /// The packages that the log and the debug process offer.
   robotlink::PlatformPackages platform_;
   Errors errors_;
 };
@@ -151,7 +151,7 @@ void Planner::describeProducer(ReplayPlan::Package& package) const {
         if (!contains(solution.outputs, package.name)) continue;
         const std::string* lacks = missing(solution);
         if (lacks == nullptr) package.canRecompute = true;
-        // What the requested solution lacks is more informative than what others lack.
+        // The input that the requested solution lacks is more informative than those that others lack.
         if (wanting == nullptr || solution.name == task.solution) wanting = lacks;
       }
       package.whyNot = package.canRecompute || wanting == nullptr ? "" : robotlink::notProvided(*wanting);

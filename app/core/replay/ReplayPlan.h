@@ -31,7 +31,7 @@ struct ReplaySelection {
   bool recomputeAll = false;
 };
 
-/// Which part of a layout runs on a log, and where each package comes from. Logged packages replace the tasks
+/// The part of a layout that runs on a log, and the source of each package. Logged packages replace the tasks
 /// that yield them, unless the user chooses to recompute them; what is not logged is recomputed if possible,
 /// but where only other solutions than the requested one yield it, no task requires it, and other packages of
 /// its task are logged.
@@ -53,7 +53,7 @@ struct ReplayPlan {
     /// Whether the user chose the source.
     bool chosen = false;
   };
-  /// What is left of the layout, with all absent tasks and the reasons.
+  /// The rest of the layout, with all absent tasks and the reasons.
   robotlink::Layout layout;
   /// Sorted by name.
   std::vector<Package> packages;

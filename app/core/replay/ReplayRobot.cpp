@@ -56,7 +56,7 @@ ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string lo
         robotlink::isDebugPackage(path))
       continue;
     logged_.insert(path);
-    // What was still in the queues when the recording ended is not in the log; it is not missed there.
+    // Packages that were still in queues when the recording ended are not in the log, and not missed there.
     const bool untilTheEnd = log_->end() - stream.last < kQueueDelay;
     comparedUntil_[path] = untilTheEnd ? stream.last : Instant::max();
   }
@@ -97,7 +97,7 @@ RobotHost::Listeners ReplayRobot::inTurns(RobotHost::Listeners listeners) {
 
 RobotHost::Listeners ReplayRobot::comparing(RobotHost::Listeners listeners) {
   listeners.overridden = [this](const Request& request) {
-    // What another program recomputed is not compared any more.
+    // Results of another program are not compared any more.
     if (robotlink::kindOf(request).effect == robotlink::RequestEffect::kBehavior) differences_.clear();
   };
   return listeners;
@@ -151,7 +151,7 @@ Errors ReplayRobot::readSetup(Start& start) const {
 }
 
 tl::expected<ReplayRobot::Start, Errors> ReplayRobot::prepare(Instant time, ReplayChoices choices) {
-  // What was asked is decided, so that the next program is made with it.
+  // Open requests are decided now, so that the next program is made with them.
   if (host_.program() != nullptr) (void)host_.answersToCome();
   Start start;
   start.time = time;
@@ -216,7 +216,7 @@ Errors ReplayRobot::makeProgram(Start& start) {
   Errors errors = makeAvailable(start);
   const bool nothingChosen = start.choices.packages.empty() && !start.choices.recomputeAll;
   if (errors.empty() || !start.setup.layoutFromLog || !nothingChosen) return errors;
-  // A log can be played even if its layout cannot run any more.
+  // A log can be played even if its layout can no longer run.
   start.setup.layout = emptyLayout(start.setup.layout);
   start.setup.notes.push_back("nothing is recomputed, as the log's layout cannot be run: " +
                               robotlink::describe(errors));
@@ -288,7 +288,7 @@ Errors ReplayRobot::makeProgramOfPlan(Start& start) {
     all.insert(chosen.begin(), chosen.end());
     program.recordPackages(all);
   }
-  // What stands for a program elsewhere runs after all turns, which it gets together.
+  // The stand-in for a program elsewhere runs after all turns, which it gets together.
   const bool isElsewhere = program.inside() == nullptr;
   made->processes.clear();
   for (const auto& process : start.setup.layout.processes) {

@@ -36,7 +36,7 @@ struct ReplayHosting {
   OwnProgram::Options own = {};
 };
 
-/// What the user chose for a robot of a log. It is kept when the program is made again. A plain value.
+/// The user's choices for a robot of a log. They are kept when the program is made again. A plain value.
 struct ReplayChoices {
   /// The file of the layout; empty: the log's.
   std::filesystem::path layout;
@@ -76,9 +76,9 @@ class ReplayRobot {
   const std::string& name() const { return host_.name(); }
   RobotHost& host() { return host_; }
   const RobotHost& host() const { return host_; }
-  /// What should run for it; valid after begin().
+  /// The setup that should run for it; valid after begin().
   const ReplaySetup& setup() const { return started_.setup; }
-  /// What runs of it.
+  /// The part of it that runs.
   const ReplayPlan& plan() const { return started_.plan; }
   /// The setup of the program that was begun, as a log of it would contain it. Before it runs.
   std::shared_ptr<const robotcontrol::ProgramSetup> ownSetup() const;
@@ -107,7 +107,7 @@ class ReplayRobot {
   void end();
   /// Whether all modules of programs that were ended have returned. Any thread, after end().
   bool hasEnded() const { return leftOver_.haveEnded(); }
-  /// Returns a message of the log as it is published beside this program: on its own path or on that of
+  /// Returns a message of the log as it is published along with this program: on its own path or on that of
   /// logged ones.
   robotlink::StreamMessage published(robotlink::StreamMessage message) const;
 
@@ -124,7 +124,7 @@ class ReplayRobot {
   std::optional<robotcontrol::ProgramSetup> loggedSetupAt(robotlink::Instant time) const;
   /// Reads the setup that holds at a time, with the user's overrides.
   robotlink::Errors readSetup(Start& start) const;
-  /// Makes plan and program from the setup, without any tasks if those of the log cannot run any more.
+  /// Makes plan and program from the setup, without any tasks if those of the log can no longer run.
   robotlink::Errors makeProgram(Start& start);
   /// The same for a layout. Solutions that cannot be constructed count as unavailable.
   robotlink::Errors makeAvailable(Start& start);
@@ -138,7 +138,7 @@ class ReplayRobot {
   RobotHost::Listeners inTurns(RobotHost::Listeners listeners);
   /// Makes an executor for the program that was started.
   void makeExecutor();
-  /// What makes the program of a start; empty: it is one inside.
+  /// Returns the maker of the program of a start; empty: the program is one inside.
   HostedProgram::Maker makerOf(const Start& start);
   /// Taps what the program sends to compare it with what was logged.
   void compare();
@@ -171,7 +171,7 @@ class ReplayRobot {
   std::map<std::string, robotlink::Instant> comparedUntil_;
   /// Paths of the log below the robot's name.
   std::set<std::string> streams_;
-  /// What the present program was made from.
+  /// The start from which the present program was made.
   Start started_;
   LoggedPaths paths_;
   /// The clock of the platform, in times of the log.

@@ -109,7 +109,7 @@ class ReplayRun {
   /// Lets solutions run in the shadow of those that are used, in all programs that can. Fails with a reason
   /// if none can. Call jump() to see their effect.
   robotlink::Result<void> runShadows(const std::vector<robotlink::ShadowName>& shadows);
-  /// What the programs will answer in their next frames to what they were asked, if they have not answered
+  /// The answers to requests that the programs will give in their next frames, if they have not answered
   /// yet, with the tables and parameters that follow from it; by robot.
   using Answers = std::pair<std::string, std::shared_ptr<const robotlink::SharedDebugQueue>>;
   std::vector<Answers> answersToCome();
@@ -122,7 +122,7 @@ class ReplayRun {
   void describe(robotcontrol::ReplayStatus& status) const;
   /// The options with the present layout and offsets.
   const ReplayOptions& options() const { return options_; }
-  /// What the user chose so far, by robot.
+  /// The user's choices so far, by robot.
   std::map<std::string, ProgramOverrides> overrides() const;
   /// The overrides that the present programs cannot fulfill, as a sentence each.
   std::vector<std::string> lostChoices() const;
@@ -144,7 +144,7 @@ class ReplayRun {
   robotlink::Duration offsetOf(const ReplayLog& log, const logplayer::LogFile& file) const;
   /// Makes the robots of a log and starts their programs at its beginning.
   robotlink::Errors addRobots(ReplayLogs::Source& source);
-  /// What the options say about a robot.
+  /// The choices in the options for a robot.
   ReplayChoices choicesOf(const std::string& robot) const;
   ProgramOverrides overridesOf(const std::string& robot) const;
   /// Checks the solutions of the options. A comparison with another solution than the requested one would be

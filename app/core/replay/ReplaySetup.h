@@ -39,7 +39,7 @@ tl::expected<ReplaySetup, robotlink::Errors> readReplaySetup(const robotcontrol:
                                                              const std::string& robot,
                                                              const std::filesystem::path& layout);
 
-/// Returns a layout without tasks, for logs whose own cannot be run any more. It keeps name and file of
+/// Returns a layout without tasks, for logs whose own can no longer be run. It keeps name and file of
 /// `instead`.
 robotlink::Layout emptyLayout(const robotlink::Layout& instead);
 

@@ -44,8 +44,8 @@ class ReplaySource {
   const std::vector<robotlink::Instant>& times(const std::string& stream);
 
  private:
-  /// How far back views can show the trails of what moves at `to`: a minute, less where so much of the log
-  /// could not be read in a moment.
+  /// How far back views can show the trails of moving objects at `to`: a minute, or less where the log
+  /// could not be read quickly enough.
   robotlink::Instant trailsFrom(robotlink::Instant to) const;
   /// Appends the places of what moves from there up to `from`.
   void addTrails(std::vector<robotlink::StreamMessage>& messages, robotlink::Instant from,
@@ -65,7 +65,7 @@ class ReplaySource {
   std::optional<robotlink::StreamMessage> ahead_;
   /// For times(), by stream.
   std::map<std::string, std::vector<robotlink::Instant>> times_;
-  // A cache of decoded images with their sizes, since users step to and fro over the same ones.
+  // A cache of decoded images with their sizes, since users step back and forth over the same ones.
   std::map<ImageKey, std::pair<robotlink::PackagePtr, std::size_t>> images_;
   std::deque<ImageKey> imagesInOrder_;
   std::size_t imageBytes_ = 0;

@@ -31,7 +31,7 @@ class TurnEvents {
     }
     for (const Event& event : events) event();
   }
-  /// Another program takes the place of the present one, whose events are dropped from now on.
+  /// Call this when another program replaces the present one, whose events are dropped from now on.
   void beginProgram() {
     const std::lock_guard lock(mutex_);
     ++program_;

@@ -103,7 +103,7 @@ Result<double> standingHeight(const NewRoom& room, const fs::path& model) {
   std::string folder = (fs::temp_directory_path(unknown) / "robotcontrol-room-XXXXXX").string();
   if (::mkdtemp(folder.data()) == nullptr) return failure("scene.new", "no temporary file can be written");
   Result<double> height = failure("scene.new", "the robot cannot be placed in the room");
-  // A link beside the room, so that the model is found by its name.
+  // A link next to the room, so that the model is found by its name.
   fs::create_directory_symlink(model.parent_path(), fs::path(folder) / room.robot, unknown);
   const fs::path file = fs::path(folder) / "room.sdf";
   if (const auto written = robotlink::writeFileAtomically(file, *text); !written) {

@@ -250,7 +250,7 @@ bool isTurned(const std::string& pose) {
   return false;
 }
 
-/// Moments of inertia are in the axes of the pose beside them; others know them in the axes of the link.
+/// Moments of inertia are in the axes of the pose next to them; others know them in the axes of the link.
 Result<void> checkAxes(const std::string& text, const std::string& file, const Element& parent,
                        const std::string& name) {
   const Element* pose = name == "inertia" ? childOf(parent, "pose") : nullptr;
@@ -331,7 +331,7 @@ Result<std::string> withElement(const std::string& text, const std::string& file
       at = next;
       continue;
     }
-    // What has a name must be there.
+    // Named elements must exist already.
     if (!stepParts(element[i]).second.empty())
       return failure("scene.file", "there is no " + element[i] + " here", {file, lineAt(text, at->begin), 0},
                      {element[i]});

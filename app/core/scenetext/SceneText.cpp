@@ -48,8 +48,8 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
     text.replace(at, from.size(), to);
 }
 
-/// The text with each <uri> replaced by the whole path that it means in its file, in the same line: what is
-/// checked lies elsewhere.
+/// The text with each <uri> replaced by the whole path that it means in its file, in the same line, since the
+/// text is checked in another folder.
 std::string withWholePaths(const std::string& text, const fs::path& file, const ModelFolders& folders) {
   constexpr std::string_view kOpen = "<uri>", kClose = "</uri>";
   const fs::path whole = fs::absolute(file);

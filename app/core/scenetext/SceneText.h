@@ -13,7 +13,7 @@ namespace app {
 // Functions for the scene editor that need the simulator: checking texts, listing models. All may be called
 // from any thread; those that load a scene take some 100 ms, for large ones seconds.
 
-/// What is to be said about the text of a scene.
+/// A finding about the text of a scene.
 struct SceneTextFinding {
   /// Otherwise it is an error, because of which the scene cannot be opened.
   bool isWarning = false;
@@ -33,7 +33,7 @@ std::vector<SceneTextFinding> checkSceneText(const std::string& text, const std:
 /// A model that a world can include.
 struct SceneModelFile {
   std::string name;
-  /// What an <include> names it by: "model://p3at".
+  /// The URI with which an <include> names it: "model://p3at".
   std::string uri;
   std::filesystem::path file;
   bool isRobot = false;
@@ -47,7 +47,7 @@ std::vector<SceneModelFile> sceneModels(const std::filesystem::path& file, const
 std::optional<std::filesystem::path> sceneModelFile(const std::string& uri, const std::filesystem::path& file,
                                                     const ModelFolders& folders = {});
 
-/// What a new room shall have. Lengths in m.
+/// The properties of a new room. Lengths in m.
 struct NewRoom {
   /// The world's name: letters, digits, '-' and '_'.
   std::string name = "room";

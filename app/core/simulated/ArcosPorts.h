@@ -23,7 +23,7 @@ class SimulatedWorld;
 /// Used between the steps of the world by the thread that steps it. The world must outlive it.
 class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
  public:
-  /// Where the ports are opened.
+  /// The addresses at which the ports are opened.
   struct Options {
     /// An address of this computer; any but a loopback address opens the robots to the network.
     std::string address = "127.0.0.1";
@@ -72,7 +72,7 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
   const Options options_;
   const Log log_;
   std::unique_ptr<robotlink::arcos::RobotPorts> ports_;
-  /// One for each robot.
+  /// The text limit of each robot.
   std::vector<TextLimit> texts_;
   std::optional<int> exit_;
 };

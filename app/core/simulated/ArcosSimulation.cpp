@@ -8,7 +8,7 @@ namespace app {
 
 using Clock = std::chrono::steady_clock;
 
-/// A slow simulation asks at least this often whether it shall stop.
+/// A slow simulation asks at least this often whether to stop.
 constexpr std::chrono::milliseconds kAskEvery{100};
 
 tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(

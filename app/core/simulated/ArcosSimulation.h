@@ -16,7 +16,7 @@ namespace app {
 /// `robotctl sim --arcos` runs it. It has no thread of its own; one thread steps it.
 class ArcosSimulation {
  public:
-  /// What is simulated, and how fast.
+  /// The scene to simulate, and its speed.
   struct Options {
     /// An SDFormat file or a map.
     std::filesystem::path scene;

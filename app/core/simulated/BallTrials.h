@@ -11,12 +11,12 @@ namespace app {
 /// Repeated trials of whether a robot finds the ball: each one resets the simulation with its own seed and
 /// places the ball at random within a radius of the first robot, on the field and clear of the robot. The
 /// result says whether and when the ball was touched. Deterministic for given options, unless a module does
-/// not return within the patience of the run: then its robot stands for the rest of that trial.
+/// not return within the patience of the run: then its robot stands still for the rest of that trial.
 struct BallTrials {
-  /// One trial and its result.
+  /// A trial and its result.
   struct Trial {
     std::uint64_t seed = 0;
-    /// Where the ball was placed, in the field's frame, m.
+    /// The initial position of the ball, in the field's frame, m.
     robotlink::Vector2 ball;
     bool touched = false;
     /// Simulated time from the start to the first touch, s; 0 without one.
@@ -25,11 +25,11 @@ struct BallTrials {
     double moved = 0;
     /// Whether the robot was no longer upright at the end.
     bool fell = false;
-    /// Whether the ball came into a goal, which is looked at only with `goals`: that of the opponents of the
+    /// Whether the ball entered a goal, which is checked only with `goals`: that of the opponents of the
     /// first robot's team; and when, simulated s.
     bool scored = false;
     double scoredAfter = 0;
-    /// Where the robot was placed, in the field's frame.
+    /// The initial pose of the robot, in the field's frame.
     robotlink::Pose2 robot;
   };
   /// The simulation. Kick-offs are switched off.

@@ -122,7 +122,7 @@ tl::expected<std::string, Errors> SimulatedRun::duplicateModel(const std::string
                                   "there is another model '" + copy.name + "'; choose another name",
                                   {copy.name},
                                   {}}});
-  // As high as in its file: the model may have fallen since.
+  // The copy is as high as in its file, since the model may have fallen.
   const robotlink::Pose2 here = robotlink::groundPose(*pose);
   Errors why;
   for (const auto& place : placesBeside(here, simcore::extentOf(*model->type).radius)) {

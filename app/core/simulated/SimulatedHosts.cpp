@@ -212,7 +212,7 @@ ProgramOverrides SimulatedRun::overridesOf(const HostedRobot& robot) const {
 
 std::map<std::string, std::string> SimulatedRun::keptSolutionsOf(const HostedRobot& robot) const {
   auto solutions = solutionsFor(options_.keptSolutions, robot);
-  // What is asked for now goes before what was chosen some time.
+  // Current choices take precedence over earlier ones.
   for (const auto& asked : {options_.solutions, solutionsFor(options_.robotSolutions, robot)})
     std::erase_if(solutions, [&](const auto& one) { return asked.contains(one.first); });
   return solutions;
@@ -298,7 +298,7 @@ Errors SimulatedRun::checkChosenSolutions() const {
   };
   Errors errors = check(options_.solutions, {});
   for (const auto& [name, solutions] : options_.robotSolutions) {
-    // Whoever is not in the scene may come into it.
+    // A robot that is not in the scene may be added to it later.
     if (hasRobotOrTeam(name)) std::ranges::move(check(solutions, name), std::back_inserter(errors));
   }
   for (const auto& [name, shadows] : options_.shadows) {

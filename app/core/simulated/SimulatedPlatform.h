@@ -33,7 +33,7 @@ class SimulatedPlatform : public robotlink::Platform {
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
-  /// Finds the robot's motors and sensors again after the simulation went on in another scene, where they
+  /// Finds the robot's motors and sensors again after the simulation continued in another scene, where they
   /// have other numbers. False if they are others than before, so that the robot needs another platform.
   virtual bool rebind() { return true; }
 

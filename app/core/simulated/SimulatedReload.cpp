@@ -30,7 +30,7 @@ bool containsName(const std::vector<std::string>& names, const std::string& name
 tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::reload(simcore::SceneTexts texts, bool mustFit) {
   std::swap(options_.texts, texts);
   auto done = goOn(mustFit);
-  // What cannot be run must not be met again by the next one that reads the scene.
+  // Texts that cannot be run must not affect the next reader of the scene.
   if (!done) std::swap(options_.texts, texts);
   return done;
 }
@@ -180,7 +180,7 @@ void SimulatedRun::resumePrograms() {
     robot->adopt(std::move(*made));
     starting.push_back(robot.get());
   }
-  // A program that did not return and whose files are broken now cannot go on.
+  // A program that did not return and whose files are broken now cannot continue.
   std::erase_if(robots_, [this](const auto& robot) {
     const bool isLost = robot->program() == nullptr || robot->platform() == nullptr;
     if (isLost && tap_) tap_->detach(robot->name());

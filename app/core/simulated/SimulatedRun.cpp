@@ -376,8 +376,8 @@ Errors SimulatedRun::restart(std::uint64_t seed, const std::map<std::string, Pro
   endedControllers_.clear();
   options_.world.seed = seed;
   restartGame();
-  // Made again, so that what they have is that of the new world. If a file was broken just now, those of
-  // before are as good.
+  // The programs are made again for the new world. If a file was broken just now, the previous programs
+  // are as good.
   auto programs = makePrograms(options_.layouts);
   if (tap_) tap_->restart();
   if (programs) before->clear();

@@ -75,7 +75,7 @@ struct RunOptions {
   std::chrono::milliseconds patience{0};
   /// Whether a window shows the run, with which it shares the processors.
   bool isWatched = false;
-  /// Where programs run, and whether in threads.
+  /// The choice of where programs run, and whether in threads.
   HostingChoices hosting = {};
   /// How those in processes of their own are run.
   OwnProgram::Options own = {};
@@ -89,12 +89,12 @@ struct RunOptions {
   /// Solutions that were chosen earlier for robots and teams, by name, while their programs ran; they go
   /// before those of the layouts. What is chosen above goes before them.
   TeamSolutions keptSolutions = {};
-  /// What all programs start with besides; null: nothing.
+  /// A preset with which all programs additionally start; null: none.
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
   /// The same for single robots and teams, by name, instead of that of all; that of a robot goes before that
   /// of its team.
   std::map<std::string, std::shared_ptr<const robotlink::Preset>> robotPresets = {};
-  /// What runs in the shadow of the solutions that are used, in robots and teams, by name, and in all
+  /// The solutions that run in shadow mode, by the names of robots and teams, and in all
   /// programs by an empty name.
   std::map<std::string, std::vector<robotlink::ShadowName>> shadows = {};
   /// The color tables of single robots and teams, by name, and that of all others by an empty name; those of
@@ -186,7 +186,7 @@ class SimulatedRun {
   robotlink::Errors reset(std::uint64_t seed);
   /// Fulfills a request that changes the world only (WorldChanges.h), and keeps it for runAgain().
   robotlink::Result<void> changeWorld(const robotcontrol::Request& request);
-  /// Has the referee, or the radio of the teams, do what is asked, and keeps it for runAgain(). Fails with
+  /// Passes a request to the referee, or the radio of the teams, and keeps it for runAgain(). Fails with
   /// the reason, changing nothing.
   robotlink::Result<void> controlGame(const robotcontrol::Request& request);
   /// Keeps the state of the world and the game, and what is needed to run the programs again.
@@ -197,33 +197,33 @@ class SimulatedRun {
   /// The same in the recent past; see SimulatedWorld::rewind().
   robotlink::Result<void> rewind(robotlink::Duration back);
   /// Begins to bring world and programs to the state of a snapshot: all start over, and each step() repeats
-  /// what was asked then. Fails, changing nothing, with the reason where it cannot be known that the same
-  /// state comes of it: programs in threads or elsewhere, other settings, robots driven from outside, or
+  /// the requests of then. Fails, changing nothing, with the reason where it cannot be known that the same
+  /// state results: programs in threads or elsewhere, other settings, robots driven from outside, or
   /// where something happened that is not kept.
   robotlink::Result<void> runAgain(const simcore::Snapshot& snapshot);
-  /// How far that has come, in [0, 1); unset: it is not being done.
+  /// The progress of that, in [0, 1); unset: it is not being done.
   std::optional<double> ranAgain() const;
   /// Ends it where it is.
   void stopRunningAgain() { again_.reset(); }
-  /// What came of the last one that was finished since the last call: empty, or why the state is another one,
+  /// The outcome of the last one finished since the last call: empty, or why the state is another one,
   /// when the world was put to the snapshot alone. Unset: none was finished.
   std::optional<std::string> takeRunAgainOutcome() { return std::exchange(againOutcome_, std::nullopt); }
 
-  /// What reload() has done.
+  /// The result of reload().
   struct Reloaded {
     /// False: the field or the map are others, so the scene has to be opened instead; nothing was changed.
     bool inPlace = false;
     /// Robots whose programs were started, since they are new or have other sensors or motors.
     std::vector<std::string> started = {};
-    /// Robots that are gone, whose programs have ended.
+    /// Removed robots, whose programs have ended.
     std::vector<std::string> ended = {};
     /// Models that could not keep their state, see simcore::SceneChange.
     std::vector<std::string> putBack = {};
   };
   /// Reads the scene's files again, with texts that count instead of them, and continues in it: time, poses,
   /// joint angles and velocities of models that have not changed stay, and so do the programs with all that
-  /// they know. What was added, removed or duplicated since it was opened is so in it, too. A model that was
-  /// in it before stands and moves again as it did. Fails with all errors of the file, and if something does
+  /// they know. Models added, removed or duplicated since it was opened are so in it, too. A model that was
+  /// in it before gets back its pose and motion. Fails with all errors of the file, and if something does
   /// not fit that must; then everything continues as before.
   tl::expected<Reloaded, robotlink::Errors> reload(simcore::SceneTexts texts = {}, bool mustFit = false);
 
@@ -233,18 +233,18 @@ class SimulatedRun {
   // continues as before.
   tl::expected<std::string, robotlink::Errors> addModel(const simcore::ModelToAdd& model);
   tl::expected<std::string, robotlink::Errors> removeModel(const std::string& model);
-  /// The copy stands beside the model, where there is room; an empty name chooses one.
+  /// Places a copy next to the model, where there is room; an empty name chooses one.
   tl::expected<std::string, robotlink::Errors> duplicateModel(const std::string& model,
                                                               const std::string& name);
-  /// Takes back the last of these changes. What was removed stands and moves as it did.
+  /// Undoes the last of these changes. A removed model gets back its pose and motion.
   tl::expected<std::string, robotlink::Errors> undoEdit();
-  /// What undoEdit() would take back: "the removal of red1"; empty: nothing.
+  /// The change that undoEdit() would undo: "the removal of red1"; empty: none.
   std::string undoable() const;
   /// Restarts the programs of all kinds of robots that can be run in a layout; the world continues. If there
   /// is no such kind, everything continues as before. The user's overrides are kept as far as the layout
   /// permits.
   robotlink::Errors setLayout(const std::filesystem::path& file);
-  /// The same for one robot, or for those of a team; the other programs go on, too.
+  /// The same for one robot, or for those of a team; the other programs continue, too.
   robotlink::Errors setLayoutOf(const std::string& name, const std::filesystem::path& file);
   /// Chooses where the program of a robot runs, or of all if the name is empty, and starts programs there or
   /// again; the world and the other programs continue. If that is impossible, everything continues as before.
@@ -256,7 +256,7 @@ class SimulatedRun {
   /// The overrides that the present programs cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
 
-  /// Has the forces of contacts be measured for whoever looks at them; a recording measures them anyway.
+  /// Has the forces of contacts be measured for views; a recording measures them anyway.
   void readForces(bool shown);
   SimulatedWorld& world() { return *world_; }
   const SimulatedWorld& world() const { return *world_; }
@@ -315,7 +315,7 @@ class SimulatedRun {
   /// Reads descriptions and field, and makes the hosts.
   robotlink::Errors describeRobots();
   using Hosts = std::vector<std::unique_ptr<RobotHost>>;
-  /// Makes hosts of all robots of a scene that do not go on in it as they are.
+  /// Makes hosts for all robots of a scene that do not continue in it unchanged.
   tl::expected<Hosts, robotlink::Errors> newHosts(const simcore::Scene& scene) const;
   /// Distributes the layout that was chosen for all to those kinds that can be run in it.
   robotlink::Errors distributeLayout();
@@ -323,16 +323,16 @@ class SimulatedRun {
   robotlink::Errors checkChosenSolutions() const;
   /// Layout files by kind of robot.
   using Layouts = std::map<std::string, std::filesystem::path>;
-  /// One program for each robot.
+  /// The candidate programs, one for each robot.
   using Candidates = std::vector<RobotHost::Candidate>;
   /// The layout file for a robot: the chosen one of it or of its kind, otherwise that of the scene, otherwise
   /// that of its description.
   std::filesystem::path layoutOf(const RobotHost& robot, const Layouts& chosen) const;
   /// The preset with which a robot begins.
   std::shared_ptr<const robotlink::Preset> presetOf(const std::string& robot, const std::string& team) const;
-  /// What the user chose for a robot that comes into the scene.
+  /// The user's choices for a robot that enters the scene.
   ProgramOverrides overridesOf(const HostedRobot& robot) const;
-  /// What of RunOptions::keptSolutions counts for a robot, by task.
+  /// The part of RunOptions::keptSolutions that applies to a robot, by task.
   std::map<std::string, std::string> keptSolutionsOf(const HostedRobot& robot) const;
   /// The solutions that were chosen for a robot instead of its layout's, by task.
   std::map<std::string, std::string> solutionsOf(const RobotHost& robot) const;
@@ -349,10 +349,10 @@ class SimulatedRun {
                                                                     const robotlink::Layout& layout);
   /// The same on the platform that the robot has.
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgramOnPlatform(RobotHost& robot);
-  /// What makes the program of a robot; empty: it is one inside.
+  /// Returns the maker of a robot's program; empty: the program is one inside.
   HostedProgram::Maker makerFor(const std::string& robot) const;
-  /// Where the program of a robot is to run.
-  /// Begins programs in a new executor; those of other robots continue in it.
+  /// Begins programs in a new executor;
+  /// those of other robots continue in it.
   void beginPrograms(const std::vector<RobotHost*>& robots);
   /// Returns null if there is no such robot.
   RobotHost* find(const std::string& robot) const;
@@ -387,7 +387,7 @@ class SimulatedRun {
                                                              const std::vector<std::string>& changed);
   /// Whether the present host of a robot stays in the present scene.
   bool stays(const RobotHost& robot, const Hosts& fresh) const;
-  /// Replaces the hosts by those of the present scene; returns the names of those that are gone.
+  /// Replaces the hosts by those of the present scene; returns the names of the removed ones.
   std::vector<std::string> exchangeHosts(Hosts fresh);
   /// Starts the executor again after a change that failed.
   void resumePrograms();
@@ -412,7 +412,7 @@ class SimulatedRun {
   void reportTrouble(const robotlink::Process& process, const std::string& text);
   /// World and programs start over; the programs with these overrides by robot, unless that is null.
   robotlink::Errors restart(std::uint64_t seed, const std::map<std::string, ProgramOverrides>* overrides);
-  /// What decides, beside requests, what a run does: a "name: value" in a line each.
+  /// The settings that, besides requests, decide what a run does: a "name: value" in a line each.
   std::string settings() const;
   void beginJournal();
   /// Puts what the radio has on the way to where it was.
@@ -421,16 +421,16 @@ class SimulatedRun {
   /// The run cannot be repeated from here on; `what` is a clause: "the layout was changed".
   void spoilJournal(const std::string& what);
   robotlink::Result<RunJournal> journalToRepeat(const simcore::Snapshot& snapshot) const;
-  /// Asks again what was asked at this step of the run that is repeated.
+  /// Repeats the requests that were made at this step of the run that is repeated.
   void repeatRequests();
-  /// Compares the state that came of it.
+  /// Compares the resulting state with that of the snapshot.
   void endRunningAgain();
 
   /// Lets the umpire act, and reports what happened.
   void watchGame();
   /// Carries what robots tell their team.
   void passMail();
-  /// What goes between a robot's platform and the game.
+  /// The mail between a robot's platform and the game.
   std::shared_ptr<GameMail> mailOf(const std::string& robot);
   void recordGame();
   /// Reports controllers that were switched off.
@@ -453,9 +453,9 @@ class SimulatedRun {
   /// The umpire, if it is one.
   Referee* referee_ = nullptr;
   TeamRadio radio_;
-  /// One for each robot, by its name.
+  /// The mail of each robot, by its name.
   std::map<std::string, std::shared_ptr<GameMail>> mails_;
-  /// What robots were last sent of the game, and when.
+  /// The state of the game that was last sent to robots, and when.
   std::uint64_t publishedChanges_ = 0;
   robotlink::Instant publishedAt_;
   /// Null if they are closed. Declared after the world, which it uses.
@@ -466,7 +466,7 @@ class SimulatedRun {
   std::vector<std::string> lostChoices_;
   /// Not null.
   const std::shared_ptr<ChosenSolutions> chosenSolutions_ = std::make_shared<ChosenSolutions>();
-  /// Steps since the start, and what was asked since then.
+  /// The steps since the start, and the requests since then.
   std::uint64_t stepsMade_ = 0;
   RunJournal journal_;
   /// A run that is repeated.

@@ -108,7 +108,7 @@ Result<std::vector<std::string>> SimulatedRun::restore(const simcore::Snapshot& 
   return restored;
 }
 
-/// A game that cannot be read is that of before.
+/// Restores the game; one that cannot be read leaves it as it is.
 void SimulatedRun::restoreGame(const simcore::Snapshot& snapshot) {
   if (!umpire_) return;
   umpire_->worldJumped();
@@ -125,7 +125,7 @@ void SimulatedRun::restoreGame(const simcore::Snapshot& snapshot) {
   umpire_->transfer(back);
 }
 
-/// What cannot be read leaves the radio as it is.
+/// Restores the radio; data that cannot be read leaves it as it is.
 void SimulatedRun::restoreRadio(const simcore::Snapshot& snapshot) {
   const auto part = snapshot.parts.find(kRadioPart);
   if (part == snapshot.parts.end()) return;
@@ -193,9 +193,9 @@ std::optional<double> SimulatedRun::ranAgain() const {
 void SimulatedRun::repeatRequests() {
   const auto& entries = again_->journal.entries();
   for (; again_->next < entries.size() && entries[again_->next].step <= stepsMade_; ++again_->next) {
-    // With its number of then, so that the programs do exactly the same.
+    // The request keeps its number, so that the programs do exactly the same.
     const robotcontrol::Request& request = entries[again_->next].request;
-    // What was accepted then is accepted now; if not, the state shows it at the end.
+    // Requests that were accepted then are accepted now; if not, the state shows it at the end.
     if (changesWorld(request)) {
       (void)changeWorld(request);
     } else if (request.has_control_game()) {
@@ -208,7 +208,7 @@ void SimulatedRun::repeatRequests() {
 
 void SimulatedRun::endRunningAgain() {
   const simcore::Snapshot snapshot = std::move(again_->snapshot);
-  // What was asked after the last step before the snapshot.
+  // Repeats the requests made after the last step before the snapshot.
   repeatRequests();
   again_.reset();
   againOutcome_ = "";

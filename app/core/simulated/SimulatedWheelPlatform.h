@@ -17,7 +17,7 @@ namespace app {
 ///
 /// It sends drive/state ten times per second, range/laser and range/sonar at the rates of the sensors, and
 /// drives as drive/request asks, within the speeds and accelerations of the description. If the program sends
-/// no request for kSilence, or STOP is engaged, the robot stands. Sensors are found by their kind, whatever
+/// no request for kSilence, or STOP is engaged, the robot stops. Sensors are found by their kind, whatever
 /// their names. World and description must outlive it.
 class SimulatedWheelPlatform final : public SimulatedPlatform {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The adapter of simulations: what they open, and what users are asked for.
+// The adapter of simulations: the files that it opens, and the form for users.
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -34,7 +34,7 @@ bool isScene(const std::string& source) {
 /// The robots to add. Unset: as the scene's kind of file decides.
 std::optional<simcore::RobotsToAdd> robotsToAdd(const FormValues& values, std::uint64_t seed) {
   if (!values.contains("robots") && !values.contains("kind")) return std::nullopt;
-  // Whoever names a model wants a robot of it.
+  // A user who names a model wants a robot of it.
   return simcore::RobotsToAdd{.model = textOf(values, "kind"),
                               .count = static_cast<int>(numberOf(values, "robots", 1)),
                               .seed = seed,
@@ -74,7 +74,7 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   if (values.contains("own")) options.hosting.choose({}, flagOf(values, "own"));
   const std::string executor = textOf(values, "executor");
   if (!executor.empty()) options.hosting.threads = executor == nameOf(ExecutorKind::kThreads);
-  // What is chosen now goes before what was chosen some time, if they do not fit together.
+  // Current choices take precedence over earlier ones, if they do not fit together.
   const bool isOwnChosen = flagOf(values, "own");
   if (isOwnChosen && executor.empty()) options.hosting.threads = false;
   if (!isOwnChosen && !executor.empty() && options.hosting.threads) options.hosting.choose({}, false);
@@ -104,7 +104,7 @@ Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
     return tl::unexpected(done.error());
   return SimulationFeed::opening(sceneNamed(choices.sources.front()), [values, chosen](RunOptions& options) {
     applySimulationChoices(values, options);
-    // What is chosen for all robots is not what single ones or teams had before.
+    // A choice for all robots replaces the earlier ones for robots and teams.
     if (!chosen.layout.empty()) {
       options.layout = chosen.layout;
       options.robotLayouts.clear();
@@ -247,7 +247,7 @@ std::vector<PlatformField> portFields() {
            .remembered = "simulation_setup/5"}};
 }
 
-/// What only commands and programs without a window ask for.
+/// The fields that only commands and programs without a window have.
 std::vector<PlatformField> hiddenFields() {
   return {{.name = "seed",
            .kind = Kind::kNumber,

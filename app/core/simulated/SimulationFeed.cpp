@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kTransformsPeriod{15}, kPortsPeriod{33};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
-/// What the recent past may take.
+/// The memory that the recent past may take.
 constexpr std::size_t kRewindBytes = std::size_t{256} << 20U;
 
 }  // namespace
@@ -358,10 +358,10 @@ void SimulationFeed::publishScene() {
   if (const auto map = run_->map()) gate_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
   gate_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation(), now())});
   gate_.publish({robotlink::streams::kSolids, now(), solidsMessage(run_->world().simulation(), now())});
-  // Whoever wants to read forces finds their stream.
+  // Users who want to read forces find their stream.
   gate_.publish({robotlink::streams::kForces, now(), std::make_shared<robotcontrol::WorldForces>()});
   publishControllers();
-  // After a reset nothing is held any more.
+  // After a reset, nothing is held.
   if (lastPorts_ != Clock::time_point()) publishPorts();
   publishTransforms();
   publishDrawings();

@@ -128,15 +128,15 @@ class SimulationFeed final : public PlatformFeed {
   void stepGame(Clock::time_point real);
   /// Unless nobody reads them.
   void publishTransforms();
-  /// What is read or held of ports, if there is something.
+  /// Publishes what is read or held of ports, if there is something.
   void publishPorts();
   /// Unless nobody reads them.
   void publishForces();
-  /// Has contacts be measured while somebody reads their forces.
+  /// Has contacts measured while a client reads their forces.
   void chooseForces();
-  /// Publishes forces at their rate, until the time for which they were asked is over.
+  /// Publishes forces at their rate, until the requested time is over.
   void stepForces(Clock::time_point real);
-  // What is done with snapshots.
+  // Operations on snapshots.
   robotlink::Result<void> takeSnapshot(const robotcontrol::Request& request);
   robotlink::Result<void> restoreSnapshot(const robotcontrol::Request& request);
   robotlink::Result<void> rewind(double seconds);
@@ -145,7 +145,7 @@ class SimulationFeed final : public PlatformFeed {
   void addSnapshots(robotcontrol::SimulationStatus& status) const;
   /// Publishes a text in the log of the first robot.
   void say(const std::string& text, int level);
-  /// Fails while programs are run again, which what is asked would disturb.
+  /// Fails while programs are run again, which the request would disturb.
   robotlink::Result<void> whetherFree(const robotcontrol::Request& request);
   /// Runs programs again for a moment.
   void runAgain();
@@ -154,11 +154,11 @@ class SimulationFeed final : public PlatformFeed {
   /// A step's part that concerns controllers, before it and after it.
   void beforeControl(Clock::time_point real);
   void afterControl(Clock::time_point real);
-  /// What controllers elsewhere get before the next step; `newOnly`: those that have just begun.
+  /// Publishes the inputs of remote controllers for the next step; `newOnly`: those that have just begun.
   void publishInputs(bool newOnly);
   /// How the controllers fare, if there are any, and the scene's objects, which name them.
   void publishControllers();
-  /// What controllers draw.
+  /// Publishes the drawings of controllers.
   void publishDrawings();
   /// Publishes that at its rate, with the images that are due, and lets go what must not move.
   void stepPorts(Clock::time_point real);
@@ -187,7 +187,7 @@ class SimulationFeed final : public PlatformFeed {
   Clock::time_point lastTransforms_, lastStatus_, lastPorts_, lastForces_, lastGame_;
   /// Referee::changes() at lastGame_.
   std::uint64_t gameChanges_ = 0;
-  /// Until when somebody asked for forces, and whether they are measured.
+  /// The end of the request for forces, and whether they are measured.
   Clock::time_point forcesUntil_;
   bool readsForces_ = false;
   SnapshotShelf snapshots_;

@@ -152,7 +152,7 @@ robotlink::Result<void> SimulationFeed::rewind(double seconds) {
 robotlink::Result<void> SimulationFeed::whetherFree(const robotcontrol::Request& request) {
   using Request = robotcontrol::Request;
   if (!run_->ranAgain()) return {};
-  // Robots that shall stand do not go on toward something.
+  // A STOP request also ends a run toward a snapshot.
   if (robotlink::engagesStop(request)) {
     run_->stopRunningAgain();
     return {};

@@ -20,9 +20,9 @@ constexpr double kStandTime = 0.5, kSteadyAfter = 1.5;
 constexpr double kRepeatAfter = 0.5;
 /// How far it begins before the middle of the field, m.
 constexpr double kBeforeMiddle = 0.8;
-/// What the seed adds at most to the heading (rad), and to what is asked for (m/s, rad/s).
+/// The most that the seed adds to the heading (rad), and to the commanded velocity (m/s, rad/s).
 constexpr double kHeadingRange = 0.3, kSidewardRange = 0.01, kRotationRange = 0.1;
-/// A body whose z-axis has a smaller z-component lies.
+/// A body lies if its z-axis has a smaller z-component.
 constexpr double kWalkUpright = 0.7;
 
 /// Steers one robot, and adds up how it moves.
@@ -47,7 +47,7 @@ class WalkMeasurement {
     const robotlink::Instant end = now() + robotlink::fromSeconds(seconds);
     while (now() < end) run_.step();
   }
-  /// What comes before is not measured.
+  /// Begins the measurement; what comes before is not measured.
   void begin() {
     sum_ = {};
     begun_ = now();

@@ -6,8 +6,8 @@
 namespace app {
 
 /// A measurement of how the first robot of a scene walks when it is steered: it is placed before the middle
-/// of the field with a heading that the seed chooses, stands for a moment, walks until its speed is steady,
-/// and is measured then. The seed varies what it is asked for, too, so that no gait is good for one course
+/// of the field with a heading that the seed chooses, waits for a moment, walks until its speed is steady,
+/// and is measured then. The seed varies the commanded velocity, too, so that no gait is good for one course
 /// only. Its layout needs a solution of the task behavior that obeys (`RunOptions::solutions`).
 /// Deterministic.
 struct WalkTrial {
@@ -16,7 +16,7 @@ struct WalkTrial {
     double forward = 0, sideward = 0, rotation = 0;
   };
   struct Result {
-    /// What it was asked for, and what came of it; a robot that fell counts as one that did not move.
+    /// The commanded and the actual velocity; a robot that fell counts as one that did not move.
     Velocity asked, walked;
     /// The least z-component of the body's z-axis (1 is upright).
     double leastUpright = 1;
@@ -26,7 +26,7 @@ struct WalkTrial {
   /// The simulation; it has neither referee nor kick-offs. Its seed is that of the trial.
   RunOptions run;
   SimulatedRun::Listeners listeners = {};
-  /// What it is asked for; the gait limits it.
+  /// The commanded velocity; the gait limits it.
   Velocity asked;
   /// How long it is measured, simulated s.
   double seconds = 5;

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// The snapshots of a simulation that are in memory, by the names that somebody gave them. Bounded: a further
+/// The snapshots of a simulation that are in memory, by the names that users gave them. Bounded: a further
 /// one is refused, so that none is lost unasked. One thread at a time.
 class SnapshotShelf {
  public:

@@ -23,13 +23,13 @@ class RobotProgram;
 
 namespace app {
 
-/// One of the programs that run the processes of a robot's layout, but not the one with the debug process and
+/// A program that runs processes of a robot's layout, but not the one with the debug process and
 /// the platform: each of its processes runs in a thread, by the clock of that program. It continues whatever
 /// the others do; what they send is missing while they do not run. A module that does not return is named
-/// here, and in the program with the platform, whose robot stands meanwhile.
+/// here, and in the program with the platform, whose robot stands still meanwhile.
 class OtherProgram {
  public:
-  /// What it is made of. A plain value.
+  /// The parts of which it is made. A plain value.
   struct Parts {
     HostedRobot robot;
     robotlink::Layout layout;
@@ -47,16 +47,16 @@ class OtherProgram {
   static tl::expected<std::unique_ptr<OtherProgram>, robotlink::Errors> create(Parts parts);
   ~OtherProgram();
 
-  /// Call this repeatedly: starts the processes when the program with the platform is heard for the
-  /// first time, since there is no time before, and looks whether their modules return. Returns whether they
+  /// Call this repeatedly: starts the processes when the first message of the program with the platform
+  /// arrives, since there is no time before, and checks whether their modules return. Returns whether they
   /// were started.
   bool look();
   /// Runs it until `seconds` of real time have passed (0: for ever) or `interrupted` says so. Returns whether
-  /// the program with the platform was heard.
+  /// the program with the platform was found.
   bool run(double seconds, const std::function<bool()>& interrupted);
 
  private:
-  /// What exists as long as a module does not return.
+  /// The objects that exist as long as a module does not return.
   struct Running {
     robotlink::dds::FollowedClock clock;
     std::shared_ptr<robotlink::dds::Node> node;

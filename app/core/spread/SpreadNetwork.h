@@ -14,7 +14,7 @@ namespace app {
 /// the interface of this machine that has the address of its host.
 struct SpreadNetwork {
   robotlink::dds::NodeOptions node;
-  /// What the user has to know about it, as a sentence.
+  /// A note for the user about it, as a sentence.
   std::string note;
 };
 

@@ -17,9 +17,9 @@ namespace app {
 struct GameMail {
   /// Null: there is no referee.
   std::shared_ptr<const robotcontrol::GameState> state = nullptr;
-  /// What arrived since the platform took it; null: nothing.
+  /// The messages that arrived since the platform took them; null: none.
   std::shared_ptr<const robotcontrol::TeamMessages> received = nullptr;
-  /// What was sent since it was taken; null: nothing.
+  /// The message that was sent since it was taken; null: none.
   std::shared_ptr<const robotcontrol::TeamMessage> sent = nullptr;
 };
 

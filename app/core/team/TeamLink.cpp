@@ -13,10 +13,10 @@
 namespace app {
 namespace {
 
-/// One that was overtaken on its way is at most so much older; a larger difference is that of a robot that
-/// started over.
+/// A message that was overtaken on its way is at most this much older; a larger difference means that the
+/// robot has restarted.
 constexpr robotlink::Duration kOvertaken = std::chrono::seconds(1);
-/// What is taken in a step, so that nobody holds it up, and of how many robots the newest is kept.
+/// The most messages taken in a step, so that nobody holds it up, and the most robots whose newest is kept.
 constexpr int kMaxTaken = 100;
 constexpr std::size_t kMaxSenders = 100;
 

@@ -45,7 +45,7 @@ class TeamLink {
   void step(robotlink::Instant now);
 
   std::uint16_t port() const { return socket_->port(); }
-  /// Datagrams that were sent, heard, and left out.
+  /// Numbers of datagrams sent, received, and left out.
   struct Counts {
     std::uint64_t sent = 0, heard = 0, leftOut = 0;
   };
@@ -54,14 +54,14 @@ class TeamLink {
  private:
   TeamLink(std::unique_ptr<TeamSocket> socket, std::string robot, std::string team);
   void send();
-  /// Whether something new was heard.
+  /// Returns whether something new was received.
   bool hear();
 
   const std::unique_ptr<TeamSocket> socket_;
   const std::string robot_, team_;
   const std::shared_ptr<GameMail> mail_ = std::make_shared<GameMail>();
   std::unique_ptr<GameEnds> ends_;
-  /// One for each sender, by its name.
+  /// The newest message of each sender, by its name.
   std::map<std::string, std::shared_ptr<const robotcontrol::TeamMessage>> newest_;
   Counts counts_;
 };

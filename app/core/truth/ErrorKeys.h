@@ -9,7 +9,7 @@ struct Preset;
 
 namespace app {
 
-/// A preset with which programs publish what TruthErrors compares, besides what was chosen, which may be
+/// A preset with which programs publish what TruthErrors compares, in addition to `chosen`, which may be
 /// null.
 std::shared_ptr<const robotlink::Preset> presetForErrors(
     const std::shared_ptr<const robotlink::Preset>& chosen);

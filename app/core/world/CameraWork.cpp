@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-/// The longest time between two steps at which cameras are asked, in steps of the physics.
+/// The longest time between two steps at which images are requested, in steps of the physics.
 constexpr std::uint64_t kStepsBetweenAsks = 2;
 
 /// Makes an image in YCbCr 4:2:2 black.
@@ -69,7 +69,7 @@ struct CameraWork::Ahead {
   enum class State : std::uint8_t { kWaits, kBegun, kDone };
   std::atomic<State> state{State::kWaits};
 
-  /// Whoever comes first makes it.
+  /// The first thread that calls this makes the image; others return at once.
   void make() {
     State expected = State::kWaits;
     if (!state.compare_exchange_strong(expected, State::kBegun)) return;
@@ -154,7 +154,7 @@ std::optional<std::uint64_t> CameraWork::nextAsk(std::size_t camera, const IsDue
   Camera& one = cameras_[camera];
   if (!mayAskAt(camera, simulation_.steps() + 1)) return std::nullopt;
   if (one.nextAt <= simulation_.steps()) {
-    // Cameras are asked at every second step.
+    // Images are requested at every second step.
     std::uint64_t next = one.askedAt + kStepsBetweenAsks;
     while (next <= simulation_.steps() || (mayAskAt(camera, next) && !isDue(camera, next)))
       next += kStepsBetweenAsks;

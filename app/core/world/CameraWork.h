@@ -17,14 +17,14 @@
 
 namespace app {
 
-/// Makes the images of a simulation's cameras, those of one instant in several threads: when one is asked
-/// for, all that are due are made, as far as their cameras were asked at the last time, too. Images that a
-/// delay puts into the past are begun as soon as nothing can change them any more, by threads that have
+/// Makes the images of a simulation's cameras, those of one instant in several threads: when one is needed,
+/// all that are due are made whose cameras were also requested the last time. Images that a
+/// delay puts into the past are begun as soon as nothing can change them, by threads that have
 /// nothing else to do while the simulation continues. An image does not depend on which others are made, in
 /// which order, when, or by how many threads. One thread at a time.
 class CameraWork {
  public:
-  /// What an image is to be like.
+  /// The requested properties of an image.
   struct Order {
     simcore::CameraModel model = {};
     simcore::ImageNoise noise = {};
@@ -46,13 +46,13 @@ class CameraWork {
   void restart();
   /// Call this when what images are to be like has changed.
   void forgetImages();
-  /// Call this when the simulation has gone to another instant.
+  /// Call this when the simulation has jumped to another instant.
   void forgetPast();
 
   /// Call this after each step of the simulation, and before something changes what images are to be like:
   /// has images be begun that will be asked for.
   void renderAhead(const Orders& orders, const IsDue& isDue);
-  /// How many images were asked for that had been begun before.
+  /// The number of requested images that had been begun before.
   std::uint64_t begunAhead() const { return begunAhead_; }
   /// Whether it is for the scene that the simulation has now; if not, restart() is due.
   bool isUpToDate() const { return scene_ == simulation_.renderScene(); }
@@ -61,7 +61,7 @@ class CameraWork {
   const robotlink::Image& image(std::size_t camera, const Orders& orders, const IsDue& isDue);
   /// The same for a person: made alone.
   const robotlink::Image& preview(std::size_t camera, const Orders& orders);
-  /// The true classes of the image that was asked for last; valid until the next call.
+  /// The true classes of the image that was last requested; valid until the next call.
   const robotlink::Image& trueClasses();
 
  private:
@@ -76,9 +76,9 @@ class CameraWork {
     std::uint64_t step = kNever;
     bool hasClasses = false;
   };
-  /// What threads share that make images while the simulation continues, and longer than this lives.
+  /// The state shared by threads that make images while the simulation continues; it outlives this object.
   struct Studio;
-  /// An image that is made before it is asked for.
+  /// An image that is made before it is requested.
   struct Ahead;
   /// The state of a camera.
   struct Camera {
@@ -89,11 +89,11 @@ class CameraWork {
     std::shared_ptr<simcore::CameraOptics> aheadOptics = nullptr;
     /// The next step at which it takes an image, as far as it is known.
     std::uint64_t nextAt = 0;
-    /// When its image was asked for last, and whether its true classes were.
+    /// The step at which its image was last requested, and whether its true classes were.
     std::uint64_t askedAt = kNever;
     bool asksClasses = false;
   };
-  /// What a thread renders with.
+  /// The resources with which a thread renders.
   struct Lane {
     /// Shares the poses of the step with those of other lanes.
     std::unique_ptr<simcore::CameraRenderer> renderer = nullptr;
@@ -103,7 +103,7 @@ class CameraWork {
   /// Makes the image of a camera, and those of others that are expected to be asked for.
   void makeTogether(std::size_t camera, const Orders& orders, const IsDue& isDue);
   bool isExpected(std::size_t camera, const IsDue& isDue) const;
-  /// Whether somebody asks for images of a camera who may ask at a step, too.
+  /// Whether an image of a camera may be requested at a step.
   bool mayAskAt(std::size_t camera, std::uint64_t step) const;
   /// The next step at which a camera will be asked; unset if none is known.
   std::optional<std::uint64_t> nextAsk(std::size_t camera, const IsDue& isDue);

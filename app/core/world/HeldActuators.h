@@ -30,7 +30,7 @@ class HeldActuators {
   void releaseModel(simcore::Simulation& simulation, const std::string& model);
   /// Forgets all of them, since the simulation starts over.
   void forget() { held_.clear(); }
-  /// Forgets those that do not exist any more.
+  /// Forgets those that no longer exist.
   void forgetMissing(const simcore::Simulation& simulation);
 
   /// Sets the actuators again; call this before each step of the simulation.

@@ -75,7 +75,7 @@ void PioneerGripper::move(simcore::Simulation& simulation, const Slide& slide, i
   const double here = simulation.sensors()[slide.position].values[0];
   if (direction > 0) simulation.requestAngle(slide.servo, servo.maximum);
   if (direction < 0) simulation.requestAngle(slide.servo, std::max(servo.minimum, here - kPress));
-  // What holds is not commanded again, so that it does not creep; what stops, stops here.
+  // A slide that holds is not commanded again, so that it does not creep; one that is to stop, stops here.
   const bool moving = !simulation.servoState(slide.servo).reached;
   if (direction == 0 && preload == 0 && moving) simulation.requestAngle(slide.servo, here);
 }

@@ -101,7 +101,7 @@ class PortWriter {
     return object;
   }
 
-  /// What the model's file says of the sensor: where it is, and its noise.
+  /// Adds what the model's file says about the sensor: its pose, and its noise.
   void describeSensor(WorldObject& object, const std::string& name) const {
     const auto* model = modelNamed(simulation_, object.model());
     if (model == nullptr) return;

@@ -10,7 +10,7 @@ struct Port;
 
 namespace app {
 
-/// Between which values a number of a port lies, in its unit; unknown if they are not in order.
+/// The limits of a port's number, in its unit; unknown if they are not in order.
 struct ValueRange {
   double minimum = 0, maximum = 0;
 

@@ -161,7 +161,7 @@ void SimulatedPioneer::reset(std::uint64_t seed) {
 
 void SimulatedPioneer::worldJumped() {
   session_.encodersJumped();
-  // Whether the drive has power then is asked of the microcontroller, as after each step.
+  // Whether the drive then has power is decided by the microcontroller, as after each step.
   simulation_.setDriveOn(ports_.drive, driveOn_);
 }
 

@@ -30,7 +30,7 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
 
   /// Settings of a simulated Pioneer.
   struct Options {
-    /// What the microcontroller is; create() adapts it to the sensors of the model.
+    /// The settings of the microcontroller; create() adapts them to the sensors of the model.
     robotlink::arcos::ServerSettings settings;
     /// Standard deviation of the relative error of the tires' size on each side. The errors are drawn once,
     /// from the seed and the robot's name, so that the odometry drifts as that of a real robot does.
@@ -127,7 +127,7 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   Ports ports_;
   robotlink::arcos::ServerSession session_;
   PioneerBattery battery_;
-  /// Where the robot was at the start; a client can put it back there.
+  /// The robot's pose at the start; a client can put it back there.
   robotlink::Pose2 start_;
   /// The distance that the encoders count per meter.
   double leftTire_ = 1, rightTire_ = 1;

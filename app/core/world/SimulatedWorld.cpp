@@ -55,7 +55,7 @@ std::shared_ptr<const robotlink::RobotDescription> descriptionOf(const simcore::
 /// Sets what a microcontroller has from the description of its robot: type, limits of motion, sonars,
 /// battery.
 void describe(const robotlink::RobotDescription& robot, robotlink::arcos::ServerSettings& settings) {
-  // As robots with the newer controllers call themselves.
+  // Robots with the newer controllers call themselves this.
   settings.subclass = robot.name + "-sh";
   if (const auto& drive = robot.drive) {
     settings.motion.speed = drive->maximumSpeed;
@@ -105,7 +105,7 @@ SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, 
 
 void SimulatedWorld::keepCameras() {
   const auto cameras = simulation_->cameras();
-  // The errors of sensors that are gone are those of the scene again.
+  // The errors of removed sensors are those of the scene again.
   for (auto& [path, kept] : keptCameras_) kept.errorsChosen = false;
   for (std::size_t i = 0; i < cameras.size(); ++i)
     keptCameras_[cameras[i].info.path] = {cameraSettings_[i], cameraErrorsChosen_[i]};
@@ -196,7 +196,7 @@ void SimulatedWorld::advance() {
   for (Duration done{}; done < kStep; done += simcore::Simulation::kStep) {
     {
       const CostMeter meter(costs_.physics);
-      // Controllers override programs, and whoever holds an actuator overrides both.
+      // Controllers override programs, and held actuators override both.
       simulation_->control();
       const auto events = simulation_->events();
       events_.insert(events_.end(), events.begin(), events.end());

@@ -57,7 +57,7 @@ class SimulatedWorld {
     /// Settings of all Pioneers. Their seed is that of the world; without `noise` they have no tire errors.
     SimulatedPioneer::Options pioneers = {};
   };
-  /// What the world has done since the last reset, and the real time that it took.
+  /// The work of the world since the last reset, and the real time that it took.
   struct Costs {
     /// Steps of the physics.
     std::uint64_t steps = 0;
@@ -78,12 +78,12 @@ class SimulatedWorld {
   void reset(std::uint64_t seed);
 
   /// See simcore::Simulation::continueIn(). What was set for cameras is kept by their paths. Microcontrollers
-  /// go on, unless their robots have other sensors; those of robots that are gone exist until forgetGone().
+  /// keep running, unless their robots have other sensors; those of removed robots exist until forgetGone().
   robotlink::Result<simcore::SceneChange> continueIn(std::shared_ptr<const simcore::Scene> scene,
                                                      const simcore::Continuation& how = {});
   /// Takes back the last continueIn(), before the next step and before forgetGone().
   void goBack();
-  /// Destroys the microcontrollers of robots that are gone, which no platform may use any more.
+  /// Destroys the microcontrollers of removed robots, which no platform may still use.
   void forgetGone() { gone_.clear(); }
 
   /// Keeps everything of the world that changes: the simulation, what is held, light, cameras, the digest.
@@ -91,7 +91,7 @@ class SimulatedWorld {
   /// The digest() at that instant; 0 if the snapshot does not say it.
   static std::uint64_t digestOf(const simcore::Snapshot& snapshot);
   /// Goes back (or on) to a snapshot. Its clock continues, and so do microcontrollers with their odometry:
-  /// whoever reads a clock must not see it jump. From before the first step, the clock is that of the
+  /// readers of a clock must not see it jump. From before the first step, the clock is that of the
   /// snapshot. Fails, changing nothing, if the snapshot is of another scene or is not possible. Returns the
   /// models that an edited scene has where its file puts them.
   robotlink::Result<std::vector<std::string>> restore(const simcore::Snapshot& snapshot);
@@ -115,8 +115,8 @@ class SimulatedWorld {
   /// The actuators that a person holds; a reset forgets them.
   HeldActuators& held() { return held_; }
 
-  /// What controllers elsewhere command in each step; null: there are none. It must outlive this object, or
-  /// the next call.
+  /// Sets the commands of remote controllers in each step; null: there are none. They must outlive this
+  /// object, or the next call.
   void setCommands(PortCommands* commands) { commands_ = commands; }
   /// The events of views that entered in the last advance().
   std::span<const simcore::ViewEvent> events() const { return events_; }
@@ -143,7 +143,7 @@ class SimulatedWorld {
   /// world has no noise. Fails if there is no such sensor or a number is out of range.
   robotlink::Result<void> setSensorErrors(const std::string& path, const simcore::SensorErrors& errors);
 
-  /// What the owner of a camera can change. It stays after a reset.
+  /// The settings of a camera that its owner can change. They stay after a reset.
   struct CameraSetting {
     /// Factors of the scene's light; the gain amplifies the noise, too.
     double exposure = 1, gain = 1;
@@ -156,7 +156,7 @@ class SimulatedWorld {
     return cameraSettings_[camera];
   }
 
-  /// How many images were begun while the simulation went on; see CameraWork.
+  /// The number of images that were begun while the simulation continued; see CameraWork.
   std::uint64_t imagesBegunAhead() const { return cameraWork_.begunAhead(); }
 
   /// A hash of the states after all steps and of all images since the start, for comparing runs.
@@ -167,7 +167,7 @@ class SimulatedWorld {
                  std::shared_ptr<robotlink::ThreadPool> pool);
   /// The light as a camera sees it by its settings.
   simcore::LightAdjustment lightingOf(std::size_t camera) const;
-  /// What an image of a camera is to be like now.
+  /// Returns the properties that an image of a camera must have now.
   CameraWork::Order orderOf(std::size_t camera) const;
   bool imageDue(std::size_t camera, std::uint64_t step) const;
   CameraWork::Orders orders() const;
@@ -180,7 +180,7 @@ class SimulatedWorld {
   void keepCameras();
   void findCameras();
   void mixIntoDigest(std::uint64_t value);
-  /// What was measured or rendered of the world before a jump does not count, and the clock continues.
+  /// Discards what was measured or rendered of the world before a jump; the clock continues.
   void settleAfterJump();
   struct Kept;
 
@@ -203,9 +203,9 @@ class SimulatedWorld {
     CameraSetting setting;
     bool errorsChosen = false;
   };
-  /// Keyed by path, also of cameras that are gone, whose robots may come back.
+  /// Keyed by path, also of removed cameras, whose robots may come back.
   std::map<std::string, KeptCamera> keptCameras_;
-  /// Keyed by camera: whether somebody chose its errors, instead of the scene.
+  /// Keyed by camera: whether its errors were chosen, instead of those of the scene.
   std::vector<bool> cameraErrorsChosen_;
   std::uint64_t digest_ = 0;
   Costs costs_;

@@ -24,7 +24,7 @@ std::string partOf(const std::string& link) {
   return leg == kLegsOfLinks.end() ? link : leg->second;
 }
 
-/// On what a robot lies if this direction of its frame, x to the front and y to the left, points upward.
+/// The side on which a robot lies if this direction of its frame, x forward and y to the left, points upward.
 robotcontrol::RobotState::Side sideBelow(const robotlink::Vector3& up) {
   if (-up.z() > std::abs(up.x()) && -up.z() > std::abs(up.y())) return robotcontrol::RobotState::ON_BACK;
   if (std::abs(up.x()) > std::abs(up.y()))

@@ -36,7 +36,7 @@ std::size_t shapesOf(const ModelDescription& type) {
   return count;
 }
 
-/// As SDFormat calls it.
+/// Returns SDFormat's name of the joint type.
 const char* jointKind(simcore::JointDescription::Kind kind) {
   using Kind = simcore::JointDescription::Kind;
   switch (kind) {
@@ -110,7 +110,7 @@ class ModelWriter {
  private:
   std::string linkPath(std::size_t link) const { return model_.name + "/link:" + type_.links[link].name; }
 
-  /// Where an object is that is fixed to a link.
+  /// Sets the pose of an object that is fixed to a link.
   void place(WorldObject& object, std::size_t link, const Pose3& inLink) const {
     if (type_.isStatic) {
       object.set_frame("field");
@@ -147,7 +147,7 @@ class ModelWriter {
     if (!type_.links.empty()) place(object, 0, type_.links[0].poseInModel.inverse());
     double mass = 0;
     for (const auto& link : type_.links) mass += link.mass;
-    // The mass of a single link stands with what else can be changed of the link.
+    // The mass of a single link is listed with the other editable properties of the link.
     if (!type_.isStatic && type_.links.size() > 1) addNumbers(object, "mass", {mass}, "kg");
     addText(object, "type", type_.name);
     addText(object, "file", type_.file);
@@ -207,7 +207,7 @@ class ModelWriter {
       addText(object, "palette_color", visual.colorName);
       return locate(*object.mutable_properties()->rbegin(), {start[0], start[1], "robotcontrol:color"});
     }
-    // Where the palette has no part in it, the material says the color.
+    // Without a palette color, the material defines the color.
     auto& diffuse = addNumbers(object, "diffuse", {color.r / 255.0, color.g / 255.0, color.b / 255.0});
     locate(diffuse, {start[0], start[1], "material", "diffuse"});
   }

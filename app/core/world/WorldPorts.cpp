@@ -78,7 +78,7 @@ robotlink::Image radiationImage(const simcore::ImageSensor& sensor, std::span<co
   return image;
 }
 
-/// What an image sensor measures now, as an image: depth in m, classes in the colors that they name.
+/// Returns an image sensor's measurement as an image: depth in m, classes in the colors that they name.
 std::shared_ptr<foxglove::RawImage> measuredImage(const simcore::Simulation& simulation, std::size_t index,
                                                   robotlink::Instant time) {
   const simcore::ImageSensor& sensor = simulation.imageSensors()[index];
@@ -175,7 +175,7 @@ robotlink::Result<void> WorldPorts::read(const robotcontrol::ReadPorts& request)
           {port});
   }
   read_.insert(request.ports().begin(), request.ports().end());
-  // What robots send anyway is not sent twice.
+  // Images that robots send anyway are not sent twice.
   for (const auto& camera : world_.simulation().cameras())
     if (isSentByRobot(world_.simulation(), camera)) read_.erase(camera.info.path);
   return {};
@@ -266,7 +266,7 @@ std::vector<robotlink::StreamMessage> WorldPorts::images(bool all) {
   for (const auto* output : world_.simulation().outputs()) {
     const std::string& path = output->info.path;
     if (output->kind != simcore::ControllerOutput::Kind::kImage || !read_.contains(path)) continue;
-    // As often as cameras take images.
+    // The images are sent as often as those of cameras.
     if (!all && !isDue(kUsualPeriod)) continue;
     auto image = std::make_shared<foxglove::RawImage>();
     robotlink::assign(*image, output->image.view(), world_.clock().now(), path);

@@ -21,9 +21,9 @@ namespace app {
 class ExternalControllers;
 class SimulatedWorld;
 
-/// The ports of a simulated world that are read or held by whoever watches it: fulfills ReadPorts and
-/// SetActuator, and makes what the streams `ports` and those of cameras show. What controllers show is read
-/// like sensors, and so is the truth about models and sensors; of an actuator it is read what became of its
+/// The ports of a simulated world that users read or hold: fulfills ReadPorts and
+/// SetActuator, and fills the streams `ports` and those of cameras. Outputs of controllers are read
+/// like sensors, and so is the truth about models and sensors; for an actuator, the outcome of its
 /// last command. Used by one thread, that of the world, which must outlive it.
 class WorldPorts {
  public:
@@ -54,7 +54,7 @@ class WorldPorts {
   /// The paths of what can be read.
   std::vector<std::string> readable() const;
   void addOutputs(robotcontrol::PortReadings& to) const;
-  /// What the oracle knows of models and sensors.
+  /// Adds what the oracle knows of models and sensors.
   void addTruth(robotcontrol::PortReadings& to) const;
 
   SimulatedWorld& world_;

@@ -15,7 +15,7 @@ constexpr std::size_t kMaxHeld = 10'000;
 
 }  // namespace
 
-/// What of a world is not in its simulation.
+/// The state of a world that is not in its simulation.
 struct SimulatedWorld::Kept {
   std::uint64_t digest = 0, images = 0;
   simcore::LightAdjustment lighting;
@@ -89,7 +89,7 @@ robotlink::Result<std::vector<std::string>> SimulatedWorld::restore(const simcor
   if (!restored) return restored;
   if (isFresh) clock_.set(robotlink::Instant(simulation_->time()));
   settleAfterJump();
-  // What was held after the snapshot is not held in it.
+  // Values that were held only after the snapshot are released.
   if (part != snapshot.parts.end()) held_.forget();
   if (!kept) return restored;
   digest_ = kept->digest;
@@ -97,7 +97,7 @@ robotlink::Result<std::vector<std::string>> SimulatedWorld::restore(const simcor
   options_.lighting = kept->lighting;
   cameraSettings_ = kept->cameras;
   cameraErrorsChosen_ = kept->errorsChosen;
-  // What cannot be held any more need not be.
+  // Ports that cannot be held any more are ignored.
   for (const auto& [port, values] : kept->held) (void)held_.hold(*simulation_, port, values);
   return restored;
 }

@@ -229,7 +229,7 @@ void FieldEditor::setItems(const PlatformField::Items& items) {
     choice_->addItem(formText(item.title), QString::fromStdString(item.value));
     if (!item.help.empty()) choice_->setItemData(choice_->count() - 1, formText(item.help), Qt::ToolTipRole);
   }
-  // What was found is better than nothing.
+  // Without an earlier value, the first item that was found is better than none.
   const bool finds = !field_.listAgain.empty() && before.isEmpty() && !items.empty();
   chooseText(finds ? QString::fromStdString(items.front().value) : before);
 }

@@ -43,7 +43,7 @@ class FieldEditor final : public QObject {
   /// Adds a widget that is shown and enabled together with the editor.
   void addCompanion(QWidget* widget) { companions_ << widget; }
 
-  /// What is in the field; 0 or empty while it is toggled off.
+  /// The value of the field; 0 or empty while it is toggled off.
   FormValue value() const;
   /// Changes the field if it has another value; changed() is not emitted.
   void setValue(const FormValue& value);
@@ -75,7 +75,7 @@ class FieldEditor final : public QObject {
   const std::string form_;
   QWidget* parent_;
   QList<QWidget*> widgets_, companions_;
-  // One of these is not null.
+  // One of these editors is not null.
   QLineEdit* line_ = nullptr;
   QSpinBox* whole_ = nullptr;
   QDoubleSpinBox* number_ = nullptr;

@@ -27,7 +27,7 @@ class FormFields final : public QObject {
   FormFields(const PlatformForm& form, QBoxLayout& layout, QWidget* parent);
   ~FormFields() override;
 
-  /// What is in the fields.
+  /// The values in the fields.
   FormValues values() const;
   /// Shows a state of the form.
   void show(const FormState& state);

@@ -31,7 +31,7 @@ class FormMemory {
   /// The value of a field; undefined if there is none.
   QJsonValue at(const PlatformField& field) const;
 
-  /// What is remembered, as in the state of the window and by the same keys.
+  /// The remembered values, with the same keys as in the state of the window.
   QJsonObject kept_;
 };
 

@@ -136,7 +136,7 @@ void ManualWindow::showPage(const QString& name) {
       if (list_->item(row)->data(Qt::UserRole).toString() == known) return true;
     return false;
   };
-  // An earlier search does not hide the page that is wanted now.
+  // An earlier search must not hide the requested page.
   if (!isListed()) search_->clear();
   if (shown_ == known) return;
   browser_->setSource(QUrl(known + QLatin1String(kSuffix)), QTextDocument::MarkdownResource);

@@ -73,7 +73,7 @@ void PlatformDialog::fillIn() {
   state_.values = initialValues(form_);
   for (const PlatformField& field : form_.fields) {
     if (!field.isSource) continue;
-    // What has never been chosen follows from what is opened.
+    // Values that were never chosen are derived from the source that is opened.
     if (const auto value = last.find(field.name); value != last.end())
       state_.values[field.name] = value->second;
     if (form_.follow) form_.follow(state_, field.name);

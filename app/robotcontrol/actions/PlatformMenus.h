@@ -33,7 +33,7 @@ class PlatformMenus final : public QObject {
   /// Adds the entries of the forms that belong into a menu: "file" or "robot".
   void addForms(QMenu& menu, const std::string& name);
 
-  /// What users entered last.
+  /// The values that users entered last.
   FormMemory& memory() { return memory_; }
   /// Call this in each tick of the session.
   void tick();

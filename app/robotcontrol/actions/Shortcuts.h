@@ -27,7 +27,7 @@ struct Shortcut {
   QString view;
   /// The action or shortcut; null for a binding of WindowKeys.
   QObject* owner = nullptr;
-  /// What a user's choice is remembered under; empty: it cannot be changed.
+  /// The name under which a user's choice is saved; empty: the shortcut cannot be changed.
   QString id = {};
   /// The key as it is shipped.
   QKeySequence shipped = {};
@@ -57,7 +57,7 @@ class Shortcuts final : public QObject {
  private:
   void load();
   robotlink::Result<void> save() const;
-  /// What else the key does where the shortcut works.
+  /// Returns a shortcut that already uses the key where `shortcut` works; unset if there is none.
   std::optional<Shortcut> conflict(const Shortcut& shortcut, const QKeySequence& key) const;
   void set(const Shortcut& shortcut, const QKeySequence& key);
   /// Gives actions the keys that the user has chosen for them.

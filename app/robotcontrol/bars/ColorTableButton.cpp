@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMaxCharacters = 16;
 
-/// What the selected robot's program says, or the table that a log holds for a program that does not run
+/// The table that the selected robot's program reports, or that a log holds for a program that does not run
 /// here.
 std::optional<robotcontrol::ColorTable> tableInUse(robotlink::Session& session) {
   const std::string robot = session.selectedRobot() + '/';

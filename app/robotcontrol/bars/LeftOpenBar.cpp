@@ -39,7 +39,7 @@ QStringList serversOf(const Workbench& workbench) {
 bool isHeldByAnother(const QJsonObject& left) {
   const auto process = static_cast<qint64>(left.value(QLatin1String(kProcess)).toDouble());
   if (process <= 0 || process == QCoreApplication::applicationPid()) return false;
-  // Another program may have got the number since.
+  // The system may have reused the process id for another program.
   const auto programOf = [](qint64 of) {
     return QFileInfo(QStringLiteral("/proc/%1/exe").arg(of)).symLinkTarget();
   };
@@ -81,7 +81,7 @@ QJsonObject LeftOpenBar::stateOf(const Workbench& workbench) {
   QJsonObject state{{QLatin1String(kSources), QJsonArray::fromStringList(sources)},
                     {QLatin1String(kServers), QJsonArray::fromStringList(servers)},
                     {QLatin1String(kProcess), static_cast<double>(QCoreApplication::applicationPid())}};
-  // Where robots have layouts of their own, the scene keeps them.
+  // The layouts of single robots are remembered with the scene.
   if (loaded != nullptr && !loaded->layout.empty() && loaded->otherLayouts.empty())
     state.insert(QLatin1String(kLayout), QString::fromStdString(loaded->layout.string()));
   return state;

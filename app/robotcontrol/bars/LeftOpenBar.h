@@ -21,7 +21,7 @@ class LeftOpenBar final : public QWidget {
  public:
   LeftOpenBar(Workbench& workbench, CommandActions& actions, QWidget* parent);
 
-  /// What is open now, to be kept while the workbench runs; empty: nothing.
+  /// Returns what is open now, to be saved while the workbench runs; empty: nothing.
   static QJsonObject stateOf(const Workbench& workbench);
   /// Shows the bar for what stateOf() returned in the workbench that did not end properly.
   void offer(const QJsonObject& left);

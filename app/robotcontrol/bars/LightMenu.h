@@ -62,7 +62,7 @@ class LightMenu final : public QMenu {
   Control brightness_, warmth_;
   /// The requested light, until the simulation reports it.
   std::optional<Light> asked_;
-  /// How many more calls of refresh() wait for that report.
+  /// The number of further calls of refresh() that wait for that report.
   int patience_ = 0;
   /// Calls refresh().
   QTimer refreshing_;

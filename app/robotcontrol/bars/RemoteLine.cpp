@@ -21,7 +21,7 @@ using Phase = robotlink::websocket::ConnectionState::Phase;
 /// Longer texts are for the tooltip. All connections together have at least this room, and more where the
 /// bar has it.
 constexpr int kStateCharacters = 56, kMaxStateCharacters = 112;
-/// What a button keeps of its text when the window gets narrower.
+/// The number of characters that a button keeps of its text when the window gets narrower.
 constexpr int kMinCharacters = 6;
 /// More are shown as their number.
 constexpr std::size_t kMaxConnections = 3;

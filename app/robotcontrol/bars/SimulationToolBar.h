@@ -25,7 +25,7 @@ class SimulationToolBar : public QToolBar {
   /// Call this when a scene, log or layout was loaded or refused: shows what is open now. The simulation's
   /// buttons are hidden for logs and real robots.
   void showLoaded();
-  /// Call this when robots have come or gone.
+  /// Call this when robots were added or removed.
   void showRobots();
   /// Shows the layout that a robot runs.
   void showLayoutOf(const std::string& robot);

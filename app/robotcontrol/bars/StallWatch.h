@@ -29,7 +29,7 @@ class StallWatch final : public QObject {
   /// Whether the status bar is to show stalls.
   static bool isWanted();
 
-  /// What was measured since the last reset.
+  /// The stalls measured since the last reset.
   struct Stalls {
     std::uint64_t count = 0;  ///< of those longer than kLimit, in wall time
     /// The longest busy time: by the wall, and by the processor of this thread, which others that use the

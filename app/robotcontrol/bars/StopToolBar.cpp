@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr int kGap = 24;  // pixels, to what stands left of it
+constexpr int kGap = 24;  // pixels, to the item on its left
 
 }  // namespace
 

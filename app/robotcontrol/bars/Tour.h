@@ -35,7 +35,7 @@ class Tour final : public QFrame {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// What is explained, and where it is; null if nothing of the window shows it now.
+  /// The subject of a step, and its widget; null if nothing of the window shows it now.
   struct Step {
     QString title, text;
     std::function<QWidget*()> target;

@@ -48,7 +48,7 @@ class CommandPalette final : public QFrame {
   void open();
   /// The same with the open views instead of commands.
   void openViews();
-  /// What was run last, the newest last, to be kept over restarts.
+  /// The ids of the entries run last, the newest at the end, to be kept over restarts.
   const QStringList& recent() const { return recent_; }
   void setRecent(const QStringList& recent);
 
@@ -70,7 +70,7 @@ class CommandPalette final : public QFrame {
   /// The name of the command whose arguments are typed; empty: none is.
   QString begunCommand() const;
   void showArguments();
-  /// What was used last as lines, if it is not among the entries.
+  /// Entries for recently run lines that are not among the entries.
   std::vector<PaletteEntry> recentLines() const;
   void move(int rows);
   /// Return: runs what is chosen, or takes the chosen argument.
@@ -90,7 +90,7 @@ class CommandPalette final : public QFrame {
   QLineEdit* input_ = nullptr;
   QListView* list_ = nullptr;
   QLabel* hint_ = nullptr;
-  /// What had the focus.
+  /// The widget that had the focus.
   QPointer<QWidget> before_;
 };
 

@@ -20,7 +20,7 @@ namespace app {
 struct PaletteEntry {
   /// "View › Field", "robot.walk x y rotation" or, for an argument, what it can be.
   QString title;
-  /// What it does, in a sentence.
+  /// The effect of the entry, in a sentence.
   QString help;
   /// The shortcut as text; may be empty.
   QString key;
@@ -31,7 +31,7 @@ struct PaletteEntry {
   /// The menu entry; null for a command.
   QPointer<QAction> action = {};
 
-  /// What identifies it in the list of those that were used: the line, or the name of the menu entry.
+  /// The id of the entry in the list of recent ones: the line, or the name of the menu entry.
   QString id() const;
 };
 

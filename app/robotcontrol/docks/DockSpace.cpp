@@ -34,7 +34,7 @@ void useIconsOfThePalette() {
 }
 
 /// The signs where a dock can be dropped; the library takes them from the palette, where an arrow is as dark
-/// as what it lies on.
+/// as its background.
 void colorDropSigns(ads::CDockOverlayCross& cross) {
   cross.setIconColor(ads::CDockOverlayCross::FrameColor, QColor(0x2b, 0x6c, 0xc4));
   cross.setIconColor(ads::CDockOverlayCross::WindowBackgroundColor, Qt::white);

@@ -42,16 +42,16 @@ void setColumns(ads::CDockWidget* dock, const QList<int>& sizes) {
   if (outermost != nullptr) outermost->setSizes(sizes);
 }
 
-/// A dock of a shipped perspective. A dock with tabs beside it is the one in front.
+/// A dock of a shipped perspective. If it shares its area with other tabs, it is the one in front.
 struct ShippedDock {
   /// The type of its view.
   const char* view;
   Place place;
-  /// The view beside whose dock it is; empty: the whole window.
+  /// The view next to which the dock is placed; empty: the whole window.
   const char* beside = "";
   /// The sizes in the splitter that contains it; empty: as they come.
   QList<int> sizes = {};
-  /// The widths of the columns of the whole window, which is asked for at one dock only.
+  /// The widths of the columns of the whole window, given at one dock only.
   QList<int> columns = {};
 };
 

@@ -53,7 +53,7 @@ class Perspectives {
   /// the name, or what is wrong with the file.
   robotlink::Result<QString> read(const std::filesystem::path& file);
 
-  /// The perspective that the user has chosen while this was open; empty: none, or it is gone.
+  /// The perspective that the user has chosen while this was open; empty: none, or it no longer exists.
   QString chosenFor(const std::string& source) const;
   /// Remembers the current one, for the kMaxSources opened last.
   void chooseFor(const std::string& source);

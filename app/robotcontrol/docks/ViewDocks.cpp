@@ -55,7 +55,7 @@ ViewDocks::Dock* ViewDocks::find(const QString& objectName) {
 }
 
 void ViewDocks::forget(const QObject* view) {
-  // While a widget emits destroyed(), pointers to it are not null yet, but it is no view any more.
+  // While a widget emits destroyed(), pointers to it are not null yet, but it is no longer a view.
   std::erase_if(docks_, [&](const Dock& dock) { return dock.identity == view || !dock.dock || !dock.view; });
 }
 

@@ -30,7 +30,7 @@ class DockSpace;
 class ViewDocks : public QObject {
   Q_OBJECT
  public:
-  /// Where a new dock is placed, relative to another dock or to the window.
+  /// The position of a new dock, relative to another dock or to the window.
   enum class Place : std::uint8_t { kLeft, kRight, kTop, kBottom, kTab };
 
   ViewDocks(DockSpace& space, widgets::ViewContext& context, QObject* parent);
@@ -58,7 +58,7 @@ class ViewDocks : public QObject {
   /// Whether a view of a kind is open and not behind another tab.
   bool isInFront(const QString& id) const;
 
-  /// Has all views go on with an object of the scene under its new name.
+  /// Makes all views follow an object of the scene to its new name.
   void follow(const widgets::SceneRename& rename);
 
   /// Updates all visible views.

@@ -71,7 +71,7 @@ Translation::Translation(Language language) {
   if (!own_.load(QString::fromStdString(file.string())))
     problem_ = QStringLiteral("%1 cannot be read, so texts are in English")
                    .arg(QString::fromStdString(file.string()));
-  // Where Qt's are not installed, only its standard dialogs are in English.
+  // If Qt's translations are not installed, only its standard dialogs are in English.
   if (qt_.load(QStringLiteral("qtbase_") + name, QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
     QCoreApplication::installTranslator(&qt_);
   if (problem_.isEmpty()) QCoreApplication::installTranslator(&own_);

@@ -22,8 +22,8 @@ QString nameOf(Language language);
 /// before the window exists, whose texts are in it.
 Language savedLanguage(const std::filesystem::path& windowFile);
 
-/// What kSystem stands for: English or German, whichever the user prefers. `preferred` are names of languages
-/// in the order of preference, as QLocale::uiLanguages() has them: "de-AT", "en".
+/// Returns the language that kSystem means: English or German, by the user's preference. `preferred` are
+/// names of languages in the order of preference, as QLocale::uiLanguages() has them: "de-AT", "en".
 Language preferredLanguage(const QStringList& preferred);
 
 /// Lets numbers read and write the same in all languages: with a point, as files and scripts have them.

@@ -24,7 +24,7 @@ class LanguageMenu final : public QMenu {
   void save(QJsonObject& window) const;
 
  Q_SIGNALS:
-  /// Another language was chosen; `message` says when it is in effect.
+  /// Emitted when another language was chosen; `message` says when it takes effect.
   void chosen(const QString& message);
 
  private:

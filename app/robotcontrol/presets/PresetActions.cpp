@@ -197,7 +197,7 @@ Result<void> PresetActions::load(const Preset& preset) {
   if (!isOfRobot) return loadNow(preset);
   if (session_.selectedRobot().empty())
     return failure("robot.none", "there is no robot; open a scene or a log, or connect one first");
-  // What there is to be switched off is known when the program has reported its tables.
+  // The program must report its tables first, since they tell what has to be switched off.
   requestTables([this, preset](const Result<void>& reported) {
     const auto done = reported ? loadNow(preset) : reported;
     if (!done) session_.reportRefusal("preset", done.error().describe());

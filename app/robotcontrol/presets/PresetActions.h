@@ -20,8 +20,8 @@ class ParameterEdits;
 namespace app {
 
 /// Saves, loads and compares presets of the selected robot and the window, and attaches the commands that do
-/// so. Loading runs the commands that a person would type. What comes later, such as a refusal by the robot,
-/// is passed to the session's refusal handler. GUI thread; everything must outlive it.
+/// so. Loading runs the commands that a person would type. Later results, such as a refusal by the robot,
+/// are passed to the session's refusal handler. GUI thread; everything must outlive it.
 class PresetActions final : public QObject {
   Q_OBJECT
  public:
@@ -37,7 +37,7 @@ class PresetActions final : public QObject {
   const robotlink::Presets& presets() const { return presets_; }
   /// Keyed by the name of a preset, or the path of a file.
   robotlink::Result<robotlink::Preset> named(const std::string& name) const;
-  /// Calls `done` with what is chosen now, once the robot has reported what of it is meant.
+  /// Calls `done` with the present choices, once the robot has reported those that are requested.
   void capture(const std::vector<robotlink::Preset::Part>& parts,
                std::function<void(robotlink::Result<robotlink::Preset>)> done);
   robotlink::Result<void> save(const std::string& name, const std::vector<robotlink::Preset::Part>& parts);

@@ -94,7 +94,7 @@ void SweepDialog::connectSignals() {
   connect(start_, &QPushButton::clicked, this, &SweepDialog::start);
   connect(save_, &QPushButton::clicked, this, &SweepDialog::save);
   connect(task_, &QComboBox::currentTextChanged, this, [this](const QString& task) {
-    // What the robot has not reported yet is offered when it has.
+    // Paths that the robot has not reported yet are offered when it has.
     parameters_.requestValue(task.toStdString(), {}, [guard = QPointer(this), task](const auto&) {
       if (guard && guard->task_->currentText() == task)
         fillBox(*guard->path_, guard->parameters_.paths(task.toStdString()));

@@ -25,7 +25,7 @@ struct ListColumn {
   QString widest = {};
 };
 
-/// Creates a list that is at least so many lines high.
+/// Creates a list that is at least `lines` rows high.
 QTreeWidget* makeList(QWidget* parent, const widgets::ControlText& text,
                       const std::vector<ListColumn>& columns, int lines);
 /// Removes rows at the end of a list, or appends empty ones.
@@ -35,7 +35,7 @@ void setRowCount(QTreeWidget& list, int count);
 QPushButton* makePushButton(QWidget* parent, const widgets::ControlText& text, const char* icon = nullptr);
 /// Appends a label whose key goes to the widget, and the widget.
 void addLabeled(QHBoxLayout* row, const QString& label, QWidget* widget);
-/// Creates a note about the state of what the dialog does, with room for so many lines.
+/// Creates a label for the state of the dialog's work, with room for `lines` lines.
 QLabel* makeState(QWidget* parent, const char* name, int lines);
 /// Hides a widget for which the dialog keeps its place.
 void hideInPlace(QWidget& widget);

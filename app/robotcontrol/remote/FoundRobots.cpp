@@ -37,7 +37,7 @@ QString runsText(const robotlink::dds::AnnouncedRobot& robot) {
 }
 
 void showCell(QTreeWidgetItem& row, int column, const QString& text, const QString& toolTip) {
-  // As it is: anybody in the network may have sent it.
+  // The text is escaped, since anybody in the network may have sent it.
   const QString escaped = QStringLiteral("<span>%1</span>").arg(toolTip.toHtmlEscaped());
   if (row.text(column) != text) row.setText(column, text);
   if (row.toolTip(column) != escaped) row.setToolTip(column, escaped);
@@ -106,7 +106,7 @@ void FoundRobots::show(const RobotSearch::State& state, const std::function<bool
   std::erase_if(found, [&](const RobotSearch::Found& one) { return isOwn(one.robots); });
   const auto urlOf = [](const Announced& robots) { return robots.url(); };
   isShowing_ = true;
-  // A row goes with its robots, so that the others keep their selection.
+  // A row is removed with its robots, so that the others keep their selection.
   for (int row = static_cast<int>(shown_.size()) - 1; row >= 0; --row) {
     const std::string url = shown_[static_cast<std::size_t>(row)].url();
     if (std::ranges::any_of(found, [&](const auto& one) { return urlOf(one.robots) == url; })) continue;

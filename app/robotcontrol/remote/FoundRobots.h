@@ -19,7 +19,7 @@ namespace app {
 QString ageText(robotlink::Duration age);
 
 /// Lists the robots that announce themselves on the networks of this computer: their names, kinds, what they
-/// run, where they are, and since when they are heard. Says why there are none. GUI thread.
+/// run, where they are, and since when they have been heard. Says why there are none. GUI thread.
 class FoundRobots final : public QWidget {
   Q_OBJECT
  public:
@@ -27,7 +27,7 @@ class FoundRobots final : public QWidget {
 
   explicit FoundRobots(QWidget* parent = nullptr);
 
-  /// Shows what came of the search; those for which `isOwn` holds are left out.
+  /// Shows the results of the search; those for which `isOwn` holds are left out.
   void show(const RobotSearch::State& state, const std::function<bool(const Announced&)>& isOwn);
   /// The selected one; nothing if none is.
   std::optional<Announced> selected() const;

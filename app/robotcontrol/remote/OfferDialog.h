@@ -24,9 +24,9 @@ class OfferDialog final : public QDialog {
  public:
   OfferDialog(robotlink::CommandTable& commands, const SessionOffer& offer, QWidget* parent = nullptr);
 
-  /// Where it is offered, "127.0.0.1:8765": what the fields say.
+  /// The address in the fields, "127.0.0.1:8765", at which the session is offered.
   QString address() const;
-  /// Ignores what is no address.
+  /// Ignores text that is not an address.
   void setAddress(const QString& address);
   /// Shows who is connected.
   void tick();

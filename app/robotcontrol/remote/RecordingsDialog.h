@@ -80,7 +80,7 @@ class RecordingsDialog final : public QDialog {
   QPushButton* cancel_ = nullptr;
   QLabel* state_ = nullptr;
   QPushButton *fetch_ = nullptr, *open_ = nullptr, *delete_ = nullptr;
-  /// What the chosen robot had when it was asked last.
+  /// The recordings that the chosen robot had when it was last asked.
   std::vector<RecordingFetch::Entry> entries_;
   bool isListed_ = false;
   QElapsedTimer sinceAsked_;

@@ -294,7 +294,7 @@ void RemoteDialog::setRecent(const QList<Recent>& servers) {
   const bool isEdited = isVisible() || recent_.isEmpty();
   url_->setEditText(isEdited ? text : recent_.front().url);
   if (!isEdited) return;
-  // What the user is entering stays, and where. A selection ends at its cursor.
+  // The text that the user is entering keeps its cursor and selection. A selection ends at its cursor.
   line.setCursorPosition(cursor);
   if (from >= 0) line.setSelection(cursor == from ? from + length : from, cursor == from ? -length : length);
 }

@@ -51,7 +51,7 @@ class RemoteDialog final : public QDialog {
   void showHosted(const QString& url, const QString& robot);
   /// Shows why a body that the user asked for could not be opened.
   void failHosted(const QString& reason);
-  /// Says that the user is asked something before that body can be opened.
+  /// Says that the user has to answer a question before that body can be opened.
   void showAsked();
   /// The robots that announce themselves; a click takes their address.
   FoundRobots& found() { return *found_; }
@@ -117,7 +117,7 @@ class RemoteDialog final : public QDialog {
   QString wanted_;
   /// Whether its program is to run here.
   bool wantsProgram_ = false;
-  /// What showHosted() has said last.
+  /// The last text of showHosted().
   QString hosted_;
 };
 

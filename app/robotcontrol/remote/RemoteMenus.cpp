@@ -63,7 +63,7 @@ void RemoteMenus::fillAgain() {
     const QString entry = server.isHosted ? tr("%1, program here").arg(text) : text;
     again_->addAction(entry, this, [this, url = server.url.toStdString(), here = server.isHosted] {
       if (here) return host(url);
-      // A token that is not remembered is asked for.
+      // If no token is remembered, the user is asked for it.
       if (!workbench_.commands().run("remote.connect", {url, std::string()})) showConnect();
     });
   }

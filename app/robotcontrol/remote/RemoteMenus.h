@@ -41,7 +41,7 @@ class RemoteMenus final : public QObject {
   /// Call this when a platform could not be opened.
   void fail(const QString& reason);
 
-  /// What the user entered last, in the state of the window.
+  /// Loads and saves the user's last entries in the state of the window.
   void load(const QJsonObject& window);
   void save(QJsonObject& window) const;
 

@@ -16,8 +16,8 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// Asks the user what robots elsewhere object to: a certificate that nobody has trusted, a token that is
-/// missing. One question at a time, which does not block the window; it goes when its connection does. GUI
+/// Asks the user about objections of remote robots: an untrusted certificate, or a missing token. One
+/// question at a time, which does not block the window; it closes when its connection does. GUI
 /// thread; belongs to the window; workbench and actions must outlive it.
 class RemoteQuestions final : public QObject {
   Q_OBJECT
@@ -36,7 +36,7 @@ class RemoteQuestions final : public QObject {
   CommandActions& actions_;
   QWidget* window_;
   QPointer<QDialog> open_;
-  /// What the open question is about.
+  /// The subject of the open question.
   std::string url_;
   Objection objection_;
   /// Servers for which a token was entered.

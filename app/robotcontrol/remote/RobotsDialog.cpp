@@ -29,7 +29,7 @@ namespace {
 constexpr int kRobotLines = 4, kReportLines = 4;
 constexpr int kMinSetWidth = 132;  // characters
 
-/// Where a column's text is in a robot of a set.
+/// Returns the member of a set's robot that a column shows.
 std::string RobotSet::Robot::*memberOf(int column) {
   switch (column) {
     case kSetName:
@@ -287,7 +287,7 @@ void RobotsDialog::openSet(const QString& file) {
 void RobotsDialog::save() {
   if (file_.isEmpty()) return saveAs();
   const std::string text = toText(set());
-  // What is written must be read again.
+  // The text that is written must be readable again.
   if (const auto read = parseRobotSet(text, file_.toStdString()); !read) {
     QStringList reasons;
     for (const robotlink::Error& error : read.error()) reasons << QString::fromStdString(error.text);

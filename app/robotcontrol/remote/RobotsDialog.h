@@ -25,8 +25,8 @@ class FoundRobots;
 class Workbench;
 
 /// Sets of robots (app/core/deploy/ROBOT_SETS.md): edited as a table, saved as a file, connected as a whole;
-/// and what each robot shall have: compared by checksums, and sent. Not modal; its owner calls tick() in each
-/// tick of the session. GUI thread; workbench and actions must outlive it.
+/// and the files that each robot should have: compared by checksums, and sent. Not modal; its owner calls
+/// tick() in each tick of the session. GUI thread; workbench and actions must outlive it.
 class RobotsDialog final : public QDialog {
   Q_OBJECT
  public:

@@ -14,7 +14,7 @@ namespace app {
 class TokenDialog final : public QDialog {
   Q_OBJECT
  public:
-  /// What was shown to the robot.
+  /// The kind of token that was presented to the robot.
   enum class Shown { kNone, kEntered, kRemembered };
 
   TokenDialog(const std::string& url, Shown shown, QWidget* parent = nullptr);

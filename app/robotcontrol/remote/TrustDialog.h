@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// Asks whether a robot elsewhere is the one that is meant, by the fingerprint of its certificate. A new
+/// Asks whether a remote robot is the intended one, by the fingerprint of its certificate. A new
 /// robot is trusted by a click; one that shows another certificate than before only after a tick that says
 /// what the user knows. Accepted: it is trusted. GUI thread.
 class TrustDialog final : public QDialog {

@@ -11,7 +11,7 @@
 
 namespace app {
 
-/// Strokes as somebody would make them who knows the true class of each pixel: up to `count` small discs in
+/// Strokes as an expert who knows the true class of each pixel would make them: up to `count` small discs in
 /// each class of an image, spread over those of its pixels whose neighbors are of the class, too. Class 0 is
 /// background; 255, and numbers without a name, are passed over.
 std::vector<colortool::DiscStroke> strokesInside(const robotlink::Image& labels, const std::string& image,

@@ -15,7 +15,7 @@ namespace {
 constexpr int kResamples = 2000;
 constexpr double kOutside = 0.025;  // below the lower bound, and as many above the upper one
 constexpr std::uint64_t kSeed = 1979;
-/// Up to so many values all permutations are tried.
+/// For at most this many values, all permutations are tried.
 constexpr std::size_t kMaxExact = 12;
 constexpr int kPermutations = 4000;
 

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// A mean with the bounds between which it lies with 95 % confidence.
+/// A mean and the bounds of its 95 % confidence interval.
 struct MeanInterval {
   double mean = 0, low = 0, high = 0;
 };
@@ -24,7 +24,7 @@ double chanceOf(const std::vector<double>& values);
 /// How many values chanceOf() needs to be able to tell at the level of 5 %.
 inline constexpr std::size_t kFewestForChance = 6;
 
-/// Such chances corrected for how many there are: of those up to a level, at most that share is by chance
+/// Corrects such chances for their number: of those up to a level, at most that share is due to chance
 /// (Benjamini, Y., Hochberg, Y.: Controlling the false discovery rate, 1995).
 std::vector<double> corrected(const std::vector<double>& chances);
 

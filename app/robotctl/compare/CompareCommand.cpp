@@ -89,7 +89,7 @@ std::vector<std::string> packagesOf(const CompareArguments& arguments) {
   return {packages.begin(), packages.end()};
 }
 
-/// What is to be known of a task about whose packages the simulator knows no truth; empty if it does.
+/// Returns a note about a task for whose packages the simulator has no ground truth; empty if it has.
 std::string noTruthNote(const CompareArguments& arguments, const std::vector<std::string>& packages) {
   const auto& compared = robotlink::TruthErrors::packages();
   if (std::ranges::any_of(packages, [&](const std::string& package) {

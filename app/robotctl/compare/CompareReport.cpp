@@ -101,8 +101,8 @@ std::optional<bool> isLessBetter(const std::string& figure) {
   return std::nullopt;
 }
 
-/// The range that a plot shows. It begins at 0, unless what is shown is so far from there that it could not
-/// be told apart.
+/// The range that a plot shows. It begins at 0, unless the values are so far from there that they could not
+/// be distinguished.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 

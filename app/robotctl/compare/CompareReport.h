@@ -16,7 +16,7 @@ struct ReportTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// What a report says of itself, besides its figures.
+/// The heading of a report, besides its figures.
 struct ReportTitle {
   std::string title;                 ///< "ball-model: filtered, oracle"
   std::string command;               ///< that makes it again

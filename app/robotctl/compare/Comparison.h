@@ -44,7 +44,7 @@ class Comparison {
  public:
   struct Cell {
     std::map<std::string, double> bySubject = {};
-    /// What meanOf() has computed of them.
+    /// The cached result of meanOf().
     mutable std::optional<MeanInterval> mean = {};
   };
   struct Row {
@@ -56,7 +56,7 @@ class Comparison {
   };
 
   void add(const std::string& variant, const std::string& subject, const std::vector<Figure>& figures);
-  /// In the order in which they came.
+  /// The variants in the order in which they were added.
   const std::vector<std::string>& variants() const { return variants_; }
   const std::vector<Row>& rows() const { return rows_; }
   /// Mean and bounds of a variant in a row; computed once. One thread at a time.

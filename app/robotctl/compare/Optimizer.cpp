@@ -22,7 +22,7 @@ struct Search {
   bool hasEnded = false;
 };
 
-/// What points cost once the search has ended: some algorithms notice that only after a while.
+/// The cost of points once the search has ended: some algorithms notice the end only after a while.
 constexpr double kNoCost = 1e30;
 
 double costAt(unsigned dimensions, const double* point, double* /*gradient*/, void* data) {

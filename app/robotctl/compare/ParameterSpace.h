@@ -21,7 +21,7 @@ class ParameterSpace {
     /// "gait.fore.lift"
     std::string path;
     double low = 0, high = 0;
-    /// As the robot's files have it.
+    /// The value in the robot's files.
     double start = 0;
     bool isWhole = false;
   };
@@ -36,7 +36,7 @@ class ParameterSpace {
   const std::vector<Axis>& axes() const { return axes_; }
   /// The present values.
   std::vector<double> start() const;
-  /// What a preset has for a point: the numbers of all axes with six significant digits.
+  /// Returns the preset for a point: the numbers of all axes with six significant digits.
   robotlink::Preset presetAt(const std::vector<double>& point) const;
   /// The numbers themselves, in the order of the axes.
   std::vector<std::string> numbersAt(const std::vector<double>& point) const;

@@ -64,7 +64,7 @@ class ProgressLine {
   std::chrono::steady_clock::time_point shown_{};
 };
 
-/// What a run printed; fails if that is no object of JSON.
+/// Reads the output of a run; fails if it is not a JSON object.
 robotlink::Result<nlohmann::json> readResult(const std::filesystem::path& file) {
   const auto text = robotlink::readFile(file);
   if (!text) return tl::unexpected(text.error());

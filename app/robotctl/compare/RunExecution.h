@@ -30,15 +30,15 @@ struct RunExecution {
   /// 0: as many as there are cores.
   unsigned parallel = 0;
   int retries = 1;
-  /// What the runs are a part of, for the line of progress; empty: nothing.
+  /// The name of what the runs are a part of, for the progress line; empty: nothing.
   std::string partOf = {};
 
   /// Options of `robotctl sim` for each run.
   std::vector<std::string> options = {};
 
-  /// What came of the runs, in their order.
+  /// The results of the runs, in their order.
   struct Results {
-    /// What each run printed.
+    /// The output of each run.
     std::vector<std::pair<PlannedRun, nlohmann::json>> results;
     /// "variant, subject" of the runs without a result.
     std::vector<std::string> missing;
@@ -52,8 +52,8 @@ struct RunExecution {
   /// terminal how far it is, and which are missing. A signal ends it. Fails if the folder cannot be written,
   /// the batch system refuses, or a result cannot be read.
   robotlink::Result<Results> execute(std::vector<PlannedRun> runs) const;
-  /// Executes the first of the simulations of each variant for no time, so that what is wrong with all of
-  /// them is said at once. Fails with the texts of those that fail.
+  /// Executes the first of the simulations of each variant for no time, so that common errors of all of
+  /// them are reported at once. Fails with the texts of those that fail.
   robotlink::Result<Results> tryOut(const std::vector<PlannedRun>& runs) const;
 
  private:

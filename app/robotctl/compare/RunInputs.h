@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// A line that says on what the result of a run depends besides its arguments: this program with its
+/// A line that says on what the result of a run depends in addition to its arguments: this program with its
 /// libraries, its resources, and the files that the arguments name, each by size and time of its last change.
 /// If one of them changes, the line does. Files that those files name are not followed. Any thread.
 std::string inputsOf(const PlannedRun& run);

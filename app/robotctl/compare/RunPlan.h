@@ -9,18 +9,18 @@
 
 namespace app {
 
-/// One of the runs that are compared: `robotctl` with these arguments, which prints figures as JSON.
+/// A run to be compared: `robotctl` with these arguments, which prints figures as JSON.
 struct PlannedRun {
-  /// What is compared, such as a solution or a pair of teams.
+  /// The variant that is compared, such as a solution or a pair of teams.
   std::string variant;
-  /// What it is tried on, "seed 3" or the name of a log. Variants are compared on the same subject.
+  /// The subject it is tried on, "seed 3" or the name of a log. Variants are compared on the same subject.
   std::string subject;
   std::vector<std::string> arguments;
-  /// On what its result depends besides; see inputsOf().
+  /// Further inputs on which its result depends; see inputsOf().
   std::string inputs = {};
 };
 
-/// The files of runs in a folder: what was asked for, what came of it, and what was said meanwhile. A result
+/// The files of runs in a folder: the request, the result, and the output meanwhile. A result
 /// counts as long as its run and that run's inputs are still the same.
 class RunFiles {
  public:

@@ -18,7 +18,7 @@ namespace {
 constexpr std::chrono::milliseconds kLookAtRunsEvery{50};
 constexpr ::mode_t kFileMode = 0644;
 
-/// What the child does between fork() and exec(): only calls that are safe there.
+/// Runs in the child between fork() and exec(): only calls that are safe there.
 [[noreturn]] void becomeRun(const char* result, const char* texts, ::pid_t parent, char* const* arguments) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(127);  // it ended before that

@@ -18,9 +18,9 @@ namespace {
 constexpr std::chrono::milliseconds kLookAtJobsEvery{100};
 /// Slurm's controller is not to be asked more often.
 constexpr int kLooksPerQuestion = 20;
-/// After so many questions in a row without an answer the results that are there count.
+/// After this many unanswered queries in a row, the existing results are used.
 constexpr int kMaxUnanswered = 150;
-/// An array has at most so many jobs unless a cluster is set otherwise (MaxArraySize 1001); if there are more
+/// By default, a Slurm array has at most this many jobs (MaxArraySize 1001); if there are more
 /// runs, each job does several.
 constexpr std::size_t kMaxJobs = 1000;
 constexpr char kScript[] = "slurm.sh", kCommands[] = "slurm-commands.txt";

@@ -29,7 +29,7 @@ double shareOfWin(int own, int other) {
   return own > other ? 1 : 0;
 }
 
-/// What the robots of a color have printed, as if they had been alone.
+/// Returns the output about the robots of one color, as if they had been alone.
 json errorsOf(const json& printed, const std::string& color) {
   json part = json::object();
   if (!printed.contains("errors")) return part;

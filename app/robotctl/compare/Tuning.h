@@ -21,18 +21,18 @@ namespace app {
 /// comparisons, so that the same tuning continues where it ended.
 struct TuningTask {
   std::string scene;
-  /// As Figure::name.
+  /// The name of a figure, see Figure::name.
   std::string figure;
   bool maximize = false;
   int seeds = 3, heldOut = 10;
   /// The task and the solution that is tuned, which each run uses: "motion=wheel-model-fast".
   std::string solution = {};
-  /// One after the other, each from the best so far.
+  /// The stages, run one after the other, each from the best point so far.
   std::vector<Optimizer> stages = {};
   RunExecution execution = {};
 };
 
-/// A candidate and what came of it.
+/// A candidate and its result.
 struct TunedPoint {
   std::vector<double> point;
   /// The figure's mean; none: a run had no result.
@@ -46,7 +46,7 @@ class Tuning {
   /// Both must outlive it.
   Tuning(const TuningTask& task, const ParameterSpace& space) : task_(task), space_(space) {}
 
-  /// Runs all stages; returns whether they came to an end, rather than that a signal came. Fails if results
+  /// Runs all stages; returns true if they were completed, false if a signal ended them. Fails if results
   /// cannot be kept or have no such figure.
   robotlink::Result<bool> search();
   /// All candidates in the order in which they were first tried; the first one is today's.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `robotctl deploy`: what robots of a set shall have.
+// `robotctl deploy`: the files that robots of a set should have.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>

@@ -36,7 +36,7 @@ class StreamList {
   };
 
   std::vector<Row> rows_;
-  /// What the topics had at the last update.
+  /// The counts of the topics at the last update.
   std::map<std::string, Count> counts_;
 };
 

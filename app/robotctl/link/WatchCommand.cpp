@@ -44,7 +44,7 @@ constexpr std::chrono::seconds kWatchInterval{1};
 /// This command never looks back, so it keeps little.
 constexpr robotlink::StreamStore::Limits kWatchHistory{std::chrono::seconds(1), 64U << 20U};
 
-/// What other programs read stays as it is; a terminal must not obey it.
+/// Other programs read the lines unchanged; a terminal must not obey control characters in them.
 std::string shownLines(const std::string& lines) {
   return ::isatty(STDOUT_FILENO) == 1 ? robotlink::printableLines(lines) : lines;
 }

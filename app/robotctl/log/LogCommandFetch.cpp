@@ -105,7 +105,7 @@ int runFetch(const FetchArguments& arguments) {
   const Connector connector(client, *connection);
   TerminalProgress terminal;
   const auto shown = terminal.function();
-  // A server that refuses will go on to do so.
+  // A server that refuses once will refuse again.
   const auto refused = [&] {
     return client->state().phase == robotlink::websocket::ConnectionState::Phase::kRefused;
   };

@@ -56,7 +56,7 @@ void printBookmarks(const Bookmarks& bookmarks, bool asJson) {
   if (asJson) std::cout << jsonOutput(all);
 }
 
-/// Adds the one that is asked for; "usage" if the times make no sense.
+/// Adds the requested bookmark; "usage" if the times make no sense.
 Result<void> addBookmark(Bookmarks& bookmarks, const BookmarkArguments& arguments,
                          const TimeRangeOptions::Instants& range) {
   if (!range.from) return robotlink::failure("usage", "--add needs --from, and for a range --to");

@@ -40,7 +40,7 @@ struct SearchArguments {
   std::vector<std::string> solutions;
 };
 
-/// As in `robotctl run`: longer than any module takes on a machine that is busy.
+/// The same limit as in `robotctl run`: longer than any module takes on a busy machine.
 constexpr std::chrono::seconds kSearchPatience{30};
 
 std::string listOf(const std::set<std::string>& streams) {

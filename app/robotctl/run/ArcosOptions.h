@@ -35,7 +35,7 @@ struct ArcosOptions {
 
   /// Adds the options to a command; this object must outlive the command.
   void addTo(CLI::App& command);
-  /// Fails if a kind or teams are named for robots that nobody adds.
+  /// Fails if a kind or teams are named, but no robots are added.
   robotlink::Result<void> check(const std::filesystem::path& scene) const;
   /// Whether --arcos was given.
   bool given() const;

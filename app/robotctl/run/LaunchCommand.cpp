@@ -26,7 +26,7 @@ struct LaunchArguments {
   std::vector<std::string> others;
 };
 
-/// What a user types for these words in a shell.
+/// Returns the words as a user types them in a shell.
 std::string typed(const std::vector<std::string>& words) {
   std::string text = "robotctl";
   for (const std::string& word : words) {

@@ -22,7 +22,7 @@ namespace {
 constexpr int kLookMs = 50;
 constexpr std::size_t kMaxLine = 65'536;  // longer ones are printed in pieces
 
-/// What the child does between fork() and exec(): only calls that are safe there.
+/// Runs in the child between fork() and exec(): only calls that are safe there.
 [[noreturn]] void becomeProgram(int output, ::pid_t parent, char* const* arguments) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(127);  // it ended before that

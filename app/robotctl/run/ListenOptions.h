@@ -21,7 +21,7 @@ struct ListenOptions {
   /// Adds the options to a command; this object must outlive the command.
   void addTo(CLI::App& command);
   bool given() const;
-  /// What was given; without a value the default port on this machine only.
+  /// Returns the given address; without a value, the default port on this machine only.
   robotlink::Result<robotlink::websocket::ListenAddress> address() const;
   /// Serves a platform at that address until its time is over or the user interrupts it; returns the exit
   /// status of the program.

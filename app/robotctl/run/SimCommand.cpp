@@ -87,9 +87,9 @@ struct SimArguments {
   RecordOptions record;
 };
 
-/// What a run writes to.
+/// The outputs of a run.
 struct SimOutputs {
-  /// Null: nobody wants to know.
+  /// Null: not requested.
   std::unique_ptr<robotlink::TruthErrors> errors = nullptr;
   /// Null: none.
   std::unique_ptr<LabeledImages> images = nullptr;
@@ -136,7 +136,7 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, const Shared
   return listeners;
 }
 
-/// Waits until a step is due; false if a signal came before.
+/// Waits until a step is due; false if a signal arrived first.
 bool waitUntilDue(Pace::RealTime due) {
   for (auto now = std::chrono::steady_clock::now(); now < due; now = std::chrono::steady_clock::now()) {
     std::this_thread::sleep_until(std::min(due, now + kLookEvery));
@@ -145,8 +145,8 @@ bool waitUntilDue(Pace::RealTime due) {
   return true;
 }
 
-/// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the
-/// recording: nothing is in a hurry here.
+/// Steps to the end; false if a signal arrived first. A recording waits for the disk, and the run for the
+/// recording: nothing is urgent here.
 robotlink::Result<bool> simulate(SimulatedRun& run, const SimArguments& arguments,
                                  logplayer::Recorder* recorder) {
   auto snapshots = arguments.snapshots.wanted();
@@ -199,7 +199,7 @@ void printFigures(const SimArguments& arguments, json figures, const ProgramTrou
   }
 }
 
-/// Plays a game whose programs are made, and prints what came of it.
+/// Plays a game whose programs are made, and prints the result.
 int playGame(SimulatedRun& run, const SimArguments& arguments, const SimOutputs& outputs,
              const ProgramTroubles& troubles) {
   if (const auto restored = arguments.snapshots.restore(run); !restored)
@@ -305,7 +305,7 @@ int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiv
   return arguments.listen.serve(SimulationFeed::opening(arguments.run), options, arguments.record);
 }
 
-/// What is done with a scene, why some options are not for it, and these.
+/// A use of a scene, the options that do not apply to it, and the reason.
 struct SimUse {
   bool isMeant;
   const char* why;

@@ -139,7 +139,7 @@ std::string contactText(const json& robot) {
                      secondsText(robot["contact_seconds"]));
 }
 
-/// What of the received bytes was damaged: " (3 with wrong checksums)"; empty if nothing was.
+/// Describes the damage in the received bytes: " (3 with wrong checksums)"; empty if there was none.
 std::string damageText(const json& robot) {
   const std::uint64_t damaged = robot["checksum_errors"], skipped = robot["skipped_bytes"];
   std::string text;

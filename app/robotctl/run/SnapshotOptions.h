@@ -16,7 +16,7 @@ namespace app {
 
 class SimulatedRun;
 
-/// A snapshot that is written when the simulation has come so far.
+/// A snapshot to be written when the simulation reaches a time.
 struct WantedSnapshot {
   robotlink::Duration at{};
   std::filesystem::path file;
@@ -32,14 +32,14 @@ struct SnapshotOptions {
 
   void addTo(CLI::App& command);
   bool given() const { return !at.empty() || !restored.empty(); }
-  /// What --snapshot-at asks for, in the order of time. Fails if it cannot be read.
+  /// Returns the snapshots that --snapshot-at requests, in the order of time. Fails if it cannot be read.
   robotlink::Result<std::vector<WantedSnapshot>> wanted() const;
-  /// Puts a run that has not been stepped to the snapshot with which it shall begin. Shows the progress of
+  /// Puts a run that has not been stepped to the snapshot with which it should begin. Shows the progress of
   /// running programs again, which a signal ends.
   robotlink::Result<void> restore(SimulatedRun& run) const;
 };
 
-/// Writes the snapshots that are due, and removes them from those that are wanted.
+/// Writes the snapshots that are due, and removes them from `wanted`.
 robotlink::Result<void> writeDueSnapshots(const SimulatedRun& run, std::vector<WantedSnapshot>& wanted);
 
 }  // namespace app

@@ -148,7 +148,7 @@ void ChunkMerge::lookOver(Open& open) {
   cache_.correctTimes(open.section, overview.first, overview.last);
 }
 
-/// As Reader::next() and read() find them, which look at the records where the message indexes say.
+/// Finds the same as Reader::next() and read(), which look at the records where the message indexes say.
 void ChunkMerge::sortBroken(Open& open) {
   open.listing.messages = cache_.messagesOfBroken(open.section, *open.records);
   std::ranges::stable_sort(open.listing.messages, {}, &MessageRecord::time);

@@ -46,7 +46,7 @@ struct FileIndex {
   std::uint64_t dataEnd = 0;
   /// CRC of all bytes before DataEnd; 0 if unknown.
   std::uint32_t dataCrc = 0;
-  /// What could not be read so far.
+  /// The damage found so far.
   std::vector<Damage> damage;
   /// Whether the scan was canceled by ReadOptions::progress; the index is incomplete then.
   bool givenUp = false;

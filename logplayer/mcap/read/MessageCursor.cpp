@@ -35,7 +35,7 @@ void MessageCursor::seek(const MessagePosition& behind) {
   stop();
 }
 
-/// Holds nothing any more that the merge hands out.
+/// Releases everything that the merge hands out.
 void MessageCursor::stop() {
   come_ = false;
   next_ = end_ = nullptr;
@@ -62,7 +62,7 @@ bool MessageCursor::advance() {
   return true;
 }
 
-/// As next() and read() of the reader find it.
+/// Steps by next() and read() of the reader.
 bool MessageCursor::step() {
   Implementation& self = *implementation_;
   const auto found = self.reader.next(behind_, self.channels);

@@ -36,7 +36,7 @@ std::optional<MessageList> MessageList::fromIndexes(Bytes indexes, const Section
     ByteReader fields(record.content);
     const auto channelId = fields.take<std::uint16_t>();
     const Bytes entries = fields.take(fields.take<std::uint32_t>());
-    // Where further entries would fit behind them, their length is wrong, and messages would be missing.
+    // If further entries would fit behind them, their length is wrong, and messages would be missing.
     good = good && fields.good() && entries.size() % 16 == 0 && fields.rest().size() < 16;
     if (!good) return;
     list.channels_.push_back({channelId, list.entries_.size(), entries.size() / 16});

@@ -9,7 +9,7 @@ namespace logplayer::mcap {
 /// the file. Immutable once it is built.
 class MessageList {
  public:
-  /// One message.
+  /// The entry of a message.
   struct Entry {
     Instant time;
     /// Offset within the section's decompressed records.

@@ -17,7 +17,7 @@ class ReadAhead {
  public:
   /// How many sections are loaded at the same time, so that decompressing is faster, too.
   static constexpr std::size_t kSections = 2;
-  /// What ChunkLoader::load() returned.
+  /// The result of ChunkLoader::load().
   using Outcome = tl::expected<void, std::string>;
 
   ReadAhead(const Source& source, std::size_t maxRecordBytes, std::size_t maxBytes);

@@ -11,9 +11,9 @@
 // The values that a Reader takes and returns. Plain values.
 namespace logplayer::mcap {
 
-/// Where in a file something could not be read.
+/// A part of a file that could not be read.
 struct Damage {
-  /// Where in the file it begins.
+  /// The offset in the file at which the damage begins.
   std::uint64_t offset = 0;
   /// Number of bytes that were skipped, without zeros at the end of the file.
   std::uint64_t bytes = 0;

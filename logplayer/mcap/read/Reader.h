@@ -18,10 +18,10 @@ struct ReaderParts;
 /// Reads MCAP files (https://mcap.dev/spec) lazily: memory is bounded by the cache of chunks, the index, and
 /// `maxRecordBytes`, whatever the file claims.
 ///
-/// A file with a summary is opened by it. One without (its writer was killed), or with a summary that turns
-/// out to lie, also later, is scanned, hopping from record to record without decompressing; after damage the
-/// next plausible chunk is looked for; as long as a reader of such a file exists, others know what it found.
-/// CRCs are checked where there are any. What could not be read is counted in damage(), also what is only
+/// A file with a summary is opened by it. A file without one (its writer was killed), or whose summary turns
+/// out to be wrong, also later, is scanned from record to record without decompressing; after damage the
+/// next plausible chunk is searched; as long as a reader of such a file exists, others share its index.
+/// CRCs are checked where there are any. Unreadable data is counted in damage(), also if it is only
 /// found later; reading continues behind it. Messages outside of chunks are read, too.
 ///
 /// One thread at a time. See MessageData for the lifetime of message data.
@@ -47,15 +47,15 @@ class Reader {
   const std::vector<ChunkInfo>& chunks() const;
   /// Whether the file was closed properly and its summary is consistent.
   bool complete() const;
-  /// What could not be read so far.
+  /// Returns the damage found so far.
   const std::vector<Damage>& damage() const;
   /// Number of bytes that the file has lost at its end since it was opened; queries the operating system.
   std::uint64_t cutOffBytes() const;
 
-  // Where messages are, in order of time, whatever their order in the file. From the message indexes, without
+  // Find messages in order of time, whatever their order in the file. They use the message indexes, without
   // decompressing, where there are any; the indexes of some chunks are kept, not those of all. For reading
   // many messages one after the other a MessageCursor is faster.
-  /// The newest message of a channel that is not later than `time`.
+  /// Returns the newest message of a channel that is not later than `time`.
   std::optional<MessagePosition> latest(std::uint16_t channelId, Instant time);
   /// The first message after, or the last before, a position among the messages of some channels; `than` need
   /// not be the position of a message. Fast when called with its last result.
@@ -80,7 +80,7 @@ class Reader {
   /// All metadata records; read at the first call.
   const std::vector<Metadata>& metadata();
 
-  /// What verify() could read.
+  /// The data that verify() could read.
   struct Readable {
     std::uint64_t messages = 0;
     std::uint64_t chunks = 0;

@@ -57,7 +57,7 @@ class RecentlyUsed {
     bytes_ = 0;
   }
 
-  /// Marks a value as probably not needed any more: it stays available, but is evicted first.
+  /// Marks a value as probably no longer needed: it stays available, but is evicted first.
   void retire(std::size_t key) {
     const auto found = places_.find(key);
     if (found == places_.end() || retired_ == key) return;

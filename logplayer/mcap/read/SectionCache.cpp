@@ -8,7 +8,7 @@ namespace logplayer::mcap {
 namespace {
 
 constexpr int kKeptOnRegret = 64;
-/// Larger sections are not read ahead, since each needs its size in memory once more.
+/// Larger sections are not read ahead, since each needs its size in memory a second time.
 constexpr std::size_t kMaxBytesAhead = 16U << 20U;
 
 }  // namespace
@@ -144,7 +144,7 @@ std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
   return shared;
 }
 
-/// Nothing guards the times in a chunk's head.
+/// Corrects the times in a chunk's head, which no checksum protects.
 void SectionCache::correctTimes(std::size_t section, Instant first, Instant last) {
   ChunkInfo& info = index_.sections[section].info;
   if (info.start <= first && last <= info.end) return;

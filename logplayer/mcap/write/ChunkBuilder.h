@@ -29,7 +29,7 @@ class ChunkBuilder {
   Bytes records() const { return records_; }
   /// The CRC of the records; 0 if none is to be computed.
   std::uint32_t crc();
-  /// One index per channel that has messages, in the order of their first messages. Valid until the next
+  /// Returns the indexes of channels with messages in the order of their first messages. Valid until the next
   /// change.
   std::span<const MessageIndex> indexes() const { return std::span(indexes_).first(used_); }
 

@@ -29,7 +29,7 @@ constexpr robotlink::ParameterRange kBallEvidence{0, 1, true};
 template <typename Options>
 struct BallOptions : Options {
   double minimumConfidence = 0.2;
-  /// As PerceptBallModeler::absentImages().
+  /// See PerceptBallModeler::absentImages().
   int absentImages = 10;
 };
 

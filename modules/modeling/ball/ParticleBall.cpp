@@ -16,7 +16,7 @@ namespace {
 
 /// Particles farther than this from the estimate do not belong to it, m.
 constexpr double kNearBall = 0.4;
-/// From percepts of so many seconds velocities are computed, with an error as this, m/s.
+/// Velocities are computed from percepts of this many seconds, with this error, m/s.
 constexpr double kVelocityTime = 0.24, kVelocityError = 0.25;
 /// The likelihood of a percept that is wrong.
 constexpr double kWrongPercept = 1e-3;

@@ -26,7 +26,7 @@ class ParticleBall {
     /// How long the ball is known without percepts, s.
     double memory = 6;
     RollingBall roll;
-    /// How often a ball begins to roll and comes to rest, 1/s.
+    /// How often a ball begins to roll and stops, 1/s.
     double startRate = 0.5, stopRate = 0.5;
     /// Standard deviation of the velocity of a ball that begins to roll, m/s.
     double startSpeed = 0.6;
@@ -55,7 +55,7 @@ class ParticleBall {
   /// Call it once a frame; the arguments are those of LastBall::update().
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
-  /// As LastBall::forget().
+  /// Same as LastBall::forget().
   void forget();
   BallEstimate estimate() const { return estimate_; }
   /// Empty before the first percept.

@@ -47,7 +47,7 @@ void RollingBallFilter::mix(double seconds) {
     model.probability = stayed + came;
     const double share = came / std::max(1e-12, model.probability);
     Model source = before[other];
-    // A ball that began to roll may have any velocity, one that came to rest has none.
+    // A ball that began to roll may have any velocity, one that has stopped has none.
     source.state.tail<2>().setZero();
     source.covariance.topRightCorner<2, 2>().setZero();
     source.covariance.bottomLeftCorner<2, 2>().setZero();

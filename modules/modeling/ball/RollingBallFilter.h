@@ -28,7 +28,7 @@ class RollingBallFilter {
     double acceleration = 2;
     /// How far dead reckoning moves a resting ball, m after one second, growing with the root of time.
     double drift = 0.1;
-    /// How often a ball begins to roll and comes to rest, 1/s.
+    /// How often a ball begins to roll and stops, 1/s.
     double startRate = 0.5, stopRate = 0.5;
     BallAccuracy accuracy;
     /// Percepts farther away than this many standard deviations are outliers.
@@ -42,7 +42,7 @@ class RollingBallFilter {
   /// Call it once a frame; the arguments are those of LastBall::update().
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
-  /// As LastBall::forget().
+  /// Same as LastBall::forget().
   void forget();
   BallEstimate estimate() const { return estimate_; }
   /// The probability that the ball rolls, 0 to 1.

@@ -85,7 +85,7 @@ class FieldLocalization : public SelfLocalization {
     frame.robotInOdometry = odometry_.at(frame.time);
     landmarks_.clear();
     points_.clear();
-    // The pose of the camera of a robot that lies or hangs is not known.
+    // The camera's pose is unknown while the robot lies or hangs.
     if (fallen || frame.carried) return frame;
     for (const robotcontrol::LandmarkPercept& percept : percepts_->landmarks()) addLandmark(percept);
     // Percepts of an older image would be combined with the wrong pose.

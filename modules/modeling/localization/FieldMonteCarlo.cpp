@@ -258,7 +258,7 @@ FieldMonteCarlo::Block FieldMonteCarlo::densestBlock() {
   const int place = index / kHeadingCells;
   Block best{place % columns, place / columns, index % kHeadingCells};
   if (!hasEstimate_) return best;
-  // Where two clusters are as dense, the estimate does not jump to and fro.
+  // Between two equally dense clusters, the estimate does not jump to and fro.
   const Block last = cellOf(estimate_.robotInField);
   double most = at(best.x, best.y, best.heading) / kKeepsCluster;
   for (int y = std::max(0, last.y - 1); y <= std::min(last.y, rows - 1); ++y) {
@@ -291,7 +291,7 @@ void FieldMonteCarlo::summarize() {
   x /= sum;
   y /= sum;
   estimate_.robotInField = {x, y, std::atan2(s, c)};
-  // What lies elsewhere makes the estimate doubtful, as if it were a meter and a radian away.
+  // Particles elsewhere make the estimate doubtful, as if they were a meter and a radian away.
   const double elsewhere = std::max(0.0, 1 - sum / all);
   const double inside = std::max(0.0, squares / sum - x * x - y * y);
   estimate_.positionDeviation = std::sqrt(0.5 * inside + elsewhere);

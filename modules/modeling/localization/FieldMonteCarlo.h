@@ -60,7 +60,7 @@ class FieldMonteCarlo {
   /// Takes effect with the next update(), except for the number of particles and the seed.
   void setOptions(const Options& options) { options_ = options; }
 
-  /// What an image shows, and what else is known at its time.
+  /// The contents of an image, and what else is known at its time.
   struct Frame {
     /// The time on any clock, s.
     double time = 0;
@@ -125,7 +125,7 @@ class FieldMonteCarlo {
   /// A pose from two landmarks of the memory, or around one; any pose if there is none.
   robotlink::Pose2 drawPose(const robotlink::Pose2& robotInOdometry);
   robotlink::Pose2 anyPose();
-  /// The same place, turned so that a landmark lies where the image shows it; it shows one at least.
+  /// The same place, turned so that a landmark is where the image shows it; it shows one at least.
   robotlink::Pose2 turned(const robotlink::Pose2& pose, const Frame& frame);
   double effectiveParticles() const;
   /// The estimate is that of the densest cluster.
@@ -142,7 +142,7 @@ class FieldMonteCarlo {
   std::vector<Particle> particles_;
   /// The next generation, kept to reuse its memory.
   std::vector<Particle> drawn_;
-  /// What the particles are compared with.
+  /// The observations with which the particles are compared.
   std::vector<Sight> sights_;
   std::vector<LinePoint> points_;
   /// Weights of cells of poses, for summarize().

@@ -164,7 +164,7 @@ void PoseKalmanFilter::summarize() {
     return;
   }
   const Hypothesis& best = hypotheses_.front();
-  // What the other hypotheses have makes the estimate doubtful, as if it were a meter and a radian away.
+  // The other hypotheses make the estimate doubtful, as if they were a meter and a radian away.
   const double elsewhere = 1 - best.weight;
   estimate_.robotInField = best.pose;
   estimate_.positionDeviation = std::sqrt(0.5 * (best.covariance(0, 0) + best.covariance(1, 1)) + elsewhere);
@@ -176,7 +176,7 @@ void PoseKalmanFilter::update(const Frame& frame) {
   odometry_ = frame.robotInOdometry;
   hasOdometry_ = true;
   if (frame.carried) {
-    // Where it was says nothing about where it will be.
+    // The poses before say nothing about those after.
     memory_.clear();
     wasCarried_ = true;
   }

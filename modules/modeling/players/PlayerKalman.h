@@ -13,7 +13,7 @@ namespace modules {
 /// A Kalman filter over place and velocity for each other robot, in the field's frame. A percept belongs to
 /// the nearest robot of its team by Mahalanobis's distance that no other percept of the image
 /// belongs to, or begins a new one (Bar-Shalom, Fortmann:
-/// Tracking and data association, 1988). Whether a robot exists is estimated besides: percepts confirm it,
+/// Tracking and data association, 1988). The existence of a robot is also estimated: percepts confirm it,
 /// and it is doubted where the robot looks and does not see it. Not thread-safe.
 class PlayerKalman {
  public:

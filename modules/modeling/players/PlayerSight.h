@@ -9,7 +9,7 @@
 
 namespace modules {
 
-/// Another robot as seen in one image, with what is known of the error of its place.
+/// Another robot, seen in one image, with what is known of the error of its place.
 struct PlayerSight {
   std::string team;
   /// Meters.
@@ -35,7 +35,7 @@ struct SeenSector {
   }
 };
 
-/// What one image says about other robots.
+/// The information of one image about other robots.
 struct PlayerFrame {
   /// The time on any clock, s.
   double time = 0;

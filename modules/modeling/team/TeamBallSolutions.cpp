@@ -67,7 +67,7 @@ class TeamBallModeler : public robotlink::Solution {
     own.velocity = Pose2{0, 0, robot.heading} * robotlink::vector2(ball_->velocity_in_robot());
     own.covariance = ballCovariance(own.position, ball_->standard_deviation(), robot,
                                     pose_->position_deviation(), pose_->heading_deviation());
-    // The model is of now; only the growing doubt of a ball that is not seen is not in it.
+    // The model is current; it only lacks the growing doubt about a ball that is not seen.
     own.age = 0;
     return own;
   }

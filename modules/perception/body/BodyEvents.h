@@ -19,14 +19,14 @@ struct BodyEvents {
   bool operator==(const BodyEvents&) const = default;
 };
 
-/// What the detectors of a body's events look at in a frame. Angles in the order of kLegs.
+/// The inputs of the detectors of a body's events in a frame. Angles in the order of kLegs.
 struct BodyFrame {
   robotlink::Duration time = std::chrono::milliseconds(8);
   /// In the body's frame, m/s^2.
   robotlink::Vector3 acceleration{0, 0, 9.81};
   std::array<bool, 4> contacts{true, true, true, true};
   std::array<LegAngles, 4> measured;
-  /// What was requested of the joints, at the time at which these angles were measured.
+  /// The angles requested of the joints at the time at which these angles were measured.
   std::array<LegAngles, 4> requested;
   /// The torques of the knees, N m; all 0 where they are not measured.
   std::array<double, 4> kneeTorques{};

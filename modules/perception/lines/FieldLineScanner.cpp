@@ -53,7 +53,7 @@ double FieldLineScanner::direction(const ImageView& image, const CameraView& vie
 void FieldLineScanner::addEdge(const ImageView& image, const CameraView& view, Pixel from, Pixel to) {
   const int first = lumaAt(image, from.x, from.y), last = lumaAt(image, to.x, to.y);
   if (std::abs(last - first) < options_.contrast) return;
-  // Where Y crosses the mean of both sides.
+  // The edge is where Y crosses the mean of both sides.
   const int steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
   const Pixel step{(to.x - from.x) / steps, (to.y - from.y) / steps};
   const double mean = 0.5 * (first + last);

@@ -18,7 +18,7 @@ struct CommandInfo {
   const char* name = "";
   /// The unit of an integer argument: "mm/s".
   const char* unit = "";
-  /// What the command does, in a sentence.
+  /// The effect of the command, in a sentence.
   const char* summary = "";
 };
 

@@ -91,7 +91,7 @@ enum class CommandId : std::uint8_t {
   kTty2 = 42,
   /// Requests bytes received at AUX1.
   kGetAux = 43,
-  /// Which bumpers count as stalls: 0 none, 1 front, 2 rear, 3 both.
+  /// Selects the bumpers that count as stalls: 0 none, 1 front, 2 rear, 3 both.
   kBumpStall = 44,
   /// Compass packets and calibration.
   kTcm2 = 45,

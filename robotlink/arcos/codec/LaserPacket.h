@@ -19,7 +19,7 @@ struct LaserPacket {
   /// The number of readings in a full packet, which is then shorter than kMaxSentCount.
   static constexpr std::size_t kMaxReadings = 32;
 
-  /// One beam.
+  /// A reading of one beam.
   struct Reading {
     std::uint16_t rangeMm = 0;
     /// In plain packets 0.

@@ -13,7 +13,7 @@ namespace robotlink::arcos {
 /// follow counterclockwise.
 struct LaserScan {
   std::vector<std::uint16_t> rangesMm;
-  /// One per reading; all 0 if the packets are plain.
+  /// The reflectances, one per reading; all 0 if the packets are plain.
   std::vector<std::uint8_t> reflectances;
   std::uint8_t device = 0;
   /// When its first part arrived.

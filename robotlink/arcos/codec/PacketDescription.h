@@ -20,9 +20,9 @@ struct PacketField {
 /// The contents of a packet for users, field by field in the order of the wire, as shown by an inspector.
 /// English.
 struct PacketDescription {
-  /// Such as "VEL2", "standard information", "command 111".
+  /// The name of the packet, such as "VEL2", "standard information", "command 111".
   std::string name;
-  /// What a command does, in a sentence; empty for other packets.
+  /// The effect of a command, in a sentence; empty for other packets.
   std::string summary;
   std::vector<PacketField> fields;
   /// Why the packet could not be decoded completely; empty if it could.

@@ -52,7 +52,7 @@ struct ImuPacket {
   struct Reading {
     /// Code of the range: 1 is 75 to 80 deg/s, 2 150 to 160, 3 300 to 320.
     std::uint8_t gyroRange = 0;
-    /// One or three axes, in units of the sensor.
+    /// The rotation rates of one or three axes, in units of the sensor.
     std::vector<std::int16_t> gyro;
     /// None or three axes, in 0.002522 g.
     std::vector<std::int16_t> acceleration;

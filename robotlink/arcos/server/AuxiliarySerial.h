@@ -11,10 +11,10 @@
 namespace robotlink::arcos {
 
 /// The serial line AUX1 of the microcontroller, at which a GPS receiver is. A client asks for a number of
-/// bytes (GETAUX) and is sent them as soon as so many have arrived. Reads no clock.
+/// bytes (GETAUX) and is sent them as soon as that many have arrived. Reads no clock.
 class AuxiliarySerial {
  public:
-  /// Older bytes that nobody asks for are lost.
+  /// The number of bytes that are kept; older ones that no client asks for are lost.
   static constexpr std::size_t kMaxWaiting = 1024;
   static constexpr int kMaxAsked = 200;
 

@@ -19,7 +19,7 @@ struct GripperSensing {
   bool outerBeam = false, innerBeam = false;
 };
 
-/// What the gripper's motors do until the next call: 1 opens or lifts, -1 closes or lowers, 0 holds.
+/// The command to the gripper's motors until the next call: 1 opens or lifts, -1 closes or lowers, 0 holds.
 struct GripperCommand {
   int paddles = 0, lift = 0;
   /// The paddles hold something: they keep pressing while they are not moved.

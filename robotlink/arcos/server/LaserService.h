@@ -35,7 +35,7 @@ class LaserService {
   std::vector<Packet> packets(std::span<const double> ranges, const Pose2& odometry, bool moved) const;
 
  private:
-  /// Which packets the client wants; the values are those of the command.
+  /// The kind of packets that the client wants; the values are those of the command.
   enum class Mode : std::uint8_t { kOff = 0, kPlain = 1, kExtended = 2 };
   /// The range of one of the client's readings: that of the nearest reading of the device.
   int rangeMm(std::span<const double> ranges, int reading) const;

@@ -29,7 +29,7 @@ double parameter(double asked, double before, double top) {
   return magnitude > 0 ? std::min(magnitude, top) : before;
 }
 
-/// One step of a trapezoidal profile from `speed` toward `target`.
+/// Returns the speed after a step of a trapezoidal profile from `speed` toward `target`.
 double approached(double speed, double target, double acceleration, double deceleration, double passed) {
   const bool slower = speed != 0 && (speed * target <= 0 || std::abs(target) < std::abs(speed));
   const double change = (slower ? deceleration : acceleration) * passed;

@@ -53,7 +53,7 @@ class MotionController {
     double leftTravel = 0, rightTravel = 0;
     // The wheel does not turn although it is driven.
     bool leftBlocked = false, rightBlocked = false;
-    /// The rate of a gyroscope, rad/s, if the heading shall be based on it rather than on the wheels.
+    /// The rate of a gyroscope, rad/s, if the heading is to be based on it rather than on the wheels.
     std::optional<double> rotationRate;
   };
 
@@ -99,7 +99,7 @@ class MotionController {
   /// Stops at once and sets the odometry to 0, for encoders that start again. Motors and parameters keep
   /// their state.
   void reset();
-  /// The encoders go on from other numbers; the odometry stays.
+  /// Call this when the encoders continue from other numbers; the odometry stays.
   void encodersJumped() { last_.reset(); }
   /// Sets the pose of the odometry. The goal of a turn to a heading is adjusted, so that the turn ends where
   /// it would have.

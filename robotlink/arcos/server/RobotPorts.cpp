@@ -38,7 +38,7 @@ tl::unexpected<Error> cannotListen(const tcp::endpoint& endpoint, const boost::s
       {}, {describe(endpoint)});
 }
 
-/// One robot's port with its client, if there is one.
+/// The port of a robot with its client, if there is one.
 class Port {
  public:
   Port(asio::io_context& context, const RobotPorts::Options& options)
@@ -237,9 +237,9 @@ class Port {
   Clock::time_point heardAt_;
   SendQueue sending_;
   bool writing_ = false, awaitingBytes_ = false, awaitingClients_ = false;
-  // The parser has no more packets.
+  // Whether the parser has no further packets.
   bool drained_ = true;
-  // The client sends no more; its remaining packets are still executed.
+  // Whether the client sends nothing any longer; its remaining packets are still executed.
   bool ended_ = false;
   std::size_t bytesLeft_ = RobotPorts::kMaxBytes, packetsLeft_ = RobotPorts::kMaxPackets;
   int acceptsLeft_ = kMaxAccepts;

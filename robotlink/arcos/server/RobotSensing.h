@@ -32,7 +32,7 @@ struct RobotSensing {
   double temperature = 25;  ///< degC
   /// Only of a robot that has a gripper.
   GripperSensing gripper;
-  /// What a GPS receiver at the line AUX1 measures; empty if there is none.
+  /// The reading of a GPS receiver at the line AUX1; empty if there is none.
   std::optional<GlobalPosition> gps;
   /// Ground truth in the field, m and rad, for SIM_STAT.
   Pose2 truePose;

@@ -13,7 +13,7 @@ namespace robotlink::arcos {
 ///
 /// A slow client gets recent data: packets older than kMaxAge are dropped, and the oldest ones if more
 /// than kMaxBytes wait. Only whole packets are dropped, never one that was written in part. What the
-/// operating systems of both ends have buffered cannot be dropped any more. Not thread-safe.
+/// operating systems of both ends have buffered can no longer be dropped. Not thread-safe.
 class SendQueue {
  public:
   using Instant = std::chrono::steady_clock::time_point;

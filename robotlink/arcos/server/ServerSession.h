@@ -33,7 +33,7 @@ struct SetPose {
 struct Reset {};
 /// Load a map.
 struct LoadMap {
-  /// As the client wrote it; the owner answers with mapLoaded().
+  /// The file name as the client wrote it; the owner answers with mapLoaded().
   std::string file;
 };
 /// Show a text to the user.
@@ -78,7 +78,7 @@ class ServerSession {
   void clientGone(Instant now);
   /// The robot was moved and its encoders start again: it stops, and its odometry is 0.
   void robotReset();
-  /// The encoders go on from other numbers, which the odometry does not notice.
+  /// Call this when the encoders continue from other numbers, which does not affect the odometry.
   void encodersJumped() { motion_.encodersJumped(); }
   /// Advances to `now`; call it every few milliseconds. The returned command for the wheels holds until the
   /// next call.
@@ -94,7 +94,7 @@ class ServerSession {
   State state() const { return state_; }
   const ServerSettings& settings() const { return settings_; }
   const MotionController& motion() const { return motion_; }
-  /// What the gripper's motors do until the next step, if the robot has one.
+  /// Returns the command to the gripper's motors until the next step, if the robot has a gripper.
   const GripperCommand& gripperCommand() const { return gripperCommand_; }
   /// Whether the next information packet will be followed by the true pose; otherwise sensing need not
   /// contain it.

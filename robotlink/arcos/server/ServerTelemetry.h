@@ -36,7 +36,7 @@ EncoderPacket encodersOf(const ServerSettings& settings, const RobotSensing& sen
 IoPacket ioOf(const ServerSettings& settings, const RobotSensing& sensing, const ServerReport& report);
 /// A reading of the gyroscope, scaled so that ARIA decodes it with the factors of a p3at-sh.
 GyroPacket::Reading gyroReadingOf(const RobotSensing& sensing);
-/// One reading of an inertial measurement unit: only the rotation rate and the temperature vary.
+/// Returns a reading of an inertial measurement unit: only the rotation rate and the temperature vary.
 ImuPacket imuOf(const RobotSensing& sensing);
 BatteryPacket batteryOf(const RobotSensing& sensing);
 /// The reply to SIM_STAT: the true pose and, if known, global position and odometry error.

@@ -24,7 +24,7 @@ class SonarFiring {
   /// SONAR: 1 switches all arrays on, 0 all off; otherwise bit 0 is on or off, and the bits above it the
   /// number of the array, from 1.
   void enable(int argument);
-  /// POLLING: the numbers of discs, from 1, in the order in which they shall fire within their arrays; an
+  /// POLLING: the numbers of discs, from 1, in the order in which they are to fire within their arrays; an
   /// empty text switches all off.
   void setSequence(std::string_view discs);
   /// SONARCYCLE, limited to 2 to 120 ms.

@@ -208,7 +208,7 @@ void SickSession::compareSetup(const SickTelegram& telegram, Instant now) {
   const bool fine = options_.unit == Unit::kMillimeters;
   setup_[kModeByte] = fine ? kUpTo32m : kUpTo80m;
   setup_[kUnitByte] = fine ? 1 : 0;
-  // Its memory wears out, so it is only written where something changes.
+  // The memory of the laser wears out, so it is only written to if something changes.
   if (setup_ != telegram.data) return ask(Step::kLogIn, now);
   ask(baud_ == options_.baud ? Step::kStart : Step::kBaud, now);
 }

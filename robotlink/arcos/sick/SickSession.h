@@ -15,9 +15,9 @@ namespace robotlink::arcos {
 
 /// The client's side of the conversation with a SICK LMS 2xx, as a state machine without a line: it finds the
 /// speed at which the laser talks, sets it up for scans of 180 degrees, changes the speed, and receives scans
-/// continuously. When scans stay away or the line is lost, it begins again, for ever.
+/// continuously. If scans fail to arrive or the line is lost, it starts over, indefinitely.
 ///
-/// The owner opens the line at the speed that wantedLine() says, tells about it, passes bytes in both
+/// The owner opens the line at the speed that wantedLine() returns, reports that, passes bytes in both
 /// directions and calls tick() about a hundred times a second. Time is passed in. One thread.
 class SickSession {
  public:
@@ -36,7 +36,7 @@ class SickSession {
   };
   enum class State : std::uint8_t {
     kPausing,    ///< the line could not be opened, or broke
-    kProbing,    ///< it tries the speeds one after the other
+    kProbing,    ///< the session tries the speeds one after the other
     kSettingUp,  ///< the laser answers
     kRunning     ///< scans come
   };
@@ -70,7 +70,7 @@ class SickSession {
   void lineLost(const Error& why, Instant now);
   void take(std::span<const std::uint8_t> bytes, Instant now);
   void tick(Instant now);
-  /// Ends the scans, so that the laser is quiet for whoever is next; the last bytes are in takeOutgoing().
+  /// Ends the scans, so that the laser is quiet for its next user; the last bytes are in takeOutgoing().
   void end();
 
   /// Removes and returns the bytes for the laser.
@@ -78,7 +78,7 @@ class SickSession {
   /// Removes and returns the newest scan; empty if there is no new one.
   std::optional<Scan> takeScan() { return std::exchange(scan_, std::nullopt); }
   Counters counters() const;
-  /// What it does now, what is wrong and what to do: a sentence without its period.
+  /// Describes the current state, the problem and its remedy: a sentence without its period.
   std::string describe() const;
 
  private:
@@ -114,7 +114,7 @@ class SickSession {
   std::size_t probed_ = 0;
   int tries_ = 0;
   Instant asked_, lastScan_, pausedUntil_;
-  /// How the laser shall be set up, as it is sent.
+  /// The configuration of the laser, as it is sent.
   std::vector<std::uint8_t> setup_;
   /// Why it is not running; empty: nothing went wrong.
   std::string problem_;

@@ -14,7 +14,7 @@ namespace robotlink::arcos {
 struct SickTelegram {
   /// The first byte of the contents: what is asked (0x20), or answered (0x20 + 0x80 = 0xA0).
   std::uint8_t command = 0;
-  /// What follows, without the status that ends the telegrams of a laser.
+  /// The data after the command, without the status that ends the telegrams of a laser.
   std::vector<std::uint8_t> data;
   /// The status byte; always 0 in telegrams to the laser, which have none.
   std::uint8_t status = 0;
@@ -49,7 +49,7 @@ class SickParser {
     std::uint64_t telegrams = 0, checksumErrors = 0, skippedBytes = 0;
     bool operator==(const Counters&) const = default;
   };
-  /// Which address the telegrams have that are looked for.
+  /// The origin of the telegrams to be found, by which their address is known.
   enum class From : std::uint8_t { kLaser, kHost };
   explicit SickParser(From from = From::kLaser) : from_(from) {}
 

@@ -36,7 +36,7 @@ class DescriptorStream : public ByteStream {
 
   /// The sentence about the loss of the far end; `error` is an errno, or 0 if it closed the line properly.
   virtual std::string describeLoss(int error) const = 0;
-  /// One call of the system's write function; returns -1 with errno set on failure.
+  /// Calls the system's write function once; returns -1 with errno set on failure.
   virtual ssize_t writeSome(std::span<const std::uint8_t> bytes) = 0;
 
   const int descriptor_;

@@ -25,7 +25,7 @@ struct TcpAddress {
 /// A robot at a serial port.
 struct SerialAddress {
   std::string device;
-  // One of the rates that ARCOS supports.
+  // The baud rate, one of those that ARCOS supports.
   int baud = kDefaultBaud;
   bool operator==(const SerialAddress&) const = default;
 };

@@ -15,7 +15,7 @@
 namespace robotlink {
 
 /// Finds the IP addresses of a host. The system may take many seconds for a name, and cannot be interrupted:
-/// it is asked in a thread of its own, which ends by itself when nobody waits for it any more.
+/// it is asked in a separate thread, which ends by itself when no one waits for it any longer.
 class HostLookup {
  public:
   /// The addresses as text, at least one, those to be tried first at the front.
@@ -26,9 +26,9 @@ class HostLookup {
   /// IP addresses are known at once, as is localhost. Without a resolver the system is asked.
   static std::shared_ptr<HostLookup> start(const std::string& host, Resolver resolver = {});
 
-  /// Nothing while the name is being looked up. Any thread.
+  /// Returns nothing while the name is being looked up. Any thread.
   std::optional<Outcome> outcome() const;
-  /// The same after waiting for it, at most so long.
+  /// The same after waiting for it, for at most `limit`.
   std::optional<Outcome> wait(Duration limit) const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace robotlink {
 
-/// Looks for a condition for at most `limit` before a thread sleeps: to wake a thread costs some 50 us, more
-/// than many a job. Whoever else wants the processor gets it meanwhile. Returns whether it is fulfilled.
+/// Polls a condition for at most `limit` before a thread sleeps: waking a thread costs about 50 us, more
+/// than many jobs. Other threads get the processor meanwhile. Returns whether the condition is fulfilled.
 template <typename Condition>
 bool waitBriefly(std::chrono::microseconds limit, Condition condition) {
   // Most waits are over within the first looks, some 10 us; with more, those who look kept others from
@@ -26,8 +26,8 @@ bool waitBriefly(std::chrono::microseconds limit, Condition condition) {
   }
 }
 
-/// Waits of one thread, repeatedly: it looks for a condition before it sleeps, as long as the waits are
-/// brief. Where they are long, as between the steps of a simulation in real time, it sleeps at once.
+/// Repeated waits of one thread: it polls a condition before it sleeps, as long as the waits are
+/// brief. If they are long, as between the steps of a simulation in real time, it sleeps at once.
 class BriefWait {
  public:
   /// For how long it looks.
@@ -45,7 +45,7 @@ class BriefWait {
   bool areBrief() const { return areBrief_; }
 
  private:
-  /// A wait that is so many times longer than the limit is long: waking the thread is a part of it.
+  /// A wait that is this many times longer than the limit is long: waking the thread is a part of it.
   static constexpr int kLong = 3;
   std::chrono::microseconds limit_;
   std::chrono::steady_clock::time_point begin_;

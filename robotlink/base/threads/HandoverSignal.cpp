@@ -25,7 +25,7 @@ HandoverSignal::~HandoverSignal() {
 }
 
 void HandoverSignal::signal() {
-  // Only a full pipe takes no more, and that is a signal already.
+  // Writing fails only if the pipe is full, which is a signal already.
   while (::write(write_, "", 1) < 0 && errno == EINTR) continue;
 }
 

@@ -6,10 +6,10 @@
 namespace robotlink {
 
 /// A signal between two threads of which one waits while the other one works. It is a pipe: the kernel tends
-/// to wake who waits on the processor of who signals, which takes some 5 us and keeps no second processor
-/// busy; to wake a thread by a condition variable takes some 50 us. Several signals before a wait count as
-/// one. Throws std::system_error if there are no file descriptors left. Any thread may signal, one at a time
-/// waits.
+/// to wake the waiting thread on the processor of the signaling one, which takes some 5 us and keeps no
+/// other processor busy; waking a thread by a condition variable takes some 50 us. Several signals before a
+/// wait count as one. Throws std::system_error if there are no file descriptors left. Any thread may signal,
+/// one at a time waits.
 class HandoverSignal {
  public:
   HandoverSignal();

@@ -58,7 +58,7 @@ void ThreadPool::run(std::size_t count, const std::function<void(std::size_t)>& 
     work(batch);
     {
       std::unique_lock lock(mutex_);
-      // Threads that have not begun are not needed any more.
+      // Threads that have not begun are no longer needed.
       batch_ = nullptr;
     }
     waitBriefly(kAttention, [this] { return working_ == 0; });

@@ -17,7 +17,7 @@ namespace robotlink {
 /// job, and when, depends on the machine, so jobs that are to give the same bytes for any number of threads
 /// write to places of their own and read nothing that another job writes.
 ///
-/// Threads that wait for the next jobs look for them for a moment before they sleep; see BriefWait.
+/// Threads that wait for further jobs poll for them for a moment before they sleep; see BriefWait.
 class ThreadPool {
  public:
   static constexpr int kMaxThreads = 256;

@@ -295,8 +295,8 @@ std::string DebugProcess::Implementation::whyNotSent(const Request& request) con
   return why.empty() ? std::string("no task of this layout ") + UserPackages::useOf(request) : why;
 }
 
-/// Whether a program that does not run now gets to know that something was taken back when it runs again: it
-/// must not continue to a goal that nobody wants any more.
+/// Whether a program that does not run now is told about a cancellation when it runs again: it
+/// must not continue to a goal that was given up.
 bool DebugProcess::Implementation::isForLater(const Request& request, const AnySender& sender) const {
   const RequestKind& kind = kindOf(request);
   const auto receiver = routes.packages.find(sender.package());
@@ -358,7 +358,7 @@ void DebugProcess::Implementation::sendToAll(const Request& request) {
   for (const auto& channel : channels) {
     const Process* target = watchedProcess(channel->process());
     others.remember(channel->process(), request);
-    if (!others.whyNot(channel->process()).empty()) continue;  // it gets it when it runs
+    if (!others.whyNot(channel->process()).empty()) continue;  // the process gets it when it runs
     if (target == nullptr || !target->stopped()) channel->add(request);
   }
 }

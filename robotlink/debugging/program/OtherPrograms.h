@@ -24,7 +24,7 @@ class OtherPrograms {
  public:
   explicit OtherPrograms(Process& debugProcess) : debugProcess_(debugProcess) {}
 
-  /// What each process is asked for whenever its program begins, by its name.
+  /// The requests to each process whenever its program begins, by its name.
   using Questions = std::map<std::string, std::vector<robotcontrol::Request>>;
   /// Adds a program with the channels to its processes, which must outlive this object. `commanding` are
   /// those processes that decide what the platform does. Before the debug process runs.
@@ -58,7 +58,7 @@ class OtherPrograms {
     std::vector<robotcontrol::Request> questions = {};
     bool isCommanding = false;
     std::vector<robotcontrol::Request> remembered = {};
-    /// Its program says that it does not return.
+    /// Whether its program reports that it does not return.
     std::atomic<bool> isStuck{false};
   };
   struct Program {

@@ -11,7 +11,7 @@
 
 namespace robotlink {
 
-/// Stands in a program without the debug process: tells it twice a second what the processes of this program
+/// For programs without the debug process: reports to it twice a second what the processes of this program
 /// do, with the package "debug/processes/<program>".
 class ProcessReporter final : public Process {
  public:

@@ -28,7 +28,7 @@ const TaskProcess* RequestPreview::processOf(const Request& request) const {
   return nullptr;
 }
 
-/// What a request changes here, and what is published when it is accepted; null: nothing.
+/// The effect of a request here, and the publication when it is accepted; null: none.
 struct RequestPreview::Handlers {
   struct Handler {
     std::string (RequestPreview::*add)(const Request& request);

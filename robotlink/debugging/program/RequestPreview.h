@@ -32,8 +32,8 @@ class RequestPreview {
  public:
   explicit RequestPreview(RobotProgram& program) : program_(program) {}
 
-  /// Whether there is a handler for requests of this kind. What a program always accepts, and answers without
-  /// anything else, needs none.
+  /// Whether there is a handler for requests of this kind. Those that a program always accepts, without
+  /// anything but an answer, need none.
   static bool handles(const robotcontrol::Request& request);
 
   /// The reason why the program will refuse a request; empty if it will not.
@@ -63,7 +63,7 @@ class RequestPreview {
   /// The parameters that a request means, as the program has them; fails if there are none.
   Result<const SolutionParameters*> parametersOf(const TaskProcess& process, const std::string& task,
                                                  const std::string& solution) const;
-  // What accepted requests publish.
+  // Publish the results of accepted requests.
   void describeGotten(const robotcontrol::Request& request);
   void describeSet(const robotcontrol::Request& request);
   void describeParameters(const TaskProcess& process, const std::string& task, const std::string& asked);
@@ -82,8 +82,8 @@ class RequestPreview {
   std::map<TaskSolution, SolutionParameters> parameters_;
   // Modes set by requests so far, by name.
   std::map<std::string, robotcontrol::KeyMode> keys_;
-  std::optional<robotcontrol::ColorTable> colorTable_;  // that was given, without its cells
-  std::vector<robotcontrol::MotionText> motions_;       // that were sent
+  std::optional<robotcontrol::ColorTable> colorTable_;  // given by a request, without its cells
+  std::vector<robotcontrol::MotionText> motions_;       // sent by requests
   std::map<std::string, bool> held_;                    // packages that were held or released
   bool tablesAsked_ = false;
   std::shared_ptr<SharedDebugQueue> queue_;

@@ -24,7 +24,7 @@ class RequestedPackages {
   bool has(const std::string& package) const { return packages_.contains(package); }
   /// Sets when a package is published; returns false if there is none of that name.
   bool show(const std::string& package, const robotcontrol::KeyMode& mode);
-  /// The last package that its sender made, also while nobody received it; null if there is none.
+  /// Returns the last package of its sender, also while no one received it; null if there is none.
   PackagePtr newest(const std::string& package) const;
   /// Publishes the packages that arrived for this frame, images with their own timestamps. Returns whether a
   /// mode has run out.

@@ -69,7 +69,7 @@ struct RobotProgram::Implementation {
   TaskCatalog catalog = registeredTasks();
   std::vector<std::unique_ptr<Process>> owned;
   std::vector<Process*> processes;
-  /// One of the two is null.
+  /// The debug process or the reporter; one of the two is null.
   DebugProcess* debugProcess = nullptr;
   ProcessReporter* reporter = nullptr;
   /// The platform, and what decides here what it does.
@@ -128,8 +128,8 @@ void RobotProgram::Implementation::noteCommanding(const Platform& platform,
   }
 }
 
-/// Processes report their tables in their first frames, one after the other. What the debug process knows
-/// before makes its first tables those of the whole program.
+/// Sets the first tables of the debug process to those of the whole program, since processes report theirs
+/// only in their first frames, one after the other.
 void RobotProgram::Implementation::reportTables() {
   if (debugProcess != nullptr) debugProcess->setTables(tables({}));
 }
@@ -235,7 +235,7 @@ Errors RobotProgram::Implementation::connectDebugging() {
   return errors;
 }
 
-/// Its parameters, which only the program that has them knows.
+/// Returns the requests for the parameters of a process, which only the program that has them knows.
 std::vector<robotcontrol::Request> RobotProgram::Implementation::questionsTo(
     const std::string& process) const {
   std::vector<robotcontrol::Request> questions;
@@ -253,7 +253,7 @@ std::vector<robotcontrol::Request> RobotProgram::Implementation::questionsTo(
   return questions;
 }
 
-/// What the programs tell the one with the debug process about themselves.
+/// Connects the programs to the one with the debug process, to which they report.
 Errors RobotProgram::Implementation::connectPrograms(const std::set<std::string>& commanding) {
   Errors errors;
   for (const Layout::Program& program : layout.programs) {
@@ -301,7 +301,7 @@ DebugProcess::Tables RobotProgram::tables(const std::map<std::string, std::strin
 }
 std::string RobotProgram::missingProcess() const {
   for (const Process* process : implementation_->commandedBy) {
-    // What has stopped has closed its ends itself.
+    // A process that has stopped has closed its ends itself.
     if (process->stopped()) return process->name();
     for (const AnyReceiver* receiver : process->receivers()) {
       if (receiver->connected()) continue;

@@ -21,7 +21,7 @@ namespace robotlink {
 /// solutions, processes) go to the debug listener after a SendTables request and whenever they change. STOP
 /// acts on the platform and does not depend on the program.
 ///
-/// create() touches the platform only when nothing can fail any more, so a program that already runs on it
+/// create() touches the platform only when nothing can fail any longer, so a program that already runs on it
 /// keeps running after a failure; on success, the platform's links change to the new program. Executors must
 /// have released the processes (clear(), ThreadExecutor::stop()) before a program is destroyed; the platform
 /// may keep running meanwhile, in another thread.
@@ -31,7 +31,7 @@ namespace robotlink {
 /// the others only says which packages that has.
 class RobotProgram {
  public:
-  /// Which part of a layout this program is.
+  /// The part of a layout that this program runs.
   struct Part {
     /// The name of the program in the layout; empty: it runs all processes.
     std::string program = {};
@@ -61,9 +61,9 @@ class RobotProgram {
   /// The tables of the processes here as they would be if the solutions in `chosenSolutions` (by task) were
   /// active. While no process runs.
   DebugProcess::Tables tables(const std::map<std::string, std::string>& chosenSolutions) const;
-  /// The name of a process that decides what the platform does, directly or through others, and cannot be
-  /// heard: it was stopped, such as by an exception, or its program has ended, is of another version, or was
-  /// out of reach for so long that its links are closed. The robot has to stand then. Empty: all are there.
+  /// Returns the name of a process that decides what the platform does, directly or through others, but does
+  /// not answer: it was stopped, such as by an exception, or its program has ended, is another version, or
+  /// was out of reach until its links were closed. The robot has to stand then. Empty: all are there.
   /// Only if hasDebugProcess(); any thread.
   std::string missingProcess() const;
   /// Notes the task from which a process does not return, as in "ball-percept (region)", for the program with

@@ -54,7 +54,7 @@ const char* UserPackages::useOf(const Request& request) {
 }
 
 std::string UserPackages::whyNot(const Request& request) const {
-  // What is repeated was accepted before, perhaps beside motions that are still to come.
+  // A package that is repeated was accepted before, perhaps together with motions that are still to come.
   const bool isNewMotion = request.has_set_motion() && !isRepeated(request);
   return isNewMotion ? motions_.whyNot(request.set_motion().motion()) : "";
 }

@@ -29,7 +29,7 @@ class UserPackages {
   static bool has(const robotcontrol::Request& request);
   /// The sender of the package that a request asks for, which `has()`. It is connected if a task receives it.
   const AnySender& senderFor(const robotcontrol::Request& request) const;
-  /// What the task does that receives this package: "drives to goals".
+  /// Returns the purpose of the task that receives this package: "drives to goals".
   static const char* useOf(const robotcontrol::Request& request);
   /// Why the program cannot use what a request brings, which is valid in itself; empty: it can.
   std::string whyNot(const robotcontrol::Request& request) const;

@@ -16,7 +16,7 @@ inline constexpr double kMaxRadioRange = 1000, kMaxRadioDelay = 10;
 /// The most goals that a team can be given.
 inline constexpr unsigned kMaxGoals = 99;
 
-/// What is wrong with settings of the radio between robots of a team, as a sentence; empty: nothing.
+/// Returns the problem with settings of the radio between robots of a team, as a sentence; empty if valid.
 std::string wrongRadio(const robotcontrol::TeamRadioSettings& radio);
 /// The same of a whole request.
 std::string wrongGame(const robotcontrol::Request& request);

@@ -13,8 +13,8 @@ namespace robotlink {
 
 /// Returns the problem with such a request, independent of the scene; empty if it is valid.
 std::string wrongSceneEdit(const robotcontrol::Request& request);
-/// The model's file that it names; empty if the model is to be found by its name, on the search path that
-/// somebody here has chosen.
+/// Returns the model's file that it names; empty if the model is to be found by its name, on the search path
+/// that a local user has chosen.
 std::string fileOfSceneEdit(const robotcontrol::Request& request);
 
 }  // namespace robotlink

@@ -21,7 +21,7 @@ Client::Client(ClientHandlers handlers, ClientLimits limits, std::shared_ptr<con
 
 Client::~Client() = default;
 
-// What is asked for, and holds.
+// Requests that hold until they are changed.
 
 void Client::subscribe(const std::set<std::string>& topics) {
   const std::lock_guard lock(mutex_);
@@ -125,7 +125,7 @@ bool Client::publish(const std::string& topic, std::string payload) {
   return true;
 }
 
-// What is asked once.
+// Requests that are made once.
 
 void Client::call(Call call, AnswerHandler handler) {
   std::string problem;

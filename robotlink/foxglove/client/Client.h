@@ -11,12 +11,12 @@
 
 namespace robotlink::websocket {
 
-/// The id of errors with which a service itself answered, or that there is none of this name. Calls that got
+/// The id of errors with which a service itself answered, or of a service that does not exist. Calls that got
 /// no answer have other ids, and may be repeated.
 inline constexpr char kServiceFailure[] = "foxglove.service";
 
-/// The client's end of the Foxglove WebSocket protocol, without a transport: what is asked of a server, what
-/// it offers, and what waits to be sent to it. A Connector connects it with TCP, repeatedly; what was
+/// The client's end of the Foxglove WebSocket protocol, without a transport: the requests to a server, its
+/// offers, and the messages waiting to be sent to it. A Connector connects it with TCP, repeatedly; what was
 /// asked for is asked for again at each connection.
 ///
 /// The functions of the user's side may be called from any thread and never wait for the server.
@@ -46,7 +46,7 @@ class Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  // The user's side. What is asked for holds until it is taken back, whatever the connection does.
+  // The user's side. Requests hold until they are taken back, whatever the connection does.
 
   /// All channels of a topic, also those that will be advertised later.
   void subscribe(const std::set<std::string>& topics);
@@ -65,7 +65,7 @@ class Client {
   /// A message that waits is replaced by a newer one of its topic. Returns false if nothing was sent.
   bool publish(const std::string& topic, std::string payload);
 
-  // What is asked once.
+  // Requests that are made once.
 
   void call(Call call, AnswerHandler handler);
   /// The new values come as parameters; if the server objects, as a status.
@@ -73,27 +73,27 @@ class Client {
   void getParameters(std::vector<std::string> names);
 
   ConnectionState state() const;
-  /// What became of a topic's messages for this client, as the server counts: replaced by newer ones, lost.
+  /// The messages of a topic that this client missed, as the server counts: replaced by newer ones, lost.
   struct Counters {
     std::uint64_t thinned = 0, dropped = 0;
   };
   /// The key is the topic; empty if the server does not count.
   std::map<std::string, Counters> counters() const;
 
-  /// What the server offers now.
+  /// Return the current offers of the server.
   std::vector<Channel> channels() const;
   std::vector<Service> services() const;
 
   // The link's side: one thread, in which handlers are called.
 
   /// `wake` is called from any thread when there is something to send again after next() found nothing; it
-  /// must not block or call the client. Empty: nobody is there any more.
+  /// must not block or call the client. Empty: the link has ended.
   void setWake(std::function<void()> wake);
   /// A connection is open; the server will say hello.
   void opened();
   /// A whole message. An error is a reason to end the connection.
   Result<void> received(FrameKind kind, std::string_view bytes);
-  /// What to send next.
+  /// Returns the frame to send next.
   std::optional<Frame> next();
   /// Ends what waits too long. Call it several times a second.
   void tick();
@@ -101,7 +101,7 @@ class Client {
   void end(const std::string& reason);
   /// The connection is lost, or could not be made.
   void lost();
-  /// What the link knows of the state; the rest this object knows.
+  /// Sets the link's part of the state; this object has the rest.
   void setLink(ConnectionState::Phase phase, Instant since, std::string reason,
                ServerObjection objection = {});
   void setRoundTrip(Duration roundTrip);
@@ -119,7 +119,7 @@ class Client {
     Instant deadline;
     bool isSent = false;
   };
-  /// What is left to send of a long call.
+  /// The rest of a long call that is to be sent.
   struct LongCall {
     std::uint32_t service = 0, id = 0;
     std::size_t offset = 0;
@@ -173,7 +173,7 @@ class Client {
   void noteCounters(const Value& value);
   std::string reasonFor(const PendingCall& pending) const;
 
-  // What servers say. An error ends the connection.
+  // Handle the messages of servers. An error ends the connection.
   Result<void> handle(const ServerInfo& message, Calls& calls);
   Result<void> handle(const Status& message, Calls& calls);
   Result<void> handle(const RemoveStatus& message, Calls& calls);

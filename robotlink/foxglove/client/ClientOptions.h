@@ -9,7 +9,7 @@
 
 namespace robotlink::websocket {
 
-/// Bounds of what a server can cost. Over one of them its connection ends, with a reason.
+/// Limits of the resources that a server can use. Beyond one of them its connection ends, with a reason.
 struct ClientLimits {
   std::size_t channels = 10'000, services = 10'000;
   /// The limit of all schemas together that it advertises, of its channels and again of its services.
@@ -18,8 +18,8 @@ struct ClientLimits {
   std::size_t calls = 1000, waitingBytes = 32U << 20U;
 };
 
-/// What a server says. All are called in the link's thread, one at a time, without a lock: they may call the
-/// client. They should be quick; while one runs nothing is read, and the server thins what it sends.
+/// The handlers of a server's messages. All are called in the link's thread, one at a time, without a lock:
+/// they may call the client. They should be quick; while one runs nothing is read, and the server sends less.
 struct ClientHandlers {
   /// After each connection, first. A server with another session id than before was restarted.
   std::function<void(const ServerInfo&)> connected = {};

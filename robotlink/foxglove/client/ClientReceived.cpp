@@ -37,7 +37,7 @@ Result<void> Client::received(FrameKind kind, std::string_view bytes) {
     ++state_.messages;
     const auto* data = message ? std::get_if<MessageData>(&*message) : nullptr;
     if (data != nullptr) {
-      // One that was unsubscribed may still be on its way.
+      // A message of a channel that was unsubscribed may still be on its way.
       const auto found = conversation_.subscriptions.find(data->subscriptionId);
       if (found != conversation_.subscriptions.end()) channel = found->second;
     } else if (message) {
@@ -187,7 +187,7 @@ Result<void> Client::handle(const ConnectionGraphUpdate& message, Calls& calls) 
   return {};
 }
 
-/// Where a log stands is known by the robots' own streams.
+/// The robots' own streams tell the position in a log.
 Result<void> Client::handle(const PlaybackState&, Calls&) {
   return {};
 }

@@ -13,9 +13,9 @@ namespace robotlink::websocket {
 struct ServerObjection {
   enum class Kind {
     kNone,
-    kToken,             ///< it wants another token
+    kToken,             ///< the server wants another token
     kNewCertificate,    ///< unknown certificate, which the user has not confirmed yet
-    kOtherCertificate,  ///< it does not show the certificate that it showed before
+    kOtherCertificate,  ///< the certificate differs from the one shown before
   };
   Kind kind = Kind::kNone;
   /// "HOST:PORT", as KnownServers has it; of certificates.
@@ -25,7 +25,7 @@ struct ServerObjection {
   bool operator==(const ServerObjection&) const = default;
 };
 
-/// How a client stands with its server. A plain value.
+/// The state of a client's connection with its server. A plain value.
 struct ConnectionState {
   enum class Phase {
     kConnecting,  ///< for the first time, or again after the server ended the connection
@@ -34,7 +34,7 @@ struct ConnectionState {
     kRefused,  ///< the server does not want this client; tried again from time to time
   };
   Phase phase = Phase::kConnecting;
-  /// When the phase began, by the client's clock; silence begins with the last byte that was heard.
+  /// When the phase began, by the client's clock; silence begins with the last byte received.
   Instant since;
   /// Why it is not connected, and what to do: a sentence. Empty while it is, and at the very beginning.
   std::string reason = {};
@@ -44,12 +44,12 @@ struct ConnectionState {
   double bytesPerSecond = 0;
   /// Received since the beginning.
   std::uint64_t messages = 0, bytes = 0;
-  /// What the server counts of this connection: messages replaced by newer ones, and messages lost. Nothing
-  /// if it does not count.
+  /// The server's counts for this connection: messages replaced by newer ones, and messages lost. Unset if it
+  /// does not count.
   std::optional<std::uint64_t> thinned = {}, dropped = {};
   /// How often it was connected.
   std::uint64_t connections = 0;
-  /// What the server calls itself; empty before it was heard.
+  /// The name that the server states; empty until it has sent it.
   std::string serverName = {};
   /// Whether it takes what this client publishes; not from clients that may only watch.
   bool takesMessages = false;

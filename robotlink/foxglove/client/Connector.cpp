@@ -81,11 +81,11 @@ class ConnectorThread {
   asio::steady_timer timer_{context};
   /// The connection in progress, over all its attempts.
   std::shared_ptr<HostLookup> lookup_;
-  /// What the newest lookup that succeeded has found; a cut line may keep others from it.
+  /// The addresses from the newest successful lookup; later lookups may fail while the link is down.
   std::vector<std::string> addresses_;
   /// The objection of the newest failure.
   ServerObjection objection_;
-  /// Which of several addresses is tried next.
+  /// The index of the address that is tried next.
   std::size_t nextAddress_ = 0;
   /// Whether an address is waited for.
   bool isConnecting_ = false;
@@ -93,7 +93,7 @@ class ConnectorThread {
   std::thread thread_;
 };
 
-/// One connection. With TLS its handshake comes first. In the thread, but for leave().
+/// A connection. With TLS its handshake comes first. In the thread, except leave().
 class ServerConnection : public std::enable_shared_from_this<ServerConnection> {
  public:
   ServerConnection(ConnectorThread& thread, asio::ssl::context* tls)
@@ -196,7 +196,7 @@ void ServerConnection::onRead(error_code error, std::size_t bytes) {
   // Another attempt would fail in the same way.
   if (error == websocket::error::message_too_big)
     return fail(Failure::kRefused, whyTooLong(options.messageBytes));
-  // Whatever becomes of the connection when the server has said why it ends it.
+  // The error does not matter if the server has said why it ends the connection.
   if (const auto why = socket_.reason(); error && why.code != websocket::close_code::none)
     return fail(Failure::kEnded, why.code == websocket::close_code::too_big ? whyTooLongForThem()
                                                                             : whyClosed(why.reason.c_str()));
@@ -217,7 +217,7 @@ void ServerConnection::onRead(error_code error, std::size_t bytes) {
   read();
 }
 
-/// A sign of life carries the time at which it was asked for, and comes back with it.
+/// A ping carries the time at which it was sent, which the pong returns.
 void ServerConnection::onControl(websocket::frame_type kind, beast::string_view payload) {
   const Instant now = thread_.now();
   thread_.watch.heard(now);
@@ -353,7 +353,7 @@ void ConnectorThread::tick() {
 }
 
 void ConnectorThread::report() {
-  // Another try, as long as nothing came of it, changes nothing about what the server objects to.
+  // Another attempt does not change the server's objection until it succeeds or fails.
   const bool isConnected = watch.phase() == ConnectionState::Phase::kConnected;
   client->setLink(watch.phase(), watch.since(), watch.reason(), isConnected ? ServerObjection() : objection_);
 }

@@ -24,8 +24,8 @@ class Connector {
     /// Shown as "Authorization: Bearer TOKEN"; empty: none.
     std::string token = {};
     /// With wss://: asked, in the connector's thread and without blocking it for long, whether a robot that
-    /// was never seen is the one that is meant, by the fingerprint that it printed at its start. If not, it
-    /// counts as refused, and is tried again later. Empty: it is believed. What was believed once is
+    /// was never seen is the intended one, by the fingerprint that it printed at its start. If not, it
+    /// counts as refused, and is tried again later. Empty: it is trusted. A robot that was trusted once is
     /// remembered, and a robot that shows another fingerprint later is refused.
     std::function<bool(const std::string& server, const std::string& fingerprint)> isTrusted = {};
     /// The file in which that is remembered; empty: the user's.
@@ -35,9 +35,9 @@ class Connector {
     LinkWatch::Times times = {};
     /// Finds the addresses of the robot's name; the system's if there is none.
     HostLookup::Resolver resolver = {};
-    /// What the system may hold of data that it has not sent: what is urgent waits behind it.
+    /// The limit of unsent data in the system: urgent messages wait behind it.
     int unsentBytes = 2 << 10;
-    /// What this client calls itself, for those who look at the robot.
+    /// The name of this client, for users who watch the robot.
     std::string name = "RobotControl";
     /// For all times; real time if there is none.
     std::shared_ptr<const Clock> clock = {};

@@ -7,16 +7,16 @@
 
 namespace robotlink::websocket {
 
-/// Decides when to connect, to ask for a sign of life, and to give a connection up. It knows no socket: it is
+/// Decides when to connect, to ask for a sign of life, and to give a connection up. It uses no socket: it is
 /// told what happens, with the time, and asked what to do. Not thread-safe.
 class LinkWatch {
  public:
   struct Times {
-    /// A sign of life is given so often; one is asked for as often in silence, and otherwise after
+    /// The interval of signs of life; in silence one is asked for as often, and otherwise after
     /// roundTripInterval. An answer may have to wait behind a large message, and with it whatever the server
     /// would read next.
     Duration pingInterval = std::chrono::milliseconds(300), roundTripInterval = std::chrono::seconds(2);
-    /// After so long without a byte it counts as silent, and is reconnected.
+    /// The time without a byte after which the link counts as silent, and after which it is reconnected.
     Duration silentTime = std::chrono::seconds(1), giveUpTime = std::chrono::seconds(3);
     /// Time for a connection of TCP, and for each further step of the handshake. Before the first success the
     /// steps may take firstStepTime, for lines that are very slow.
@@ -34,16 +34,16 @@ class LinkWatch {
     kPong,    ///< give one
     kGiveUp,  ///< close what there is; failed() was called already
   };
-  /// Why a connection ended, or did not come about.
+  /// Why a connection ended, or was not established.
   enum class Failure {
-    kSilence,  ///< nothing was heard
-    kEnded,    ///< the other end closed it, or nobody listens
+    kSilence,  ///< no byte was received
+    kEnded,    ///< the other end closed it, or no server listens
     kRefused,  ///< the server does not want this client
   };
 
   LinkWatch(Times times, Instant now) : times_(times), since_(now), nextTry_(now) {}
 
-  /// What to do now. Call it several times a second.
+  /// Returns the action to take now. Call it several times a second.
   Action next(Instant now);
   /// The address is known, and TCP begins to connect.
   void addressFound(Instant now);
@@ -51,7 +51,7 @@ class LinkWatch {
   void stepDone(Instant now);
   /// The server has said hello.
   void greeted(Instant now);
-  /// Any byte came.
+  /// Call this when any byte was received.
   void heard(Instant now) { heardAt_ = now; }
   /// Connecting failed, or the connection ended.
   void failed(Failure failure, const std::string& reason, Instant now);
@@ -67,7 +67,7 @@ class LinkWatch {
   void enter(Phase phase, Instant since, std::string reason);
   Duration stepLimit() const;
   Action nextWhileConnecting(Instant now);
-  /// Why the step of connecting that is under way has not come to its end.
+  /// Why the current step of connecting has not ended.
   std::string whyNoStep() const;
 
   const Times times_;

@@ -15,7 +15,7 @@ struct ServerUrl {
   /// A name or an IP address; one of IPv6 without its brackets.
   std::string host;
   std::uint16_t port = 0;
-  /// What follows the port, for the HTTP request: at least "/".
+  /// The part after the port, for the HTTP request: at least "/".
   std::string target = "/";
   bool operator==(const ServerUrl&) const = default;
 };

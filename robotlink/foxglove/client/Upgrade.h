@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For sources that bring in Asio and Beast anyway.
+// For sources that include Asio and Beast anyway.
 #pragma once
 
 #include <boost/beast/websocket/rfc6455.hpp>
@@ -24,13 +24,13 @@ struct UpgradeRequest {
   ServerUrl url;
   /// Shown as "Authorization: Bearer TOKEN"; empty: none.
   std::string token = {};
-  /// What the client calls itself.
+  /// The name that the client states.
   std::string name = {};
   /// The longest message that is taken afterward.
   std::size_t messageBytes = 0;
 };
 
-/// Why an answer is no connection. A plain value.
+/// The reason why an answer does not establish a connection. A plain value.
 struct UpgradeProblem {
   LinkWatch::Failure failure = LinkWatch::Failure::kEnded;
   /// A sentence that says what to do.
@@ -40,7 +40,7 @@ struct UpgradeProblem {
 
 /// Prepares a socket for its handshake.
 void prepareUpgrade(ClientSocket& socket, const UpgradeRequest& request);
-/// What is wrong with an answer to the handshake, which ended with `error`; nothing: it is a connection.
+/// Returns the problem with an answer to the handshake, which ended with `error`; nothing if it succeeded.
 std::optional<UpgradeProblem> problemWith(const boost::beast::websocket::response_type& response,
                                           const error_code& error, const UpgradeRequest& request);
 

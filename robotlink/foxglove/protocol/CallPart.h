@@ -24,7 +24,7 @@ inline constexpr char kCallPartsKey[] = "robotcontrol/call-parts";
 
 /// A part as the encoding of its call: "part;4096;262144;protobuf".
 std::string toEncoding(const CallPart& part);
-/// Nothing if the encoding is not that of a part.
+/// Returns nothing if the encoding is not that of a part.
 std::optional<CallPart> callPartOf(std::string_view encoding);
 
 }  // namespace robotlink::websocket

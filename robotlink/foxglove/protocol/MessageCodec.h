@@ -10,8 +10,8 @@
 #include "robotlink/foxglove/protocol/ServerMessages.h"
 
 // The Foxglove WebSocket protocol, version 1, as bytes: sub-protocols "foxglove.sdk.v1" and
-// "foxglove.websocket.v1", which have the same messages. Pure functions of any thread. Decoders take bytes of
-// strangers: lengths, depths and types are checked, and errors name the field and what it must be. Members of
+// "foxglove.websocket.v1", which have the same messages. Pure functions of any thread. Decoders take foreign
+// bytes: lengths, depths and types are checked, and errors name the field and what it must be. Members of
 // JSON objects that are not known are ignored, because later versions may add some.
 namespace robotlink::websocket {
 

@@ -64,7 +64,7 @@ struct ParameterValues {
   bool operator==(const ParameterValues&) const = default;
 };
 
-/// What a service takes or returns.
+/// The type of a service's request or response.
 struct ServiceSchema {
   std::string encoding, schemaName, schemaEncoding, schema;
   bool operator==(const ServiceSchema&) const = default;

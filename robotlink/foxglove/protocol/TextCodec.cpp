@@ -19,7 +19,7 @@ constexpr std::uint32_t kNanoseconds = 1'000'000'000;
 
 /// A sentence that is longer than what is read is cut, rather than lost with its message.
 std::string shortSentence(const std::string& text) {
-  return text.size() <= kMaxName ? text : validUtf8(text.substr(0, kMaxName));  // it may end amid a character
+  return text.size() <= kMaxName ? text : validUtf8(text.substr(0, kMaxName));  // this may split a character
 }
 
 bool isBinarySchema(std::string_view encoding) {
@@ -224,7 +224,7 @@ class JsonReader {
   void sentence(const char* key, std::string& text) {
     if (!problem_.empty()) return;
     const auto found = object_.is_object() ? object_.find(key) : object_.end();
-    if (found == object_.end() || !found->is_string()) return field(key, text);  // which says what is wrong
+    if (found == object_.end() || !found->is_string()) return field(key, text);  // this reports the problem
     text = shortSentence(found->get_ref<const std::string&>());
   }
   void schema(const std::string& encoding, std::string& schema) {

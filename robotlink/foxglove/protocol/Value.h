@@ -29,7 +29,7 @@ inline Value valueOf(const std::map<std::string, double>& numbers) {
   return Value{std::move(object)};
 }
 
-/// A parameter; without a value it does not exist (any more).
+/// A parameter; without a value it does not exist (any longer).
 struct Parameter {
   std::string name;
   std::optional<Value> value;

@@ -12,7 +12,7 @@ struct x509_st;
 namespace robotlink::websocket {
 
 /// A robot's self-made certificate with its private key, as one PEM text, and the certificate's fingerprint:
-/// "SHA256:" and the base64 of its digest, as ssh writes them. Clients know a robot again by it.
+/// "SHA256:" and the base64 of its digest, as ssh writes them. Clients recognize a robot by it.
 struct Certificate {
   std::string pem;
   std::string fingerprint;

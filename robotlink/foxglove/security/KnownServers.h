@@ -25,12 +25,12 @@ class KnownServers {
   static std::filesystem::path defaultFile();
   explicit KnownServers(std::filesystem::path file = defaultFile()) : file_(std::move(file)) {}
 
-  /// Keyed by "HOST:PORT"; none without a file. Fails if the file is none of this format.
+  /// Reads the fingerprints, keyed by "HOST:PORT"; none without a file. Fails if the file has another format.
   Result<Fingerprints> read() const;
   /// Whether the server is known. Fails if it shows another fingerprint than before, with a sentence that
   /// says what that may mean and what to do.
   Result<bool> isKnown(const std::string& server, const std::string& fingerprint) const;
-  /// Remembers a server, in the place of what was known of it.
+  /// Remembers a server, replacing an earlier entry.
   Result<void> add(const std::string& server, const std::string& fingerprint) const;
 
   static Result<Fingerprints> parse(std::string_view text, const std::string& file);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kRememberedHeader = "robotcontrol-robot-tokens 1";
 
-/// What is written must be read as the same again, and fit into a line of HTTP.
+/// Whether a word is read back as it was written, and fits into a line of HTTP.
 bool isPlain(std::string_view word) {
   return !word.empty() && std::ranges::all_of(word, [](char c) { return c > ' ' && c < 127; });
 }

@@ -25,12 +25,12 @@ class RememberedTokens {
   static std::filesystem::path defaultFile();
   explicit RememberedTokens(std::filesystem::path file = defaultFile()) : file_(std::move(file)) {}
 
-  /// None without a file. Fails if the file is none of this format, or if others may read it.
+  /// Reads the tokens; none without a file. Fails if the file has another format, or if others may read it.
   Result<ByUrl> read() const;
   /// The token for a URL, as toString(ServerUrl) has it; nothing if there is none, or if the file cannot be
   /// read.
   std::optional<std::string> find(const std::string& url) const;
-  /// Remembers a token, in the place of what was known.
+  /// Remembers a token, replacing an earlier one.
   Result<void> add(const std::string& url, const std::string& token) const;
   Result<void> forget(const std::string& url) const;
 

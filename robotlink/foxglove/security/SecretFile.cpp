@@ -83,7 +83,7 @@ Result<bool> createSecret(const fs::path& path, std::string_view contents) {
   if (const auto written = writeBeside(path, contents, temporary); !written)
     return tl::unexpected(written.error());
   const UnfinishedFile unfinished(temporary);
-  // A link, unlike a new name, never replaces the file of somebody who was faster.
+  // A link, unlike a new name, never replaces a file that another process has created first.
   const bool isLinked = ::link(temporary.c_str(), path.c_str()) == 0;
   const int reason = errno;
   ::unlink(temporary.c_str());

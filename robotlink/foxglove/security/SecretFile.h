@@ -9,13 +9,13 @@
 
 namespace robotlink::websocket {
 
-/// The folder of what programs keep for themselves (keys, tokens, known robots):
+/// Returns the folder of the programs' private files (keys, tokens, known robots):
 /// $XDG_STATE_HOME/robotcontrol, otherwise ~/.local/state/robotcontrol, otherwise a folder below the system's
 /// temporary one. It is not created.
 std::filesystem::path stateDirectory();
 
-/// Reads a file that nobody but its owner may read. Fails if others may (secret.readable), if it belongs to
-/// somebody else, or as readFile() does.
+/// Reads a file that only its owner may read. Fails if others may (secret.readable), if it belongs to
+/// another user, or as readFile() does.
 Result<std::string> readSecret(const std::filesystem::path& path);
 
 /// Creates a file that only its owner may read and write, as a whole; missing folders are created. Returns

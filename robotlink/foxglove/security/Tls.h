@@ -12,7 +12,7 @@ namespace robotlink::websocket {
 
 /// A server's, with its certificate.
 Result<std::shared_ptr<boost::asio::ssl::context>> makeServerTls(const Certificate& certificate);
-/// A client's. Certificates are not checked: nobody vouches for a robot. Compare the fingerprint of the one
+/// A client's. Certificates are not checked: no one vouches for a robot. Compare the fingerprint of the one
 /// that the server shows, after the handshake, with the known one (KnownServers).
 Result<std::shared_ptr<boost::asio::ssl::context>> makeClientTls();
 

@@ -26,7 +26,7 @@ std::string problemOfToken(std::string_view token) {
   return {};
 }
 
-/// What is wrong with a line, or nothing.
+/// Takes a line of the file. Returns the problem with it; empty if there is none.
 std::string takeTokenLine(std::string_view line, Tokens& to) {
   const std::size_t space = line.find_first_of(" \t");
   const std::string_view kind = line.substr(0, space);

@@ -10,7 +10,7 @@
 namespace robotlink::websocket {
 
 /// The tokens that authorize clients: one for clients with full control, one for those that may only
-/// watch. An empty one lets nobody in.
+/// watch. An empty token admits no client.
 struct Tokens {
   std::string control, watch;
   bool operator==(const Tokens&) const = default;

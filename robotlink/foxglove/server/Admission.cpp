@@ -12,7 +12,7 @@ namespace {
 
 /// Bounds what is remembered of machines; each is forgotten when its time is over.
 constexpr std::size_t kMaxWaiting = 1024;
-/// What is shown of a page's origin, which may be anything.
+/// The limit for showing a page's origin, which may be any text.
 constexpr std::size_t kMaxOrigin = 200;
 
 /// Takes the same time wherever the texts differ.
@@ -48,7 +48,7 @@ bool lists(std::string_view list, std::string_view word) {
   return false;
 }
 
-/// What is wrong with the token of a request, for its client and for the robot's log.
+/// Describes the problem with the token of a request, for its client and for the robot's log.
 std::string sentenceOnToken(const Knock& knock) {
   const bool isShown = !knock.authorization.empty() || !tokenIn(knock.target).empty();
   return std::string(isShown ? "The token that was shown is not one of this robot's."

@@ -18,7 +18,7 @@ struct Knock {
   std::string protocols, origin, authorization, target;
 };
 
-/// Why a request is refused: the status of the HTTP answer, and its text.
+/// The refusal of a request: the status of the HTTP answer, and its text.
 struct Refusal {
   unsigned status = 400;
   std::string sentence;
@@ -26,7 +26,7 @@ struct Refusal {
   bool isWrongToken = false;
 };
 
-/// How a client may connect.
+/// The terms on which a client may connect.
 struct Admitted {
   /// The sub-protocol to speak.
   std::string protocol;
@@ -39,14 +39,14 @@ struct Admitted {
 class Admission {
  public:
   struct Options {
-    /// What a client has to show to do everything, as "Authorization: Bearer TOKEN" or, where headers cannot
-    /// be set, as ?token=TOKEN behind the URL. If this and watchToken are empty: nothing.
+    /// The token for full control, which clients show as "Authorization: Bearer TOKEN" or, if headers cannot
+    /// be set, as ?token=TOKEN behind the URL. If this and watchToken are empty: none is needed.
     std::string token = {};
     /// The origins ("https://example.org") whose web pages may connect, or "*" for all. Programs that are no
     /// browsers state none.
     std::vector<std::string> origins = {};
     Duration wrongTokenDelay = std::chrono::seconds(1);
-    /// What a client has to show that may only watch; empty: there are none.
+    /// The token of clients that may only watch; empty: there are none.
     std::string watchToken = {};
   };
 

@@ -7,8 +7,8 @@
 
 namespace robotlink::websocket {
 
-/// So many units (bytes, messages) a second, with a tenth of a second saved up at most (a token bucket). What
-/// is larger than what is left may be taken whole; it is paid for afterward.
+/// A limit of units (bytes, messages) a second, with a tenth of a second saved up at most (a token bucket).
+/// An amount larger than the rest may be taken whole; it is paid for afterward.
 class Allowance {
  public:
   /// 0 means without limit. Begins with what may be saved up.

@@ -31,7 +31,7 @@ void replace(const Ids& changed, Ids& known) {
   }
 }
 
-/// Removing a topic removes it from both lists, so it has to be in neither any more.
+/// Removing a topic removes it from both lists, so it must no longer be in either.
 void moveRemoved(Ids& changed, const Ids& now, const Ids& others, std::vector<std::string>& removed) {
   std::erase_if(changed, [&](const auto& entry) {
     const std::string& name = entry.first;

@@ -10,11 +10,11 @@ struct ConnectionGraph {
   ConnectionGraphUpdate::Ids publishedTopics, subscribedTopics, advertisedServices;
 };
 
-/// What has to be sent to a client that knows `before`.
+/// Returns the update for a client that knows `before`.
 ConnectionGraphUpdate difference(const ConnectionGraph& before, const ConnectionGraph& now);
 
-/// What a client knows after an update. A server may invent names: 10,000 of each kind are kept, with 100 ids
-/// each.
+/// Applies an update to a client's graph. A server may invent names: 10,000 of each kind are kept, with
+/// 100 ids each.
 void apply(const ConnectionGraphUpdate& update, ConnectionGraph& graph);
 
 }  // namespace robotlink::websocket

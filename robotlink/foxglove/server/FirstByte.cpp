@@ -9,7 +9,7 @@
 namespace robotlink::websocket {
 namespace {
 
-/// A connection of which nothing was heard yet.
+/// A connection from which no byte has been received yet.
 class FirstByte final : public Connection, public std::enable_shared_from_this<FirstByte> {
  public:
   FirstByte(ListenerPort& port, TransportSocket socket)

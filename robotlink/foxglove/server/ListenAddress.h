@@ -20,10 +20,10 @@ struct ListenAddress {
 /// Reads [ADDRESS:]PORT. Loopback is the default, localhost means it; an IPv6 address is in brackets.
 Result<ListenAddress> parseListenAddress(std::string_view text);
 
-/// Whether nobody but programs on this machine can reach it.
+/// Whether only programs on this machine can reach it.
 bool isLoopback(const ListenAddress& address);
 
-/// As it is read, with brackets for IPv6.
+/// Returns the address in the form in which it is parsed, with brackets for IPv6.
 std::string toString(const ListenAddress& address);
 
 }  // namespace robotlink::websocket

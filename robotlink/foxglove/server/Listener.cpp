@@ -76,7 +76,7 @@ void ListenerPort::run() {
     try {
       context.run();
     } catch (const std::exception& problem) {
-      // Memory ran out, say. Other clients go on.
+      // Memory may have run out, for example. Other clients continue.
       tryReport(std::string("A message of a client could not be handled: ") + problem.what());
       tickLater();
     }
@@ -110,7 +110,7 @@ void ListenerPort::accept() {
       accept();  // first: others come in, whatever throws
       welcome(std::move(socket));
     }
-    tickLater();  // which tries again: the program may have too many files open
+    tickLater();  // the tick tries again: the program may have too many files open
   });
 }
 
@@ -124,8 +124,8 @@ void ListenerPort::welcome(TransportSocket socket) {
   add(tls ? makeFirstByte(*this, std::move(socket)) : makeConnection(*this, std::move(socket), nullptr));
 }
 
-/// One machine that holds all handshakes must not keep others out: it loses one of its own. Returns false if
-/// `machine` has as many as any other.
+/// Makes room by ending a handshake of the machine that has most, so that no machine keeps others out.
+/// Returns false if `machine` has as many as any other.
 bool ListenerPort::makeRoomFor(const std::string& machine) {
   std::map<std::string, std::vector<ConnectionPtr>> byMachine;
   std::size_t count = 0;

@@ -25,16 +25,16 @@ struct ListenerOptions {
   /// Connections that have not asked for WebSocket yet; further ones are closed at once.
   std::size_t handshakes = 16;
   Duration handshakeTime = std::chrono::seconds(5);
-  /// What a message may take from its first to its last byte.
+  /// The time limit of a message from its first to its last byte.
   Duration messageTime = std::chrono::seconds(120);
-  /// A client that is silent so long is asked for a sign of life, and is given up after idleTime.
+  /// The silence after which a client is asked for a sign of life, and the one after which it is given up.
   Duration pingInterval = std::chrono::seconds(5), idleTime = std::chrono::seconds(30);
   /// How long a client that is told to go may take.
   Duration closeTime = std::chrono::seconds(2);
   /// Between the answer to the handshake and the first message. Some clients lose messages that come
   /// together with that answer.
   Duration greetingDelay = std::chrono::milliseconds(100);
-  /// What the system may hold of data that it has not sent, per client; the rest waits where newer messages
+  /// The limit of data that the system holds unsent, per client; the rest waits where newer messages
   /// replace it.
   int unsentBytes = 16 << 10;
   /// Clients of other machines that can (permessage-deflate) are sent all but images compressed. On loopback

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inside of a Listener; for its sources only, since it brings in Asio.
+// The inside of a Listener; for its sources only, since it includes Asio.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -17,7 +17,7 @@ namespace robotlink::websocket {
 
 using ListenerAcceptor = asio::basic_socket_acceptor<asio::ip::tcp, TransportExecutor>;
 
-/// A connection as the port sees it. In the port's thread, but for leave().
+/// A connection as the port sees it. In the port's thread, except leave().
 class Connection {
  public:
   Connection() = default;

@@ -27,7 +27,7 @@ void Outbox::push(StreamId id, Outgoing message, Delivery delivery, std::size_t 
   const bool isCalm = message.size() + smallBytes_ <= limits_.calmBytes && !hasRate;
   addWaiting(message.size());
   if (delivery == Delivery::kLatest && !stream.waiting.empty() && !isCalm) {
-    // The newest takes the first turn; those between need none any more.
+    // The newest message takes the first turn; those in between no longer need one.
     while (stream.waiting.size() > 1) giveUp(stream, std::prev(stream.waiting.end()));
     Outgoing& waiting = stream.waiting.front()->message;
     removeWaiting(waiting.size());
@@ -146,7 +146,7 @@ void Outbox::noteSent(Stream& stream, std::size_t bytes, Instant now) {
   ++stream.counters.sent;
   stream.counters.bytes += bytes;
   if (stream.gap == Duration::zero()) return;
-  // What is sent a little late does not make the rate lower.
+  // A message that is sent a little late does not lower the rate.
   stream.due = (now - stream.due < stream.gap ? stream.due : now) + stream.gap;
 }
 

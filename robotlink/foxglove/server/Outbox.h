@@ -15,13 +15,13 @@ namespace robotlink::websocket {
 /// Bytes that all clients share.
 using SharedBytes = std::shared_ptr<const std::string>;
 
-/// What happens to messages of a stream for which a client is too slow.
+/// The treatment of messages of a stream for which a client is too slow.
 enum class Delivery {
   kLatest,    ///< A newer message replaces the one that waits: images, states, drawings.
   kComplete,  ///< All are sent, in order; over a bound the oldest is dropped: texts, tables, results.
 };
 
-/// What became of the messages of a stream for one client.
+/// Counts the messages of a stream for one client.
 struct StreamCounters {
   std::uint64_t sent = 0, bytes = 0;
   /// Replaced by newer ones, or given up for other streams, as its delivery allows.
@@ -45,7 +45,7 @@ struct Outgoing {
   std::size_t size() const { return headSize + (payload ? payload->size() : 0); }
 };
 
-/// What waits to be sent to one client. Control messages go first and without regard to the budget; messages
+/// The queues of messages to one client. Control messages go first and without regard to the budget; messages
 /// of streams follow in the order in which their turns came: a message that replaces another takes its turn.
 /// Small and large ones have a line of turns each, and while both wait, both get the same number of bytes: on
 /// a slow link many readings pass an image, which otherwise would each wait for one. A stream with a rate
@@ -58,8 +58,8 @@ class Outbox {
     /// Bytes that may wait of all streams; over it the oldest messages go. A message that waits alone may be
     /// larger.
     std::size_t streamBytes = 16U << 20U;
-    /// While no more waits in messages of up to this size, such a message does not replace an older one of
-    /// its stream: on a line that is fast enough nothing is thinned only because two messages were published
+    /// While at most this many bytes wait in messages of up to this size, such a message does not replace an
+    /// older one of its stream: on a fast line nothing is thinned only because two messages were published
     /// at once, or because an image is being sent meanwhile.
     std::size_t calmBytes = 0;
     /// Messages of more than this are large.
@@ -79,7 +79,7 @@ class Outbox {
   bool pushControl(FrameKind kind, SharedBytes bytes);
   /// `maxWaiting` bounds what waits of a complete stream.
   void push(StreamId stream, Outgoing message, Delivery delivery, std::size_t maxWaiting);
-  /// Counts a message of a stream that was left out before it came here.
+  /// Counts a message of a stream that was left out before it arrived here.
   void noteThinned(StreamId stream) { ++streams_[stream].counters.thinned; }
   /// Forgets what waits of a stream; its counters stay.
   void clear(StreamId stream);
@@ -107,12 +107,12 @@ class Outbox {
   /// The turns of small messages, or of large ones.
   struct Line {
     Turns turns;
-    /// What it has sent, in bytes, as far as it is compared: a line that was empty has nothing saved up.
+    /// The bytes it has sent, as far as they are compared: a line that was empty has nothing saved up.
     std::uint64_t sent = 0;
   };
   struct Stream {
     std::deque<Turns::iterator> waiting;
-    /// Where they wait, all of them: messages of a stream keep their order.
+    /// The line in which all messages of the stream wait: they keep their order.
     Line* line = nullptr;
     Delivery delivery = Delivery::kLatest;
     StreamCounters counters;

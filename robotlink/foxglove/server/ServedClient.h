@@ -31,7 +31,7 @@ struct ServedClient {
   bool wantsAllParameters = false;
   bool wantsGraph = false;
   std::size_t calls = 0;
-  /// What has come of a call that is sent in parts.
+  /// The parts that have arrived of a call that is sent in parts.
   struct PartialCall {
     ServiceCallRequest call;
     std::size_t total = 0;
@@ -41,7 +41,7 @@ struct ServedClient {
 
   /// When the link heard anything of it, by the server's clock, since its zero.
   std::atomic<Duration::rep> heardAt{0};
-  /// A sign of life is asked for after so long a silence, unless the link does it sooner; 0: the link knows.
+  /// The silence after which a sign of life is requested, unless the link is faster; 0: the link decides.
   std::atomic<Duration::rep> pingEvery{0};
 };
 

@@ -131,7 +131,7 @@ void Server::publishTime(Instant time) {
   }
 }
 
-// What else the robot offers and tells.
+// Other offers and messages of the robot.
 
 std::uint32_t Server::addService(Service service, ServiceHandler handler, ServiceAccess access) {
   const std::lock_guard lock(mutex_);

@@ -12,7 +12,7 @@
 namespace robotlink::websocket {
 
 /// The parameter by which a client reads and sets its own budget in bytes a second (0: no limit), and the one
-/// with its counters by topic. The second is only sent to those who name it.
+/// with its counters by topic. The second is only sent to clients that name it.
 inline constexpr char kBudgetParameter[] = "link/budget";
 inline constexpr char kCountersParameter[] = "link/counters";
 /// How often a client gets messages of a topic of which the latest counts, in messages a second (0: all): an
@@ -21,8 +21,8 @@ inline constexpr char kRatesParameter[] = "link/rates";
 /// The number by which others know a client (SteeringStatus.client); cannot be set.
 inline constexpr char kClientParameter[] = "link/client";
 
-/// The server's end of the Foxglove WebSocket protocol, without a transport: what is offered, who subscribed
-/// to what, and what waits to be sent to whom. A Listener connects it with TCP.
+/// The server's end of the Foxglove WebSocket protocol, without a transport: its offers, the subscriptions,
+/// and the messages that wait to be sent. A Listener connects it with TCP.
 ///
 /// The robot's side may be called from any thread and never waits for a client. Channels and publishers may
 /// outlive the server.
@@ -63,8 +63,8 @@ class Server : public std::enable_shared_from_this<Server> {
   };
 
   void publishPlaybackState(const PlaybackState& state);
-  /// What clients can play: the range of time of the log that is open; none: there is no log. At first it is
-  /// that of the options. If it changes, clients are told again who the server is.
+  /// Sets the playable range of time of the open log; none: there is no log. At first it is that of the
+  /// options. If it changes, clients get the information about the server again.
   void setPlayable(const std::optional<TimeRange>& range);
   /// Sends a status to all clients that are connected.
   void publishStatus(const Status& status);
@@ -72,9 +72,9 @@ class Server : public std::enable_shared_from_this<Server> {
   std::vector<ClientState> clients() const;
   std::size_t clientCount() const;
   const Clock& clock() const { return *options_.clock; }
-  /// When a client was heard last; nothing if it is gone.
+  /// Returns when a client was last heard from; nothing if it is gone.
   std::optional<Instant> heardAt(std::uint64_t clientId) const;
-  /// Asks these clients for signs of life after so long a silence, and others as the link does.
+  /// Asks these clients for signs of life after `pingEvery` of silence, and others as the link does.
   void watch(const std::set<std::uint64_t>& clientIds, Duration pingEvery);
   /// Tells one client something, if it is still there.
   void sendStatus(std::uint64_t clientId, const Status& status);
@@ -86,7 +86,7 @@ class Server : public std::enable_shared_from_this<Server> {
   /// Fails if there are too many clients. `wake` is called from any thread when there is something to send
   /// again after next() found nothing; it must not block or call the server. The id of `info` is given here.
   Result<ClientPtr> connect(ClientInfo info, std::function<void()> wake);
-  /// After this, wake is not called any more.
+  /// Call this when the connection has ended. Afterward `wake` is no longer called.
   void disconnected(const ClientPtr& client);
   void received(const ClientPtr& client, FrameKind kind, std::string_view bytes);
   std::optional<Outgoing> next(ServedClient& client, Instant now);
@@ -152,7 +152,7 @@ class Server : public std::enable_shared_from_this<Server> {
   /// Adds a part of a call; returns what is wrong with it.
   std::string addPart(ServedClient& client, const ServiceCallRequest& message, const CallPart& part);
 
-  // What clients say.
+  // Handle the messages of clients.
   void handle(const ClientPtr& client, const Subscribe& message, Calls& calls);
   void handle(const ClientPtr& client, const Unsubscribe& message, Calls& calls);
   void handle(const ClientPtr& client, const ClientAdvertise& message, Calls& calls);

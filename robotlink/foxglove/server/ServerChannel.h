@@ -27,7 +27,7 @@ struct ChannelSetup {
   bool isCompressible = true;
 };
 
-/// A channel of a server, shared by the server and whoever publishes. All functions may be called from any
+/// A channel of a server, shared by the server and its publishers. All functions may be called from any
 /// thread, also after the channel was removed or the server is gone; then nothing is published.
 class ServerChannel {
  public:

@@ -11,7 +11,7 @@ struct ClientInfo {
   /// Never used again by this server.
   std::uint64_t id = 0;
   std::string address;
-  /// What it calls itself (the User-Agent of its HTTP request); may be empty.
+  /// The name that it states (the User-Agent of its HTTP request); may be empty.
   std::string name;
   /// Whether it may only watch: it sets, calls, publishes and plays nothing.
   bool isReadOnly = false;
@@ -34,7 +34,7 @@ struct ClientState {
   std::map<std::string, StreamCounters> streams;
 };
 
-/// From the first instant to the last.
+/// The range from the first instant to the last.
 struct TimeRange {
   Instant start, end;
   bool operator==(const TimeRange&) const = default;
@@ -60,7 +60,7 @@ struct ServerOptions {
   std::vector<std::string> encodings = {"json", "protobuf"};
   /// Whether publishTime() will be called.
   bool publishesTime = false;
-  /// What is played, if it is a log.
+  /// The time range of the log, if one is played.
   std::optional<TimeRange> playable = {};
   /// A client's at first, in bytes a second; 0 without limit.
   double budget = 0;
@@ -70,8 +70,8 @@ struct ServerOptions {
   std::shared_ptr<const Clock> clock = {};
 };
 
-/// What clients ask for. All are called in the link's thread, one at a time, and must not block: what takes
-/// long is handed to another thread, which answers by the Reply. They may call the server. What has no
+/// The handlers of clients' requests. All are called in the link's thread, one at a time, and must not block:
+/// long work is handed to another thread, which answers by the Reply. They may call the server. What has no
 /// handler is not offered to clients.
 struct ServerHandlers {
   /// After each change of a channel's subscribers; with none when the last has gone. Not when the channel is

@@ -14,7 +14,7 @@ constexpr char kOnlyWatches[] =
 
 /// A budget below this would not carry what keeps a connection alive.
 constexpr double kMinBudget = 1000;
-/// One message a day.
+/// The minimum rate, about one message a day.
 constexpr double kMinRate = 1e-5;
 
 std::optional<double> numberOf(const Value& value) {
@@ -107,7 +107,7 @@ void Server::reportSubscribers(const ChannelPtr& channel, Calls& calls) const {
       [this, channel, infos = std::move(infos)] { handlers_.subscribersChanged(channel, infos); });
 }
 
-// What clients publish.
+// Publishing by clients.
 
 void Server::handle(const ClientPtr& client, const ClientAdvertise& message, Calls& calls) {
   std::string problems;
@@ -220,7 +220,7 @@ std::string Server::setRates(ServedClient& client, const Parameter& parameter) {
   return {};
 }
 
-/// Nothing of what is to be complete may be left out.
+/// Applies the rate, except to streams that must be complete.
 void Server::applyRate(ServedClient& client, const ServerChannel& channel) {
   if (channel.setup().delivery != Delivery::kLatest) return;
   const auto rate = client.rates.find(channel.setup().topic);

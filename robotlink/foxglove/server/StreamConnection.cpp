@@ -34,10 +34,10 @@ std::string listIn(const http::fields& fields, http::field name) {
   return all;
 }
 
-/// One client's connection. With TLS its handshake comes first.
+/// The connection of a client. With TLS its handshake comes first.
 class StreamConnection final : public Connection, public std::enable_shared_from_this<StreamConnection> {
  public:
-  /// Long messages are sent in frames of what the line takes in kFrameTime, so that pongs can go between
+  /// Long messages are sent in frames that the line takes in kFrameTime, so that pongs can go between
   /// them.
   static constexpr std::size_t kMinFrameBytes = 16U << 10U, kMaxFrameBytes = 256U << 10U;
   static constexpr double kFrameTime = 0.005;  // s
@@ -64,7 +64,7 @@ class StreamConnection final : public Connection, public std::enable_shared_from
   void end() override;
 
  private:
-  /// What the line does takes real time, whatever the clock of the robot.
+  /// The clock for the line, which runs in real time, whatever the clock of the robot.
   using SystemTime = std::chrono::steady_clock;
   enum class State { kRequest, kDecision, kRefusal, kUpgrade, kOpen, kClosing, kEnded };
   static constexpr std::size_t kMaxHeader = 8192;
@@ -126,7 +126,7 @@ class StreamConnection final : public Connection, public std::enable_shared_from
   std::optional<Outgoing> sending_;
   SystemTime::time_point sendingAt_;
   bool isGreeted_ = false, isPinging_ = false, isReading_ = false, isInSend_ = false;
-  /// When the handshake or, later, the conversation began; something was heard; the message that is being
+  /// When the handshake or, later, the conversation began; a byte was received; the message that is being
   /// read began; the client was told to go; and was asked for a sign of life.
   Instant beganAt_, heardAt_, messageAt_, closingAt_, pingedAt_;
 };
@@ -261,7 +261,7 @@ void StreamConnection::onRead(error_code error, std::size_t bytes) {
 void StreamConnection::send() {
   if (isInSend_) return;
   isInSend_ = true;
-  // What is gathered counts as sent before async_write() returns.
+  // Bytes that are gathered count as sent before async_write() returns.
   do sendNext();
   while (state_ == State::kOpen && !sending_ && transport().isGathering());
   isInSend_ = false;

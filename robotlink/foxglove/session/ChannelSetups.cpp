@@ -23,7 +23,7 @@ struct StreamType {
   const char* prefix;
   const char* type;
 };
-/// What is published on the streams of debug keys that are not packages.
+/// The types of the streams of debug keys that are not packages.
 constexpr std::array kStreamTypes{StreamType{streams::kImageDrawings, "foxglove.ImageAnnotations"},
                                   StreamType{streams::kFieldDrawings, "foxglove.SceneUpdate"},
                                   StreamType{streams::kRobotDrawings, "foxglove.SceneUpdate"},
@@ -44,7 +44,7 @@ const Descriptor* typeOf(const std::string& stream, const std::map<std::string, 
   std::string type;
   if (known != kStreamTypes.end()) type = known->type;
   if (package != packageTypes.end()) type = package->second;
-  // What the platform sends to the debug process alone is in no table of processes.
+  // Packages that the platform sends only to the debug process are in no table of processes.
   if (type.empty()) return typeOfPackage(stream);
   return DescriptorPool::generated_pool()->FindMessageTypeByName(type);
 }

@@ -23,7 +23,7 @@ namespace robotlink::websocket {
 
 /// The topics, for sentences.
 std::string commandTopics();
-/// Fails if the topic is none of these, or the schema is that of another type.
+/// Fails if the topic is not one of these, or the schema is that of another type.
 Result<void> checkCommandChannel(const ClientChannel& channel);
 /// Why a robot with these solutions ignores the motion that a client commands: another solution than "obey"
 /// controls it. Empty: it does not, or that is not known. A solution of another name may follow commands,

@@ -27,7 +27,7 @@ void ImageEncoding::post(ChannelPtr channel, Instant time, PackagePtr image, con
   worker_.post({});
 }
 
-/// Whoever posts asks for a stop, too; what is left then is done next.
+/// Encodes images until a stop is requested. Posting requests one, too; the rest is done in the next call.
 void ImageEncoding::work(const std::stop_token& stop) {
   do {
     std::optional<Job> job;

@@ -16,16 +16,16 @@ namespace robotlink::websocket {
 /// Makes a foxglove.CompressedImage of a foxglove.RawImage; null: it cannot. Any thread.
 using ImageEncoder = std::function<PackagePtr(const google::protobuf::Message& image)>;
 
-/// Encodes images for slow links, and publishes them, in a thread of its own: whoever has an image never
+/// Encodes images for slow links, and publishes them, in a separate thread: the owner of an image never
 /// waits for that. Images of a channel keep their order. Where images come faster than they are encoded, the
 /// oldest of a channel are left out, and count as thinned for its subscribers. Functions may be called from
 /// any thread.
 class ImageEncoding {
  public:
-  /// How many images of a channel wait at most, so that those that come together are all encoded.
+  /// How many images of a channel wait at most, so that images that arrive together are all encoded.
   static constexpr std::size_t kMaxWaiting = 4;
 
-  /// Encodes an image for a channel that somebody subscribed to.
+  /// Encodes an image for a channel that has subscribers.
   void post(ChannelPtr channel, Instant time, PackagePtr image, const ImageEncoder& encoder);
   /// Blocks until nothing waits.
   void finish() { worker_.finish(); }

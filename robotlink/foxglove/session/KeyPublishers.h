@@ -13,11 +13,11 @@ class ProcessTable;
 namespace robotlink::websocket {
 
 /// Finds the process of a remote robot that publishes the output of a debug key, from the tables of its
-/// processes say. A message of a hosted robot names its process; over a link it has to be known, since
+/// processes. A message of a hosted robot names its process; over a link it has to be known, since
 /// drawings belong to frames of their processes (FrameDrawings.h). One thread.
 class KeyPublishers {
  public:
-  /// The table of one process has come.
+  /// Takes the table of one process.
   void setKeys(const std::string& process, const robotcontrol::KeyTable& keys);
   /// Forgets processes that are not in this table, because the robot has another layout now.
   void setProcesses(const robotcontrol::ProcessTable& processes);

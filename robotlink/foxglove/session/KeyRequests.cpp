@@ -154,14 +154,14 @@ std::optional<KeyMode> KeyRequests::wantedMode(const Key& key, const Robot& robo
   if (undecided.empty()) return key.choices.empty() ? std::nullopt : std::optional(densest);
   const KeyMode own = key.before.value_or(key.mode);
   if (own.kind() == KeyMode::OFF && !key.isTheirs) return alwaysMode();
-  // Its own mode is what they get without those who have chosen one.
+  // Clients that have not chosen a mode get the key's own one.
   densest = denserOf(own, densest);
   return isSame(densest, own) ? std::nullopt : std::optional(densest);
 }
 
 std::optional<KeyMode> KeyRequests::takeChange(Key& key, const Robot& robot) {
   if (const auto wanted = wantedMode(key, robot)) {
-    // Also if the table says something else: that may be older than our request.
+    // This holds even if the table differs: it may be older than our request.
     if (isSame(key.before ? key.asked : key.mode, *wanted)) return std::nullopt;
     if (!key.before) key.before = key.mode;
     key.isRestored = false;

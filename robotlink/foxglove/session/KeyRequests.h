@@ -13,11 +13,11 @@
 
 namespace robotlink::websocket {
 
-/// Switches debug keys on for as long as somebody at the far end of a link subscribes to what they publish,
+/// Switches debug keys on for as long as a client at the far end of a link subscribes to what they publish,
 /// or has chosen a mode.
 ///
 /// A key that is on already stays as it is for subscribers. One whose mode was changed here gets its own mode
-/// back when the last client that wants another one has gone, unless somebody else set it in the meantime:
+/// back when the last client that wants another one has gone, unless another user set it in the meantime:
 /// then that holds. A robot whose program
 /// restarts keeps its keys (they are overrides), so nothing has to be repeated. One thread.
 class KeyRequests {
@@ -31,10 +31,10 @@ class KeyRequests {
   /// The subscribers of one of a robot's streams, after each change; none: the last one has gone.
   void setSubscribers(const std::string& robot, const std::string& stream,
                       const std::set<std::string>& clients);
-  /// A client chooses a mode for as long as it is connected. Of several choices the one counts that publishes
-  /// most, which is always while somebody subscribes who has chosen none, and one that switches the key off
-  /// counts only as long as nobody else wants it on. Without a mode it has no choice any more. Returns what
-  /// the robot is to be asked for now; nothing if its mode stays.
+  /// Takes the mode that a client chooses for as long as it is connected. Of several choices the one counts
+  /// that publishes most, which is "always" while a client without a choice subscribes. A choice of "off"
+  /// counts only while no other client wants the key on. Without a mode the choice is withdrawn. Returns the
+  /// mode that the robot is to be asked for now; nothing if its mode stays.
   std::optional<robotcontrol::KeyMode> choose(const std::string& robot, const std::string& key,
                                               const std::string& client,
                                               const std::optional<robotcontrol::KeyMode>& mode);
@@ -51,14 +51,14 @@ class KeyRequests {
 
   /// The clients that subscribe to what a robot's keys publish, or have chosen a mode, by key.
   std::map<std::string, std::set<std::string>> clientsByKey(const std::string& robot) const;
-  /// The same for the keys that are on only because of them, also while such a key, which nobody subscribes
-  /// to any more, may still be on.
+  /// Returns the same for keys that are on only because of them, also while such a key, to which no client
+  /// subscribes any longer, may still be on.
   std::map<std::string, std::set<std::string>> onDemand(const std::string& robot) const;
   /// The mode that a key has without these clients; nothing if it is not known.
   std::optional<robotcontrol::KeyMode> ownMode(const std::string& robot, const std::string& key) const;
   /// Whether they may have changed since this was asked last.
   bool takeChanged(const std::string& robot);
-  /// Gives all keys that were switched on here their modes back, because nobody can subscribe any more.
+  /// Gives all keys that were switched on here their modes back, because no client can subscribe any longer.
   void restoreAll();
 
  private:
@@ -67,13 +67,13 @@ class KeyRequests {
     robotcontrol::KeyMode mode;
     /// The mode to restore; empty: it was not changed here.
     std::optional<robotcontrol::KeyMode> before;
-    /// What was asked for here while `before` is set.
+    /// The mode that was requested here while `before` is set.
     robotcontrol::KeyMode asked;
     /// Clients with the modes that they have chosen.
     std::vector<std::pair<std::string, robotcontrol::KeyMode>> choices;
-    /// Its mode was asked back, and no table says yet that it is.
+    /// Whether its own mode was requested back, and no table confirms that yet.
     bool isRestored = false;
-    /// While there are subscribers: somebody else set it.
+    /// While there are subscribers: whether another user set it.
     bool isTheirs = false;
   };
   struct Robot {
@@ -89,7 +89,7 @@ class KeyRequests {
   static std::optional<robotcontrol::KeyMode> wantedMode(const Key& key, const Robot& robot);
   /// The mode that the robot is to be asked for, if it is another one now.
   static std::optional<robotcontrol::KeyMode> takeChange(Key& key, const Robot& robot);
-  /// Gives keys the modes that clients want, and those that nobody wants changed any more their own.
+  /// Gives keys the modes that clients want, and their own to those that no client wants changed any longer.
   void update(const std::string& name, Robot& robot);
   void set(const std::string& robot, const std::string& name, Key& key, const robotcontrol::KeyMode& mode);
 

@@ -11,7 +11,7 @@ inline constexpr char kSessionKey[] = "robotcontrol/session";
 /// publishes: "red1/on-demand/ball-percept/disc". Their values are the names of these clients.
 inline constexpr char kOnDemandGroup[] = "on-demand";
 
-/// What is behind the path of a channel of images for the channels of the same images as JPEG and as PNG.
+/// The suffixes of a channel of images for the channels of the same images as JPEG and as PNG.
 inline constexpr char kJpegChannel[] = "/jpeg", kPngChannel[] = "/png";
 
 /// How the id of a status begins by which a server offers a client to send images as JPEG, because its line

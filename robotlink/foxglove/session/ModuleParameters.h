@@ -33,7 +33,7 @@ class ModuleParameters {
   ModuleParameters();
   ~ModuleParameters();
 
-  /// What a robot says of a solution's parameters. Returns what changed for clients; those that are gone have
+  /// Takes a robot's report on a solution's parameters. Returns the changes for clients; those gone have
   /// no value.
   std::vector<Parameter> take(const std::string& robot, const robotcontrol::ParameterValues& values);
   /// The newest table of a robot's solutions: forgets what is not in it, and returns that.

@@ -17,7 +17,7 @@ namespace robotlink::websocket {
 
 class SessionServer;
 
-/// Filled by the link's thread, emptied by tick(); outlives the SessionServer with the server's handlers.
+/// Work added by the link's thread and taken by tick(); outlives the SessionServer with the server's handlers
 /// Bounded: while the session does not tick, clients are refused what would wait beyond that.
 class PostedWork {
  public:
@@ -46,7 +46,7 @@ class PostedWork {
     urgent_.push_back(std::move(work));
     return true;
   }
-  /// Notes the whole state of something, which is always taken: if too much waits, it takes the place of what
+  /// Notes the whole state of something, which is always accepted: if too much waits, it replaces what
   /// waits with the same key.
   void addState(const std::string& key, Work work) {
     const std::lock_guard lock(mutex_);
@@ -72,7 +72,7 @@ class PostedWork {
  private:
   struct Piece {
     Work work;
-    /// What it notes the state of; empty if it must be done whatever comes after it.
+    /// The object whose state it notes; empty if it must be done whatever comes after it.
     std::string key;
   };
 

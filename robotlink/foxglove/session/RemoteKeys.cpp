@@ -44,7 +44,7 @@ RemoteKeys::Outcome RemoteKeys::set(const robotcontrol::SetKey& request) {
   }
 }
 
-/// What is counted ends by itself, and is not sent again.
+/// Notes a choice. A mode with a count ends by itself, and is not sent again.
 void RemoteKeys::choose(const robotcontrol::SetKey& request) {
   if (request.mode().kind() == KeyMode::N_TIMES)
     counted_.insert(request.name());

@@ -12,13 +12,13 @@
 namespace robotlink::websocket {
 
 /// The debug keys of one robot at the far end, as a session here sees them. While the session wants what a
-/// key publishes, it subscribes to it, and the robot switches the key on for it. A mode such as "every 3",
-/// the mode of a key without a stream, and that a key which the robot has on is off, are chosen beside that.
-/// They end with the connection, too, and are chosen again in the next one. The robot's tables have the modes
-/// without both: what is on only because of clients is off in them. One thread.
+/// key publishes, it subscribes to it, and the robot switches the key on for it. It can also choose a mode
+/// such as "every 3", a mode of a key without a stream, or that a key that is on at the robot is off. Choices
+/// end with the connection, too, and are made again in the next one. The robot's tables have the modes
+/// without both: keys that are on only because of clients are off in them. One thread.
 class RemoteKeys {
  public:
-  /// What a request to set a key leads to.
+  /// The effect of a request to set a key.
   struct Outcome {
     /// Whether the request is also forwarded to the robot, where it counts as this client's choice.
     bool isForwarded = false;
@@ -37,7 +37,7 @@ class RemoteKeys {
   std::vector<std::string> takeUnsent();
   /// The newest table of the robot.
   void setTable(const robotcontrol::KeyTable& table) { table_ = table; }
-  /// A robot without debug keys: each of these stands for a channel that is subscribed to while it is on.
+  /// For a robot without debug keys: each of these represents a channel that is subscribed to while it is on.
   void setChannelKeys(const robotcontrol::KeyTable& table);
   bool hasTable() const { return table_.keys_size() > 0; }
 

@@ -21,8 +21,8 @@ namespace util = google::protobuf::util;
 
 constexpr char kJson[] = "json", kProtobuf[] = "protobuf";
 
-/// Where programs run is chosen for one robot, or for all at once; ports are those of a robot or of any
-/// model.
+/// Whether a request is for one robot or for all: where programs run is chosen for one robot, or for all at
+/// once; ports are those of a robot or of any model.
 bool isOfBoth(const RequestKind& kind) {
   return kind.what == Request::kHostProgram || kind.what == Request::kSetActuator ||
          kind.what == Request::kReadPorts;

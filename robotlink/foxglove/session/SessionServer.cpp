@@ -31,16 +31,16 @@ using robotcontrol::SolutionTable;
 
 /// A number that no client has.
 constexpr std::uint64_t kNoClientHere = std::numeric_limits<std::uint64_t>::max();
-/// What a line of 1 Mbit/s sends in 65 ms; and what is smaller than an image.
+/// The bytes that a link of 1 Mbit/s sends in 65 ms; and a size below that of images.
 constexpr std::size_t kCalmBytes = 8U << 10U, kSmallBytes = 4U << 10U;
-/// How often it is looked whether lines carry what is sent.
+/// The interval of checking whether links keep up with what is sent.
 constexpr Duration kLookAtLines = std::chrono::milliseconds(250);
 constexpr char kRawImage[] = "foxglove.RawImage";
 
-/// For so long a channel is not replaced by one of another type again.
+/// The time for which a channel is not replaced again by one of another type.
 constexpr Duration kKeepType = std::chrono::seconds(1);
 
-/// After so many ticks without anything new the session counts as paused.
+/// The number of ticks without anything new after which the session counts as paused.
 constexpr int kStillTicks = 10;
 
 bool fits(const StreamMessage& message, const ServerChannel& channel) {
@@ -69,7 +69,7 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
                                       keys_.noteChosen(request.robot(), request.set_key().name(),
                                                        request.set_key().mode());
                                     }});
-  // What the session has already.
+  // Publish what the session has already.
   for (const StreamStore::Stream* stream : session_.store().streams()) {
     if (!stream->messages.empty()) pass(stream->messages.back());
   }
@@ -80,7 +80,7 @@ SessionServer::~SessionServer() {
   steering_.end();
   keys_.restoreAll();
   session_.removeListener(listener_);
-  // What waits may hold the server, which holds this list.
+  // Work that waits may hold the server, which holds this list.
   posted_->take();
 }
 
@@ -220,7 +220,7 @@ std::string SessionServer::codingOf(const std::string& path) const {
   return found == encoders_.end() ? std::string() : found->first;
 }
 
-/// In a pause nothing new is published, so who comes then would see nothing.
+/// Publishes for clients that subscribe in a pause, in which nothing new is published.
 void SessionServer::publishUnheard() {
   for (const std::string& path : std::exchange(unheard_, {})) {
     const auto channel = channels_.find(path);
@@ -366,9 +366,9 @@ void SessionServer::removeRobot(const std::string& name, Robot& robot) {
   server_->removeChannels(channels);
 }
 
-// ---- What follows from what clients do
+// ---- The consequences of clients' actions
 
-/// What can be set is asked for as soon as somebody is there who may want to know.
+/// Requests the parameters that can be set as soon as a client is there that may want to know them.
 void SessionServer::getParameters() {
   constexpr int kAtOnce = 4;
   if (clients_.empty()) return;
@@ -418,7 +418,7 @@ void SessionServer::offerJpeg() {
 void SessionServer::publishSteering(const std::string& robot, const Steering::Status& status) {
   const std::string path = robot + "/" + streams::kSteering;
   if (isElsewhere(robot)) {
-    // What the session has of it comes from there; clients are told again which of them it is.
+    // The session's message comes from the other server; clients are told again which of them steers.
     const StreamMessage* message = session_.store().latest(path, Instant::max());
     const auto channel = channels_.find(path);
     if (message != nullptr && channel != channels_.end() && channel->second->isWanted())

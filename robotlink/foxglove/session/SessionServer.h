@@ -25,15 +25,15 @@ class PostedWork;
 /// logged, as the session has them.
 ///
 /// - Each stream (robotlink/session/STREAMS.md) is a channel of the same path, encoded as protobuf. So is
-///   what a debug key would publish: the key is switched on while somebody subscribes (KeyRequests). What
-///   nobody subscribes to is not serialized.
+///   what a debug key would publish: the key is switched on while a client subscribes (KeyRequests). Streams
+///   without subscribers are not serialized.
 /// - Each request is a service (RequestServices.h); its answer is the result. Those that let a robot move are
-///   granted to one client at a time (Steering), which "red1/steer" takes over. STOP is everybody's.
-/// - What clients publish on "red1/remote/motion" and the like steers the robot, too (ClientCommands.h).
+///   granted to one client at a time (Steering), which "red1/steer" takes over. STOP is open to all.
+/// - Messages of clients on "red1/remote/motion" and the like steer the robot, too (ClientCommands.h).
 /// - Debug keys and solutions are parameters: "red1/keys/ball-percept/disc" is "off", "always", "5 times",
 ///   "every 3" or "every 200 ms"; "red1/solutions/ball-percept" is the name of a solution. So are the fields
 ///   of solutions' parameters (ModuleParameters).
-/// - It publishes to the session who steers ("red1/steering"), and who asks for which debug key
+/// - It publishes to the session which client steers ("red1/steering"), and which ones use a debug key
 ///   ("red1/tables/subscribers").
 /// - The processes and their packages are the connection graph.
 /// - A log that is open can be played.
@@ -54,17 +54,17 @@ class SessionServer {
 
   /// Keyed by kJpegChannel and kPngChannel.
   using ImageEncoders = std::map<std::string, ImageEncoder>;
-  /// From now on each channel of images has others, "red1/camera/image/jpeg", for slow links. Images are
-  /// encoded once for all clients, while somebody subscribes, in a thread of its own. Call it once.
+  /// Adds channels to each channel of images, "red1/camera/image/jpeg", for slow links. Images are
+  /// encoded once for all clients, while there are subscribers, in a separate thread. Call it once.
   void setImageEncoders(ImageEncoders encoders);
   /// Blocks until all images that tick() has taken are encoded.
   void finishImages();
 
-  /// From now on clients are not offered this request to the world ("control_recording"), which nobody
-  /// fulfills here. A service that is called all the same is unknown.
+  /// Stops offering clients this request to the world ("control_recording"), because nothing fulfills it
+  /// here. A service that is called all the same is unknown.
   void withhold(const std::string& request);
 
-  /// What clients may publish for somebody else than the robots' programs.
+  /// A stream on which clients may publish for other receivers than the robots' programs.
   struct ClientStream {
     /// "body/commands" for "red1/body/commands".
     std::string stream;
@@ -110,7 +110,7 @@ class SessionServer {
     robotcontrol::KeyTable keys;
     /// The keys that are on only for subscribers, as tables said last.
     std::set<std::string> onDemand;
-    /// Its processes, with ids such as "red1/cognition", by package.
+    /// The robot's processes, with ids such as "red1/cognition", by package.
     ConnectionGraph graph;
   };
 
@@ -120,7 +120,7 @@ class SessionServer {
   void addChannels(std::vector<ChannelSetup> setups);
   /// Removes the channel of a path, because its type is another one now; false: not so soon again.
   bool removeOutdated(const std::string& path);
-  /// Has an image published on the channel of one of its codings, if somebody subscribes.
+  /// Has an image published on the channel of one of its codings, if that has subscribers.
   void passEncoded(const StreamMessage& message, const std::string& coding);
   /// The coding of a channel of encoded images; empty if it is none.
   std::string codingOf(const std::string& path) const;
@@ -128,7 +128,7 @@ class SessionServer {
   void notice(const StreamMessage& message);
   void noticeTable(const std::string& robot, const std::string& stream,
                    const google::protobuf::Message& value);
-  /// Publishes the newest messages of streams once more, for those who subscribed in a pause.
+  /// Publishes the newest messages of streams again, for clients that subscribed in a pause.
   void publishUnheard();
   void updateRobots();
   void removeRobot(const std::string& name, Robot& robot);
@@ -148,7 +148,7 @@ class SessionServer {
   void noticeProcesses(const std::string& robot, const robotcontrol::ProcessTable& table, Robot& to);
   /// The connection graph is that of all robots.
   void offerGraph();
-  // What follows from what clients do.
+  // React to clients' actions.
   void getParameters();
   /// Offers JPEG to clients whose lines do not carry raw images.
   void offerJpeg();
@@ -157,8 +157,8 @@ class SessionServer {
   void publishSteering(const std::string& robot, const Steering::Status& status);
   /// Whether the session has the robot from another server.
   bool isElsewhere(const std::string& robot) const { return session_.remoteRobots().contains(robot); }
-  /// What clients receive on a stream: who steers a robot elsewhere is known there, and which of the clients
-  /// here it is, is known here.
+  /// Returns the package that clients receive on a stream: the other server knows who steers a remote robot,
+  /// and this one knows which of its clients that is.
   PackagePtr shownTo(const StreamMessage& message) const;
   /// A table of keys as clients see it: with the modes that they have without subscribers.
   PackagePtr withOwnModes(const std::string& robot, const robotcontrol::KeyTable& table) const;
@@ -194,14 +194,14 @@ class SessionServer {
   std::string problemOf(const ClientChannel& channel) const;
   /// Tells a client what is wrong with what it publishes, if that is news; empty: nothing is.
   void complain(const ClientInfo& client, const std::string& topic, const std::string& why);
-  /// Makes a request as a client's, not as one of somebody here; one that names files is refused. The handler
+  /// Makes a request as a client's, not as a local user's; one that names files is refused. The handler
   /// is called unless this object is gone by then.
   void request(robotcontrol::Request request,
                std::function<void(const robotcontrol::RequestResult&)> onResult);
 
   Session& session_;
   std::uint64_t listener_ = 0;
-  /// What the link's thread asks for.
+  /// The requests of the link's thread.
   std::shared_ptr<Posted> posted_;
   std::shared_ptr<Server> server_;
   KeyRequests keys_;
@@ -220,12 +220,12 @@ class SessionServer {
   /// When the channel of a path was replaced last.
   std::map<std::string, Instant> outdated_;
   std::map<std::string, Robot> robots_;
-  /// What was reported to clients about their commands on a topic, so that it is reported once.
+  /// The problems reported to clients about their commands on a topic, so that each is reported once.
   std::map<std::pair<std::uint64_t, std::string>, std::string> complaints_;
   Instant newest_;
   /// Calls of tick() since it was newer than before.
   int stillTicks_ = 0;
-  /// Streams that somebody subscribed to, and on which nothing was published since.
+  /// Streams that a client subscribed to, and on which nothing was published since.
   std::set<std::string> unheard_;
   /// The status of the log that was published last, and the history's generation() then.
   PackagePtr replay_;

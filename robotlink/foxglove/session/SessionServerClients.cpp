@@ -23,7 +23,7 @@ namespace {
 using robotcontrol::Request;
 using robotcontrol::RequestResult;
 
-/// Answers when the results of several requests have come: with the first reason against one of them.
+/// Answers when the results of several requests are known: with the first reason against one of them.
 class JointReply {
  public:
   JointReply(Reply reply, std::size_t count) : reply_(std::move(reply)), left_(count) {}
@@ -205,7 +205,7 @@ void SessionServer::steer(const std::string& robot, const std::string& service, 
   answer(reply, call.encoding, "");
 }
 
-// ---- What clients publish
+// ---- Publishing by clients
 
 const SessionServer::ClientStream* SessionServer::clientStreamOf(const ClientChannel& channel) const {
   const std::string stream = splitAtSlash(channel.topic).second;
@@ -268,7 +268,7 @@ Result<Request> SessionServer::requestFor(const Parameter& parameter) const {
   const auto* text = parameter.value ? std::get_if<std::string>(&parameter.value->data) : nullptr;
   Request request;
   request.set_robot(robot);
-  // Without a value this client has chosen no mode any more.
+  // Without a value this client withdraws its choice of a mode.
   if (!parameter.value && group == kKeysGroup) {
     request.mutable_set_key()->set_name(name);
     return request;
@@ -323,7 +323,7 @@ void SessionServer::set(const ClientInfo& client, const std::vector<Parameter>& 
   }
 }
 
-/// What a client asks for ends with it.
+/// Sets a key for a client, whose requests end with its connection.
 void SessionServer::setKey(const ClientInfo& client, const Request& wanted,
                            std::function<void(const RequestResult&)> onResult) {
   const auto asked = chosenBy(client, wanted);
@@ -378,7 +378,7 @@ bool SessionServer::isLogged(const std::string& robot, const std::string& key) c
   return row != keys.end() && session_.store().find(robot + "/" + row->stream()) != nullptr;
 }
 
-/// The robot's table follows; who asked shall see the value at once.
+/// Updates the value for the client that asked at once; the robot's table follows.
 void SessionServer::noteSet(const Request& request, bool isAccepted) {
   const std::string& robot = request.robot();
   if (isAccepted && request.has_set_key())
@@ -388,7 +388,7 @@ void SessionServer::noteSet(const Request& request, bool isAccepted) {
     server_->updateParameters({{robot + "/" + kSolutionsGroup + "/" + request.select_solution().task(),
                                 Value{request.select_solution().solution()}}});
   if (isAccepted || !request.has_set_parameters()) return;
-  // What was expected does not hold: the robot says what does.
+  // The expected values do not hold: the robot reports those that do.
   Request again;
   again.set_robot(robot);
   again.mutable_get_parameters()->set_task(request.set_parameters().task());

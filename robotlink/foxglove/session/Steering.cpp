@@ -13,7 +13,7 @@ constexpr char kThisMachine[] = "this machine";
 /// Between two tries of what a robot did not accept.
 constexpr Duration kAskAgain = std::chrono::milliseconds(100);
 
-/// What stays the same when a client connects again: its name and its machine, without the port.
+/// Returns what stays the same when a client reconnects: its name and its machine, without the port.
 std::string personOf(const ClientInfo& client) {
   return client.name + " at " + client.address.substr(0, client.address.rfind(':'));
 }
@@ -32,7 +32,7 @@ bool Steering::isSteering(const Request& request) {
          (request.has_control_drive() && (control.motors() || control.packets_size() > 0));
 }
 
-// ---- What people do
+// ---- The actions of users
 
 /// Whether the client may steer without taking over.
 bool Steering::isFree(const Robot& robot, const ClientInfo& client, Instant now) const {
@@ -43,7 +43,7 @@ bool Steering::isFree(const Robot& robot, const ClientInfo& client, Instant now)
   return !heardAt || (robot.person == personOf(client) && isOutdated(robot.client, *heardAt, now));
 }
 
-/// What a dead line held back comes late, and makes a connection that its person has given up look alive.
+/// Data that a dead link held back arrives late, and makes a connection that its user gave up look alive.
 bool Steering::isOutdated(std::uint64_t client, Instant heardAt, Instant now) const {
   const auto silent = silentAt_.find(client);
   const bool wasSilent = silent != silentAt_.end() && now - silent->second <= limits_.resumeTime;
@@ -148,7 +148,7 @@ void Steering::begin(const std::string& name, Robot& robot, const ClientInfo& cl
 
 void Steering::note(Robot& robot, const Request& request, Instant now) {
   robot.commandedAt = now;
-  // Late answers to what was asked before do not count any more.
+  // Late answers to earlier requests no longer count.
   robot.asking = 0;
   if (request.has_motion()) {
     const bool isMoving = request.motion().motion().kind() != MotionRequest::STAND;
@@ -162,7 +162,7 @@ void Steering::note(Robot& robot, const Request& request, Instant now) {
   }
 }
 
-// ---- What is watched
+// ---- The supervision of links
 
 void Steering::stand(const std::string& name, Robot& robot) {
   robot.toAsk.clear();

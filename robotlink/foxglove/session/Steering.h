@@ -14,11 +14,11 @@
 
 namespace robotlink::websocket {
 
-/// Keeps who steers which robot over a link. A robot whose person is not heard any more stands.
+/// Tracks who steers which robot over a link. A robot stops when its person falls silent.
 ///
-/// Whoever sends the first motion, goal or command to a base steers the robot, unless that is only to stand;
-/// others are refused until that person gives up, goes, is silent, commands nothing for a while, or somebody
-/// takes over. The same person may go on over a new connection. People at the robot's own machine need not
+/// The client that sends the first motion, goal or command to a base steers the robot, unless that is only to
+/// stand; others are refused until its person gives up, goes, is silent, commands nothing for a while, or
+/// another takes over. The same person may continue over a new connection. Users at the robot itself need not
 /// ask. A motion holds for `commandTime` and has to be repeated; a goal holds as long as the
 /// link of its person lives, and is set again when the same person is heard again. One thread.
 class Steering {
@@ -28,15 +28,15 @@ class Steering {
     Duration commandTime = std::chrono::milliseconds(500);
     /// How long a link may be silent.
     Duration linkTime = std::chrono::seconds(1);
-    /// After so long without a command, and without a goal, others may steer without taking over.
+    /// The time without a command, and without a goal, after which others may steer without taking over.
     Duration idleTime = std::chrono::seconds(10);
     /// A goal is not set again after a longer silence.
     Duration resumeTime = std::chrono::seconds(60);
     bool operator==(const Limits&) const = default;
   };
-  /// What is known of who steers a robot.
+  /// The state of the steering of a robot.
   struct Status {
-    /// Empty: nobody.
+    /// The name of the client that steers; empty: none.
     std::string who;
     /// 0: nobody, or somebody at the robot's own machine.
     std::uint64_t client = 0;
@@ -45,11 +45,11 @@ class Steering {
     bool operator==(const Status&) const = default;
   };
   struct Actions {
-    /// Asks a robot to stand, or to go on to its goal; `isDone` is to be called with whether it was accepted.
+    /// Asks a robot to stand, or to continue to its goal; `isDone` is to be called with whether it accepted.
     std::function<void(const robotcontrol::Request&, std::function<void(bool isDone)>)> request;
     /// After a change.
     std::function<void(const std::string& robot, const Status&)> changed;
-    /// When a client was heard last; nothing: it is gone.
+    /// Returns when a client was last heard from; nothing if it is gone.
     std::function<std::optional<Instant>(std::uint64_t client)> heardAt;
   };
 
@@ -100,7 +100,7 @@ class Steering {
     std::optional<robotcontrol::Request> goal;
     /// Since when the link is silent; the robot was told to stand.
     std::optional<Instant> silentSince;
-    /// What was asked of the robot here, until it was accepted.
+    /// The requests to the robot from here, until they are accepted.
     std::deque<robotcontrol::Request> toAsk;
     /// The id of the request that has no answer yet, so that late answers to others do not count.
     std::uint64_t asking = 0;
@@ -118,7 +118,7 @@ class Steering {
   void ask(const std::string& name, Robot& robot, Instant now);
   void publish(const std::string& name, Robot& robot, const std::string& text);
   bool isFree(const Robot& robot, const ClientInfo& client, Instant now) const;
-  /// Whether a client that was heard at an instant has probably reconnected since.
+  /// Whether a client that was last heard from at an instant has probably reconnected since.
   bool isOutdated(std::uint64_t client, Instant heardAt, Instant now) const;
 
   const Limits limits_;

@@ -44,7 +44,7 @@ class TransportStream::State : public std::enable_shared_from_this<State> {
 
   void read(asio::mutable_buffer buffer, TransportHandler handler) {
     if (aheadBegin_ < aheadEnd_) return passOn(buffer, std::move(handler));
-    // What is large needs no copy.
+    // Large reads need no copy.
     const bool isDirect = buffer.size() >= ahead_.size();
     auto onRead = [self = shared_from_this(), buffer, isDirect, handler = std::move(handler)](
                       error_code error, std::size_t bytes) mutable {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For sources that bring in Asio anyway.
+// For sources that include Asio anyway.
 #pragma once
 
 #include <openssl/types.h>

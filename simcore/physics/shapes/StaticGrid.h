@@ -65,7 +65,7 @@ class StaticGrid {
   void forEachIn(const Cells& cells, Visit visit) const;
 
   std::vector<dGeomID> geoms_, unbounded_;
-  // One entry for each geom.
+  // The bounds and footprints of the geoms, one of each per geom.
   std::vector<Bounds> bounds_;
   std::vector<Footprint> footprints_;
   // Origin and size of the cells, m.

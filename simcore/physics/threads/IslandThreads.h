@@ -31,8 +31,8 @@ class IslandThreads {
   IslandThreads(const IslandThreads&) = delete;
   IslandThreads& operator=(const IslandThreads&) = delete;
 
-  /// As dWorldQuickStep; the random numbers of the islands follow from `seed`. With few `joints`, contacts
-  /// included, one thread does it.
+  /// Works like dWorldQuickStep; the random numbers of the islands follow from `seed`. With few `joints`,
+  /// including contacts, one thread does it.
   void step(double seconds, int joints, std::uint64_t seed);
 
  private:

@@ -77,7 +77,7 @@ class DriveReader {
     return joints;
   }
 
-  /// What a wheel should have in common with the first one, but has not; null if they agree.
+  /// Returns the property in which a wheel should agree with the first one, but does not; null if they agree.
   const char* unlike(const JointDescription& joint, const JointDescription& first, double radius) const {
     if (std::abs(radius - drive_.wheelRadius) > 1e-6) return "be of one radius";
     if (joint.parent != first.parent) return "be joined to the same link";

@@ -173,7 +173,7 @@ class VehicleReader {
     return driven && steered == (motion_.kind == Kind::kAckermann);
   }
 
-  /// What it can do follows from where its wheels are.
+  /// Computes the limits of the motion, which follow from the places of the wheels.
   bool measure() {
     motion_.maximumSpeed = 1e9;
     double farthest = 0.01;

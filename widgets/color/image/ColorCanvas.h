@@ -59,7 +59,7 @@ class ColorCanvas final : public QWidget {
   /// From widget to image coordinates, and back.
   QPointF toImage(const QPointF& widget) const;
   QPointF toWidget(const QPointF& image) const;
-  /// What is shown, without hint, caption and cursor.
+  /// The picture that is shown, without hint, caption and cursor.
   QImage rendered() const;
 
   QSize sizeHint() const override { return {352, 288}; }
@@ -73,7 +73,7 @@ class ColorCanvas final : public QWidget {
   void gestureBegan(const QPointF& at);
   void gestureMoved(const QPointF& at);
   void gestureEnded();
-  /// Ctrl and wheel: the brush's radius shall change by this factor.
+  /// Emitted for Ctrl and wheel: the brush's radius is to change by this factor.
   void radiusWanted(double factor);
   /// The right button was pressed on a pixel; `global` is the position on the screen.
   void menuWanted(const QPoint& pixel, const QPoint& global);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMaxOtherImages = 8;
 constexpr std::size_t kMaxLossesShown = 3;
-/// What is shown as a warning.
+/// Losses from this share on are shown as a warning.
 constexpr double kLargeLoss = 0.1;
 
 }  // namespace
@@ -67,7 +67,7 @@ void ColorEffectRow::followSamples() {
   const auto& strokes = bench_.samples().strokes;
   const std::uint64_t last = strokes.empty() ? 0 : strokes.back()->id;
   if (drawing_ && last > lastBefore_) stroke_ = last;
-  // The stroke was undone or removed, or another one was added: there is nothing to report any more.
+  // The stroke was undone or removed, or another one was added: there is nothing left to report.
   if (!drawing_ && (last != stroke_ || stroke_ == 0)) {
     before_.reset();
     hide();

@@ -16,7 +16,7 @@ namespace widgets {
 
 class ColorBench;
 
-/// One line that says what a stroke takes from other classes: while it is drawn in the current image,
+/// A line that says what a stroke takes from other classes: while it is drawn in the current image,
 /// afterward in the collected images as well. A button removes from the stroke the pixels that the table had
 /// in another class. Hidden while there is nothing to say. GUI thread.
 class ColorEffectRow final : public QWidget {
@@ -37,9 +37,9 @@ class ColorEffectRow final : public QWidget {
   void update();
   /// Removes the pixels that were of other classes from the stroke.
   void dropOutliers();
-  /// The stroke; null: it is not there (any more).
+  /// The stroke; null: it does not exist (or no longer does).
   const colortool::Stroke* stroke() const;
-  /// What other classes lost, in the current image and at most eight collected ones.
+  /// The losses of other classes, in the current image and at most eight collected ones.
   std::vector<colortool::ClassLoss> losses() const;
   QString textOf(const std::vector<colortool::ClassLoss>& losses) const;
 

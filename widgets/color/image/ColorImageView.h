@@ -43,7 +43,7 @@ class ColorImageView final : public PictureView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// What the right canvas shows.
+  /// The contents of the right canvas.
   enum class RightLayer : std::uint8_t { kClasses, kReference, kDifference, kMargins };
 
   void createActions();

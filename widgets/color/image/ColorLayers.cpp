@@ -69,7 +69,7 @@ QImage differenceImage(const QImage& image, const robotlink::Image& now, const r
       } else {
         const robotlink::Rgb color =
             after[x] < classColors.size() ? classColors[after[x]] : robotlink::Rgb{255, 0, 255};
-        // Pixels that have no class any more would be invisible in black.
+        // Pixels that no longer have a class would be invisible in black.
         to[x] = after[x] == 0 ? qRgb(255, 0, 255) : qRgb(color.r, color.g, color.b);
       }
     }

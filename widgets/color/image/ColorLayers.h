@@ -13,7 +13,7 @@
 #include "colortool/table/CellSet.h"
 #include "widgets/color/ColorFrame.h"
 
-// Paints the layers over and beside an image of the color tool. Pure functions; any thread.
+// Paints the layers over and next to an image of the color tool. Pure functions; any thread.
 namespace widgets {
 
 /// The outline of a stroke in its image.

@@ -92,7 +92,7 @@ void ColorCompareView::createViews() {
                      &model_);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setFrameShape(QFrame::NoFrame);
-  // What came from where, and went where, takes the room there is.
+  // The columns of origins and destinations take the remaining room.
   new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kNumber,
                           ColumnKind::kText, ColumnKind::kNumber, ColumnKind::kNumber});
   hint_ = new EmptyHint(table_);

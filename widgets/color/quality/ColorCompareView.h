@@ -46,7 +46,7 @@ class ColorCompareView final : public View {
   void askForFile();
   /// Reads the reference from a file; problems are shown.
   void useFile(const QString& file);
-  /// Trains the reference from the samples after so many steps, in another thread.
+  /// Trains the reference from the samples after `position` steps, in another thread.
   void takeStep(std::size_t position);
   /// Fills the menu of steps.
   void listSteps();
@@ -81,7 +81,7 @@ class ColorCompareView final : public View {
   };
   /// Whether the tables changed since the last comparison.
   bool dirty_ = true;
-  /// What this view selected last; while the bench's selection is still the same, it follows the difference.
+  /// The cells that this view last selected; while the bench selects the same, it follows the difference.
   std::optional<colortool::CellSet> selected_;
   /// The newest step, and whether its table is still wanted.
   std::uint64_t step_ = 0;

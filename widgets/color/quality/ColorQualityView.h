@@ -52,7 +52,7 @@ class ColorQualityView final : public View {
   void showStrokes();
   /// The matrix of the labeled images.
   void showLabeled();
-  /// What the figures of the strokes are based on, and what is missing.
+  /// The basis of the figures of the strokes, and what is missing.
   QString strokesNote() const;
   /// Number of labeled images and where they are from.
   QString countNote() const;
@@ -61,13 +61,13 @@ class ColorQualityView final : public View {
   /// "83 % green, 2 % white": the classes with at least this share of all pixels, but for those left out.
   QString sharesOf(std::span<const std::uint64_t> pixels, std::uint64_t all, double min,
                    std::vector<bool> leftOut = {}) const;
-  /// Which part of the pixels in other images a class covers, if that is most of them, and what classes take
-  /// of the background's colors there; empty if there is nothing to report.
+  /// Notes which part of the pixels in other images a class covers, if that is most of them, and what classes
+  /// take of the background's colors there; empty if there is nothing to report.
   QString othersBackgroundNote() const;
   /// Tries the table on images spread over the log from which the current image is.
   void followLog();
-  /// What of the background is taken for a class that is no color of things, such as a wall for green; empty
-  /// if that is next to nothing.
+  /// Notes which part of the background is taken for a class that is no color of things, such as a wall for
+  /// green; empty if that is next to nothing.
   QString backgroundNote(const colortool::Evaluation& evaluation) const;
   /// The figures of the reference table, and which of both is better; empty without a reference.
   QString referenceNote(const colortool::Evaluation& own,
@@ -84,7 +84,7 @@ class ColorQualityView final : public View {
   std::unique_ptr<LogImages> logImages_;
   /// Null: no folder is being read.
   std::unique_ptr<LabeledFolder> reading_;
-  /// Where labeled images were opened last.
+  /// The folder from which labeled images were last opened.
   QString folder_;
   QAction* open_ = nullptr;
   /// Whether labeled images are requested from the simulator.

@@ -13,7 +13,7 @@ namespace widgets {
 namespace {
 
 QString percentOf(double share) {
-  // What is there, but little, is not nothing.
+  // A small share is not shown as 0.
   return share > 0 && share < 0.0005 ? QStringLiteral("< 0.1")
                                      : QStringLiteral("%1").arg(100 * share, 0, 'f', 1);
 }

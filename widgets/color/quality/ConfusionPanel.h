@@ -13,8 +13,8 @@ namespace widgets {
 
 class EmptyHint;
 
-/// One evaluation: mean recall and false colors in a line, the confusion matrix shaded by share, and a note.
-/// GUI thread.
+/// Shows an evaluation: mean recall and false colors in a line, the confusion matrix shaded by share, and a
+/// note. GUI thread.
 class ConfusionPanel final : public QWidget {
   Q_OBJECT
  public:

@@ -23,7 +23,7 @@ class TableDifferenceModel final : public TitledModel {
   void setDifference(std::shared_ptr<const colortool::TableDifference> difference);
   /// Null: none.
   const colortool::TableDifference* difference() const { return difference_.get(); }
-  /// The cells that a cell of the table stands for: those gained, those lost, or both.
+  /// The cells that a cell of the table represents: those gained, those lost, or both.
   colortool::CellSet cellsOf(const QModelIndex& index) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;

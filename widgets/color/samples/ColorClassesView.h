@@ -33,7 +33,7 @@ class ColorClassesView final : public View {
   Q_OBJECT
  public:
   explicit ColorClassesView(ViewContext& context, QWidget* parent = nullptr);
-  /// Nothing to do: the bench signals all changes.
+  /// Does nothing: the bench signals all changes.
   void tick() override {}
 
  protected:

@@ -22,7 +22,7 @@ class EmptyHint;
 class StrokeOrder;
 
 /// The strokes of the samples as a list: what each says, its image, and whether the other strokes agree with
-/// it; beside it the history of all changes, where a click goes back and forth. A double click on a stroke
+/// it; next to it the history of all changes, where a click goes back and forth. A double click on a stroke
 /// shows its image.
 ///
 /// Registered as "color-samples". GUI thread.
@@ -30,7 +30,7 @@ class ColorSamplesView final : public View {
   Q_OBJECT
  public:
   explicit ColorSamplesView(ViewContext& context, QWidget* parent = nullptr);
-  /// Nothing to do: the bench signals all changes.
+  /// Does nothing: the bench signals all changes.
   void tick() override {}
 
  protected:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPictureSide = 32;
 
-/// The stroke's thumbnail, with a bar in the color of its class beside it.
+/// The stroke's thumbnail, with a bar in the color of its class next to it.
 QIcon picture(const colortool::Thumbnail& thumbnail, const QColor& color) {
   QPixmap pixmap(kPictureSide + 6, kPictureSide);
   pixmap.fill(Qt::transparent);

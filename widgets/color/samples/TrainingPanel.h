@@ -28,7 +28,7 @@ class TrainingPanel final : public QWidget {
   explicit TrainingPanel(ColorBench& bench, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// What estimating the corrections found out, or what is missing for it.
+  /// Emitted with the result of estimating the corrections, or with what is missing for it.
   void reported(const QString& text);
 
  private:

@@ -26,9 +26,9 @@ struct ColorSpaceCamera {
 
   /// From the space to the viewer. Rows: right, up, and toward the viewer.
   Eigen::Matrix3f rotation() const;
-  /// Turns as for a drag by so many widget pixels.
+  /// Turns as for a drag by `by` widget pixels.
   void turn(const QPointF& by);
-  /// Pans by so many widget pixels.
+  /// Pans by `by` widget pixels.
   void move(const QSizeF& widget, const QPointF& by);
   /// Zooms; what is at `at` (widget pixels) stays there.
   void zoomBy(const QSizeF& widget, double factor, const QPointF& at);

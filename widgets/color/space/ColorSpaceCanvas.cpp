@@ -17,7 +17,7 @@ namespace {
 constexpr double kTurnKeyStep = 24;  // pixels of a drag that an arrow key is worth
 constexpr double kKeyZoom = 1.25;
 constexpr int kStillTicks = 6;  // after which a picture is worth some effort
-constexpr int kPickReach = 3;   // pixels around the cursor in which a cell is looked for
+constexpr int kPickReach = 3;   // pixels around the cursor in which to look for a cell
 
 }  // namespace
 

@@ -40,14 +40,14 @@ class ColorSpaceCanvas final : public QWidget {
 
   /// The picture that is shown; empty before the first one.
   const ColorSpacePicture& picture() const { return shown_; }
-  /// What the widget shows.
+  /// The picture that the widget shows.
   QImage rendered();
   /// Whether the picture shows everything that was set.
   bool upToDate() const { return shown_.request != nullptr && shown_.request == requested_; }
   /// The cell that is visible within three pixels of the cursor, the nearest if there are several; unset if
   /// there is none.
   std::optional<std::size_t> pointedCell() const;
-  /// Where the center of a cell appears, in widget pixels; unset before the first picture.
+  /// The position of the center of a cell, in widget pixels; unset before the first picture.
   std::optional<QPointF> pointOf(std::size_t cell) const;
   QSize sizeHint() const override { return {480, 420}; }
 
@@ -74,7 +74,7 @@ class ColorSpaceCanvas final : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  /// What the pressed button does.
+  /// The action of the pressed button.
   enum class Mode : std::uint8_t { kIdle, kTurning, kMoving, kLasso };
 
   /// Requests a picture of everything that was set; `smooth`: with smooth edges.

@@ -13,7 +13,7 @@ class QSlider;
 
 namespace widgets {
 
-/// The options beside a color space: which classes are shown, whose surfaces, how opaque they are, and where
+/// The options next to a color space: which classes are shown, whose surfaces, how opaque they are, and where
 /// the space is cut. Object names: colorSpaceClasses, colorSpaceAllClasses, colorSpaceNoClasses,
 /// colorSpaceSurfaces, colorSpaceOpacity, colorSpaceCut, colorSpaceCutAt, colorSpaceCutOther. GUI thread.
 class ColorSpacePanel final : public QWidget {

@@ -28,7 +28,7 @@ class ColorSpaceRaster {
   /// Draws a quadrilateral, which is visible only if its corners are counterclockwise in the picture.
   void quad(const std::array<Eigen::Vector3f, 4>& corners, QRgb color, std::uint32_t cell);
 
-  /// What a pixel shows.
+  /// The contents of a pixel.
   struct Pixel {
     /// Distance from the viewer.
     float depth = std::numeric_limits<float>::max();

@@ -20,7 +20,7 @@
 // threads.
 namespace widgets {
 
-/// What can be shown. Immutable.
+/// The data that can be shown. Immutable.
 struct ColorSpaceContents {
   /// The image whose pixels are shown; null: none.
   ColorFramePtr frame;
@@ -41,7 +41,7 @@ struct ColorSpaceContents {
   }
 };
 
-/// Which surfaces are shown.
+/// The tables whose surfaces are shown.
 enum class SurfacesOf : std::uint8_t {
   /// The surfaces of the trained table.
   kTable,
@@ -52,7 +52,7 @@ enum class SurfacesOf : std::uint8_t {
   kDifference,
 };
 
-/// What the user wants to see, and how.
+/// The user's choice of what to show, and how.
 struct ColorSpaceLook {
   colortool::ColorSpace space = colortool::ColorSpace::kYCbCr;
   /// Whether pixels, samples, and surfaces are shown.

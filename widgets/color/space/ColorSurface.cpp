@@ -11,7 +11,7 @@ using Eigen::Vector3f;
 
 constexpr int kCells = ColorTable::kCells;
 
-/// One of the six sides of a cell: axis and step to the neighbor, and the corners as offsets (y, cb, cr).
+/// A side of a cell: axis and step to the neighbor, and the corners as offsets (y, cb, cr).
 struct Side {
   int axis;
   int step;

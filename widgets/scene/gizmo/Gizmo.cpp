@@ -18,7 +18,7 @@ constexpr double kGizmoPixels = 90;  // length of an axis
 constexpr double kGizmoReach = 7;    // pixels
 /// Inner and outer edge of the squares of the planes, and the radius of the rings, in lengths of an axis.
 constexpr double kPlaneInner = 0.22, kPlaneOuter = 0.48, kRingRadius = 0.8;
-/// Where axes begin, in lengths of an axis, so that the object itself can be grabbed in the middle.
+/// The beginning of axes, in lengths of an axis, so that the object itself can be grabbed in the middle.
 constexpr double kAxisBegin = 0.2;
 constexpr int kRingCorners = 48;
 /// The sine of the angle below which a plane is seen from its edge.
@@ -116,7 +116,7 @@ QPolygonF gizmoOutline(const Gizmo& gizmo, GizmoHandle handle, const SceneCamera
     outline << *at;
   }
   const bool isAxis = !of.isTurn && of.second < 0;
-  // One that points at the viewer would be hit wherever the middle is.
+  // An axis that points at the viewer would be hit wherever the middle is.
   if (isAxis && QLineF(outline[0], outline[1]).length() < kMinAxisPixels) return {};
   return outline;
 }

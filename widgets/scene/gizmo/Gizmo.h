@@ -61,7 +61,7 @@ class GizmoDrag {
   /// The object's pose with the mouse at a place. `isSnapping`: coordinates along the handle are multiples
   /// of kSnapLength, angles of the turn multiples of kSnapAngle.
   robotlink::Pose3 poseAt(const QPointF& at, bool isSnapping) const;
-  /// What is shown while dragging: "x 1.250 m (+0.250)", "z +15.0°".
+  /// The text shown while dragging: "x 1.250 m (+0.250)", "z +15.0°".
   QString readout(const QPointF& at, bool isSnapping) const;
   GizmoHandle handle() const { return handle_; }
   const robotlink::Pose3& start() const { return gizmo_.pose; }

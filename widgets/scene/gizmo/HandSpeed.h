@@ -17,7 +17,7 @@ class HandSpeed {
     places_.emplace_back(time, place);
     while (places_.size() > 2 && places_.front().first + kWindow < time) places_.pop_front();
   }
-  /// In the unit of the places per s; 0 for a hand that has come to rest before `time`.
+  /// In the unit of the places per s; 0 for a hand that was at rest before `time`.
   robotlink::Vector2 at(std::uint64_t time) const {
     if (places_.size() < 2 || places_.back().first + kRest < time) return robotlink::Vector2::Zero();
     const std::uint64_t passed = places_.back().first - places_.front().first;

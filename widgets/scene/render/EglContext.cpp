@@ -13,7 +13,7 @@
 namespace widgets {
 namespace {
 
-// Set before main(), while there is only one thread: Mesa's software renderer shall draw in the calling
+// Set before main(), while there is only one thread: Mesa's software renderer has to draw in the calling
 // thread, so that the other cores remain for the simulation and the cost of a picture can be measured. A
 // value set by the user is respected.
 [[maybe_unused]] const int kSoftwareThreads = setenv("LP_NUM_THREADS", "0", 0);

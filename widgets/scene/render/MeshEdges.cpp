@@ -29,7 +29,7 @@ struct EdgePlaceHash {
   }
 };
 
-/// An edge between two places, with the triangles at it so far.
+/// An edge between two places, with the triangles found at it.
 struct MeshEdge {
   Index from = 0, to = 0;
   Vector3 normal;

@@ -36,7 +36,7 @@ Eigen::Vector3f rgb(const QColor& color);
 /// The pose of a body as programs take it.
 Eigen::Matrix4f modelMatrix(const SceneBody& body);
 
-/// What a SceneRenderer keeps from frame to frame, and the passes in which it draws one.
+/// The state that a SceneRenderer keeps from frame to frame, and the passes in which it draws one.
 struct RendererState {
   using Bodies = std::vector<SceneBody>;
   RendererState(EglContext egl, ScenePrograms built);
@@ -52,7 +52,7 @@ struct RendererState {
   void drawDrawings(const SceneFrame& frame);
   void drawTranslucent(const SceneFrame& frame);
   void drawLines(const SceneFrame& frame);
-  /// What is solid in drawings of earlier frames: the ground and what is drawn now show through.
+  /// Draws the solid parts of drawings of earlier frames: the ground and what is drawn now show through.
   void drawFaded(const SceneFrame& frame);
   void drawGhosts(const SceneFrame& frame);
 
@@ -60,7 +60,7 @@ struct RendererState {
   /// What is solid in bodies that are not seen through.
   void drawOpaque(const SceneFrame& frame);
   void drawShadows(const SceneFrame& frame);
-  /// What is solid in bodies that are seen through, the farthest first.
+  /// Draws the solid parts of bodies that are seen through, the farthest first.
   void drawSeenThrough(const SceneFrame& frame);
   void drawSolids(const SceneFrame& frame);
   /// The edges of what is highlighted and cannot be moved.

@@ -63,9 +63,9 @@ struct SceneCamera {
   /// Widget position of a point; unset behind the camera.
   std::optional<QPointF> project(const QSizeF& widget, const robotlink::Vector3& point) const;
 
-  /// Turns around the target as for a drag by so many widget pixels.
+  /// Turns around the target as for a drag by `by` widget pixels.
   void orbit(const QPointF& by);
-  /// Moves the target as for a drag by so many widget pixels.
+  /// Moves the target as for a drag by `by` widget pixels.
   void pan(const QSizeF& widget, const QPointF& by);
   /// Comes nearer by a factor above 1; the ground under `at` (widget) stays there.
   void zoom(const QSizeF& widget, double factor, const QPointF& at);

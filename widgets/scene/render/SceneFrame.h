@@ -37,7 +37,7 @@ struct SceneBody {
   std::string model;
   /// Below 1 for drawings of earlier frames, and for bodies that are to be seen through.
   float opacity = 1;
-  /// What a tip says of a drawing, besides what is under the cursor.
+  /// The text of a tooltip about a drawing, besides what is under the cursor.
   DrawingHit drawing = {};
   /// Only of bodies.
   Surface surface = Surface::kShaded;
@@ -78,7 +78,7 @@ struct VisibleScene {
   std::vector<SceneBody> bodies;
   /// Drawings of the robots, lowest first.
   std::vector<SceneBody> drawings;
-  /// What collides, as edges over everything: faint where it is hidden.
+  /// The collision shapes, as edges over everything: faint where they are hidden.
   std::vector<SceneBody> solids;
   /// Axes, arrows and the like, which nothing hides.
   std::vector<SceneBody> markers;

@@ -35,7 +35,7 @@ std::shared_ptr<const robotcontrol::ViewEvents> viewEvents(std::span<const simco
                                                            robotlink::Instant time, std::uint64_t step);
 void assign(robotcontrol::ControllerState& to, const simcore::ControllerStatus& from);
 
-/// What is read at a path: a port that yields numbers, or the truth of a sensor (Simulation::portOfTruth()).
+/// Returns the reading at a path: numbers of a port, or the truth of a sensor (Simulation::portOfTruth()).
 /// Unset if there is no such thing.
 std::optional<robotcontrol::PortReading> readingOf(const simcore::Simulation& simulation,
                                                    const std::string& path);

@@ -86,7 +86,7 @@ void RemoteInbox::push(const Channel& channel, Instant time, std::string_view pa
   const RemoteChannelPtr& known = found->second.channel;
   ++known->messages;
   known->bytes += payload.size();
-  // Another channel of the topic is wanted.
+  // A message is skipped if another channel of its topic is used.
   if (!known->isDecoded && !found->second.type) return;
   if (PackagePtr value = decode(found->second, payload))
     push({known, time, std::move(value), payload.size() + kArrivalBytes, {}});

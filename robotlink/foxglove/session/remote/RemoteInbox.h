@@ -32,9 +32,9 @@ struct RemoteChannel {
 };
 using RemoteChannelPtr = std::shared_ptr<RemoteChannel>;
 
-/// What a server's messages are turned into, on the way from the link's thread to that of a session: packages
-/// of their types. Bounded; over it the oldest, also of the server's texts, go and are counted, but not those
-/// that are latched.
+/// The decoded messages of a server, on their way from the link's thread to that of a session: packages of
+/// their types. Bounded; over the limit the oldest are dropped and counted, also the server's texts, but
+/// not latched messages.
 class RemoteInbox {
  public:
   struct Arrival {
@@ -69,7 +69,7 @@ class RemoteInbox {
   /// A change of what the server offers, which cannot be left out. Returns false, and takes it not, if too
   /// many of them wait: then the server is no longer followed, and its connection must end.
   bool pushChange(std::function<void()> work);
-  /// Something to be done with a text of so many bytes, which is left out as messages are.
+  /// Queues work on a text of `bytes` bytes, which is left out like messages are.
   void pushSparable(std::function<void()> work, std::size_t bytes);
 
   // The session's thread.

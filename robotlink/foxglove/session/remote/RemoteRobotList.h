@@ -17,9 +17,9 @@ namespace robotlink::websocket {
 class RemoteRobotList {
  public:
   struct Robot {
-    /// Its name at the server; of a foreign server, which is a robot itself, empty.
+    /// The robot's name at the server; empty for a foreign server, which is a robot itself.
     std::string remote;
-    /// Its name in the session.
+    /// The robot's name in the session.
     std::string local;
     RemoteKeys keys;
     KeyPublishers publishers;
@@ -30,7 +30,7 @@ class RemoteRobotList {
   struct Place {
     /// Null: it belongs to no robot.
     Robot* robot = nullptr;
-    /// What follows the robot's name; without a robot all of it.
+    /// The path after the robot's name; without a robot all of it.
     std::string stream;
     std::string path() const { return robot == nullptr ? stream : robot->local + "/" + stream; }
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What comes from the server, and what is subscribed to.
+// Handling of messages from the server, and subscriptions.
 #include "robotlink/foxglove/session/remote/RemoteSession.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 using robotcontrol::KeyTable;
 
 constexpr std::size_t kMaxGaps = 1000, kMaxPaths = 50'000;
-/// A step back in time within a stream of several processes that is no disorder any more, but a reset.
+/// A step back in time within a stream of several processes that is not disorder any longer, but a reset.
 constexpr Duration kReset = std::chrono::seconds(1);
 /// After a connection was opened again, robots that are not mentioned again are gone.
 constexpr Duration kStaleTime = std::chrono::seconds(2);
@@ -28,7 +28,7 @@ SessionClientOptions withClock(SessionClientOptions options) {
   return options;
 }
 
-/// What a robot publishes always, before its keys are known.
+/// Whether a robot always publishes a stream, even before its keys are known.
 bool isAlways(const std::string& stream) {
   constexpr const char* kAlways[] = {"tables/",     streams::kFrames,  streams::kParameters,
                                      streams::kLog, streams::kProgram, streams::kSteering};
@@ -41,7 +41,7 @@ bool isOfWorld(const std::string& path) {
          path == streams::kForces;
 }
 
-/// What is behind the path of a channel of our servers whose images another channel has raw; else empty.
+/// Returns the suffix of a channel of our servers whose images another channel has raw; else empty.
 std::string_view codingOf(const RemoteChannel& channel) {
   if (channel.type != "foxglove.CompressedImage") return {};
   for (const std::string_view coding : {kJpegChannel, kPngChannel})
@@ -62,7 +62,7 @@ std::string processOf(const RemoteRobotList::Place& place, const PackagePtr& val
   return place.robot == nullptr ? std::string() : place.robot->publishers.processOf(place.stream);
 }
 
-/// Notes which process publishes what, if a table says so.
+/// Notes which process publishes which stream, if a table says so.
 void notePublishers(RemoteRobotList::Robot& robot, const std::string& stream, const PackagePtr& value) {
   const std::string tables = std::string(streams::kKeys) + "/";
   if (const auto* keys = dynamic_cast<const KeyTable*>(value.get()); keys && stream.starts_with(tables))
@@ -160,7 +160,7 @@ void RemoteSession::tick() {
     if (RemoteRobotList::Robot* robot = robots.findRemote(name)) pushKeys(*robot);
 }
 
-/// The history is gone: what is latched is published again, at the times of what leads now.
+/// Publishes latched messages again after the history was dropped, at the times of the leading source.
 void RemoteSession::lookAtRestart() {
   const std::uint64_t before = std::exchange(restarts, session.restarts());
   if (before == restarts) return;
@@ -183,8 +183,8 @@ void RemoteSession::lookAtGaps(const ConnectionState& state) {
   if (!state.reason.empty()) gaps.back().reason = state.reason;
 }
 
-/// What was published before the gap may come first, such as the newest image of a robot that pauses. No
-/// newer message follows if the clock was set back: then what was before the gap is gone, and the gap, too.
+/// Ends the gap. Messages from before it may come first, such as the newest image of a robot that pauses. No
+/// newer message follows if the clock was set back: then the data before the gap is gone, and the gap, too.
 void RemoteSession::endGap(Instant time) {
   const Instant from = gaps.back().from;
   if (time < from && *shift.newest() >= from) return;
@@ -262,7 +262,7 @@ PackagePtr RemoteSession::shownSteering(const std::string& path, const PackagePt
   return shown;
 }
 
-/// The steering may have been heard before the number came.
+/// Updates the steering, which may have been received before the number.
 void RemoteSession::onNumber(std::uint64_t value) {
   if (std::exchange(number, value) == value) return;
   for (const auto& [path, status] : std::map(steering))
@@ -270,7 +270,7 @@ void RemoteSession::onNumber(std::uint64_t value) {
            shownSteering(path, status)});
 }
 
-/// What the server says about this client's doings is a text of the first robot.
+/// Publishes the server's text about this client's actions as one of the first robot.
 void RemoteSession::onStatus(const Status& status) {
   const bool isOffer = isOurs && status.id.starts_with(kNarrowStatus);
   publishText(status.level, isOffer ? takeJpegOffer(status.message) : status.message);
@@ -358,7 +358,7 @@ Instant RemoteSession::timeOf(const std::string& path, Instant remote, bool latc
   return mapped;
 }
 
-/// What came before the first message that has the robot's time is from before a reset.
+/// Corrects the times of messages before the first one with the robot's time: they are from before a reset.
 void RemoteSession::setBack(Instant time) {
   for (auto& [path, times] : newestOf) times.mapped = std::min(times.mapped, time);
   for (StreamMessage& message : latched.all()) {
@@ -368,7 +368,7 @@ void RemoteSession::setBack(Instant time) {
   }
 }
 
-// ---- What is subscribed to
+// ---- Subscriptions
 
 bool RemoteSession::wants(const RemoteChannel& channel) {
   const RemoteRobotList::Place place = placeOf(channel);
@@ -420,7 +420,7 @@ void RemoteSession::updateSubscriptions() {
   topics.insert(wanted.begin(), wanted.end());
 }
 
-/// Foreign servers know nothing of rates.
+/// Sets the rates of images, which foreign servers do not support.
 void RemoteSession::updateRates() {
   std::map<std::string, double> rates;
   for (const auto& [id, channel] : channels)

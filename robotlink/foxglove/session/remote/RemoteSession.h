@@ -16,8 +16,8 @@
 
 namespace robotlink::websocket {
 
-/// The implementation of a SessionClient: the state of the server, the subscriptions, and how messages and
-/// requests become each other's. Everything is of the session's thread but the client and what its handlers
+/// The implementation of a SessionClient: the state of the server, the subscriptions, and the conversion of
+/// messages and requests. Everything belongs to the session's thread, except the client and what its handlers
 /// use: the inbox.
 class RemoteSession {
  public:
@@ -52,7 +52,7 @@ class RemoteSession {
   bool leads() const { return !options.leadingTime || !options.leadingTime(); }
   bool wants(const RemoteChannel& channel);
   bool isOtherCoding(const RemoteChannel& channel) const;
-  /// What is behind the paths of the images that are wanted: kJpegChannel, kPngChannel; empty: raw.
+  /// Returns the suffix of the paths of the images that are wanted: kJpegChannel, kPngChannel; empty: raw.
   std::string_view wantedCoding() const;
   /// The server offers JPEG, since the line does not carry raw images; returns what follows, as a sentence.
   std::string takeJpegOffer(const std::string& text);
@@ -67,7 +67,7 @@ class RemoteSession {
   RemoteRobotList::Place placeOf(const RemoteChannel& channel);
 
   void setKey(RemoteRobotList::Robot& robot, const robotcontrol::Request& request);
-  /// Tells the robot which mode this client has chosen for a key, or that it has chosen none any more.
+  /// Tells the robot which mode this client has chosen for a key, or that it has withdrawn its choice.
   void sendChoice(const RemoteRobotList::Robot& robot, const std::string& key);
   void forward(const std::string& robot, const robotcontrol::Request& request);
   void answer(std::uint64_t id, bool isAccepted, const std::string& reason);

@@ -67,7 +67,7 @@ void RemoteSession::pushProcesses() {
   const RemoteRobotList::Robot* robot = robots.findRemote("");
   const std::string path = robot == nullptr ? std::string() : robot->local + "/" + streams::kProcesses;
   const bool isEmpty = graph.publishedTopics.empty() && graph.subscribedTopics.empty();
-  // One that was published before may be outdated.
+  // A table that was published before may be outdated.
   if (isOurs || robot == nullptr || (isEmpty && session.store().find(path) == nullptr)) return;
   std::map<std::string, std::string> types;
   for (const auto& [id, channel] : channels) types[channel->topic] = channel->type;

@@ -19,7 +19,7 @@ class RemoteSession;
 /// session's. Several of these and a local platform may share one session. It connects by itself, and again
 /// after each cut, with everything that was asked for; the history stays, and gaps() says what is missing.
 ///
-/// **What is subscribed to.** Tables, states and texts always. What a debug key publishes: while this session
+/// **Subscriptions.** Tables, states and texts always; the output of a debug key while this session
 /// switched the key on (SetKey with mode ALWAYS), or the robot itself did. Such a request becomes a
 /// subscription: it ends with this object, is asked for again after a cut (so it is accepted during one), and
 /// other clients' wishes do not show in this session's key table.
@@ -36,7 +36,7 @@ class RemoteSession;
 /// named after the server: "/camera/image" is the stream "NAME/camera/image". Protobuf and JSON are decoded;
 /// other encodings are named by streams(). Images and other heavy channels have debug keys, off at first.
 ///
-/// One thread, that of Session::tick(), but for what the link's thread does inside. Nothing blocks.
+/// One thread, that of Session::tick(), except for the link's thread inside. Nothing blocks.
 class SessionClient {
  public:
   using Options = SessionClientOptions;
@@ -50,7 +50,7 @@ class SessionClient {
   SessionClient(const SessionClient&) = delete;
   SessionClient& operator=(const SessionClient&) = delete;
 
-  /// Does what came since the last time. Call it before Session::tick().
+  /// Handles what arrived since the last call. Call it before Session::tick().
   void tick();
 
   const ServerUrl& url() const;
@@ -65,8 +65,8 @@ class SessionClient {
   /// Whether the robot of the request is one of these; or, if this one leads, it is of no robot and the
   /// server knows it.
   bool takes(const robotcontrol::Request& request) const;
-  /// For the session's request sink: sends it, STOP before all others. The result comes by
-  /// Session::pushResult(), at the latest when its time is over, and says so if the connection is lost.
+  /// For the session's request sink: sends it, STOP before all others. The result arrives by
+  /// Session::pushResult(), at the latest when its time is over, and reports a lost connection.
   void request(const robotcontrol::Request& request);
 
   /// Takes control of a robot, even if another client has it, or gives control up. The handler is called
@@ -93,7 +93,7 @@ class SessionClient {
   bool hasSession() const;
   /// Whether the server has a service of this name, by its name there.
   bool hasService(const std::string& name) const;
-  /// For what sessions know nothing of: client channels, parameters, playback.
+  /// For features that sessions do not have: client channels, parameters, playback.
   Client& client();
 
  private:

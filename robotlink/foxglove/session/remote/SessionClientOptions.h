@@ -21,9 +21,9 @@ struct SessionClientOptions {
   /// Makes another package of one that came, such as a foxglove.RawImage of a compressed one. Called in the
   /// link's thread. Empty: packages stay as they are.
   std::function<PackagePtr(const PackagePtr&)> convert = {};
-  /// Streams, by their paths in the session, that are wanted beside those that the session needs.
+  /// Streams, by their paths in the session, that are wanted in addition to those that the session needs.
   std::function<bool(const std::string& path)> alsoWanted = {};
-  /// Whether only these are wanted: nobody looks at the session.
+  /// Whether only these are wanted: no view shows the session.
   bool wantsNothingElse = false;
   /// Called by tick() with each message that goes into the session.
   std::function<void(const StreamMessage&)> passed = {};
@@ -31,7 +31,7 @@ struct SessionClientOptions {
 /// A stretch of the session's time in which the connection was lost.
 struct SessionGap {
   Instant from;
-  /// Nothing while it lasts.
+  /// The end of the gap; unset while it lasts.
   std::optional<Instant> to = {};
   /// Why: a sentence.
   std::string reason = {};
@@ -46,7 +46,7 @@ struct RemoteStream {
   /// Messages of other encodings ("flatbuffer") are kept as bytes, and not shown.
   bool isDecoded = false;
   std::uint64_t messages = 0, bytes = 0;
-  /// As the server counts, if it does: replaced by newer messages, and lost.
+  /// The counts of the server, if it has any: messages replaced by newer ones, and messages lost.
   std::optional<std::uint64_t> thinned = {}, dropped = {};
 };
 
@@ -54,7 +54,7 @@ struct RemoteStream {
 enum class RemoteImages {
   kAutomatic,  ///< raw, and as JPEG from when the server finds that the line does not carry raw ones
   kRaw,
-  kJpeg,  ///< where the server offers them; `convert` makes them raw again
+  kJpeg,  ///< as JPEG, where the server offers it; `convert` makes them raw again
   kPng    ///< the same, without losses
 };
 }  // namespace robotlink::websocket

@@ -37,7 +37,7 @@ Instant TimeShift::map(Instant remote, std::optional<Instant> leading) {
 
 Instant TimeShift::mapLatched(Instant remote, std::optional<Instant> leading) {
   remote = std::clamp(remote, Instant(), kMaxTime);
-  // What comes next decides how long the gap was.
+  // The next message decides how long the gap was.
   if (gap_ && newest_) return *newest_;
   if (newestRemote_ && newest_) return std::clamp(remote + offset_, Instant(), *newest_);
   const Instant mapped = leading ? std::clamp(*leading, Instant(), kMaxTime) : remote;

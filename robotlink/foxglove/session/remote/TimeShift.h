@@ -12,15 +12,15 @@ namespace robotlink::websocket {
 ///
 /// Without a leading time, times stay as they are. With one, the newest message is placed at the leading time
 /// at first, and again whenever the two are apart by more than kMaxDistance. The time of the newest message
-/// never goes back, but for a reset of a server that leads. Older messages keep their distance to it.
+/// never goes back, except at a reset of a server that leads. Older messages keep their distance to it.
 class TimeShift {
  public:
   static constexpr Duration kMaxDistance = std::chrono::milliseconds(500);
 
-  /// The session was restarted: what was before does not count.
+  /// Call this after a restart of the session: earlier messages do not count.
   void restart() { *this = {}; }
-  /// The server's program was restarted, and its clock with it: what comes next comes `gap` after what
-  /// came last.
+  /// Call this when the server's program, and so its clock, was restarted: the next message follows `gap`
+  /// after the last one.
   void continueAfter(Duration gap) { gap_ = gap; }
   /// The server's clock was set back, by a reset of its simulation.
   void reset();
