@@ -96,7 +96,7 @@ void Rewind::forgetAfter(std::uint64_t step) {
     segments_.pop_back();
   }
   if (segments_.empty()) return;
-  // What was commanded from this step on has not been repeated.
+  // Commands from this step on have not been repeated.
   Segment& last = segments_.back();
   const std::size_t kept = last.step == step ? 0 : last.next;
   bytes_ -= last.commands.size() - kept;

@@ -48,7 +48,7 @@ class IncludedTypes {
   std::map<std::pair<fs::path, std::optional<bool>>, std::shared_ptr<const ModelDescription>> types_;
 };
 
-/// What robots can be in their team from the start.
+/// The role that robots can have in their team from the start.
 constexpr const char* kGoalieRole = "goalie";
 
 /// Sets team, layout and role that an <include> names.

@@ -84,7 +84,7 @@ class Scene {
   const std::string& field() const;
   /// The names of all balls.
   const std::vector<std::string>& balls() const;
-  /// What the files describe and the simulation does not have.
+  /// The parts of the files that the simulation does not have.
   const LeftOuts& leftOut() const;
   /// The world as its files describe it.
   const WorldDescription& world() const;

@@ -24,7 +24,7 @@ struct SceneContents {
   Palette palette;
   std::vector<SceneRobot> robots;
   std::vector<std::string> balls;
-  // As Scene::balls() and Scene::field() return them.
+  // The results of Scene::balls() and Scene::field().
   std::string field;
   WorldDescription world;
   /// Shared by all simulations and viewers of the scene.

@@ -40,7 +40,7 @@ struct ModelPosture {
   double roll = 0, pitch = 0;
 };
 
-/// What became of a running simulation that was to go on in another scene.
+/// The result of continuing a running simulation in another scene.
 struct SceneChange {
   /// Whether it has the same sensors, cameras, servos and drives as before, in the same order, so that those
   /// who keep their indices can go on. If not, nothing was changed, unless Continuation::otherPorts.
@@ -132,8 +132,8 @@ class Simulation {
   /// of its present image, which its delay puts into the past. Ages beyond its exposure and readout are
   /// limited to what is remembered.
   void cameraPoses(std::size_t camera, double age, std::vector<Pose3>& poses) const;
-  /// What the image of a camera will show that is asked for at step `at`, as far as nothing but going back to
-  /// another instant or choosing other errors of the camera can change that. Unset if it can, as it always
+  /// The content of a camera's image that is requested at step `at`, if only going back to another instant or
+  /// choosing other errors of the camera can change it. Unset if it can, as it always
   /// can without a delay.
   std::optional<ComingImage> comingImage(std::size_t camera, std::uint64_t at) const;
   /// Renders the present image of a color camera, kYuyv, in the light of the scene, unless somebody else

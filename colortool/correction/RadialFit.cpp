@@ -15,7 +15,7 @@ constexpr double kMinDeviation = 0.12;
 constexpr double kMinFreedom = 4;
 /// Residuals of more standard deviations than this count less.
 constexpr double kHuber = 1.5;
-/// By how much the sum of squares must fall, in variances: chance does that once in a thousand times.
+/// The required decrease of the sum of squares, in variances: chance causes it once in a thousand times.
 constexpr double kMinRadialGain = 14;
 /// The shade of an image's corners stays above this while it is being fitted.
 constexpr double kDarkest = 0.15;

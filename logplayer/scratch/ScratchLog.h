@@ -65,7 +65,7 @@ class ScratchLog final : public robotlink::HistoryArchive {
     /// Its messages until they are written, and the file since then.
     std::shared_ptr<const std::vector<robotlink::StreamMessage>> messages;
     std::filesystem::path file = {};
-    /// What is complete with it.
+    /// The stretch of time that is complete with it.
     robotlink::Stretch held = {};
     /// Memory of its messages until they are written, and the size of the file since then.
     std::uint64_t waiting = 0, written = 0;

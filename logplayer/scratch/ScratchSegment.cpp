@@ -35,7 +35,7 @@ ScratchSegment::ScratchSegment(std::vector<StreamMessage> messages)
 
 Result<void> ScratchSegment::write(const std::filesystem::path& file) {
   const auto all = std::exchange(messages_, nullptr);
-  // Others may be reading them.
+  // Other threads may be reading the messages.
   std::vector<const StreamMessage*> messages;
   messages.reserve(all->size());
   for (const StreamMessage& message : *all) messages.push_back(&message);

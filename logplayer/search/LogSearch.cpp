@@ -162,11 +162,11 @@ class LogSearch {
   ConditionMatcher matcher_;
   /// Null if the log has all streams.
   std::unique_ptr<Computation> computation_;
-  /// What went wrong with it, one sentence each.
+  /// The problems of the search, one sentence each.
   std::vector<std::string> troubles_;
   /// Reads the streams that the log has while the others are computed; unset if there are none.
   std::optional<LogFile::Cursor> cursor_;
-  /// What was read and computed, by time, and may still be followed by something earlier.
+  /// Messages that were read or computed, by time; earlier ones may still follow.
   std::multimap<Instant, StreamMessage> waiting_;
   std::map<std::string, std::uint64_t> undecoded_;
   SearchReport report_;

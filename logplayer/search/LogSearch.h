@@ -23,7 +23,7 @@ struct SearchReport {
   std::uint64_t hits = 0;
   /// The streams that the log lacks, and that its robots' programs have computed for the search.
   std::set<std::string> computed = {};
-  /// What could not be searched, one sentence each; empty if all was.
+  /// The parts that could not be searched, one sentence each; empty if all were.
   std::vector<std::string> losses;
 };
 

@@ -17,7 +17,7 @@ using robotlink::StreamMessage;
 using robotlink::Stretch;
 using Piece = robotlink::HistoryArchive::Piece;
 
-/// What is read here is read once.
+/// A small cache is enough: each message is read once.
 constexpr std::size_t kSourceCacheBytes = 16U << 20U;
 
 class FileMessages final : public MessageSource {

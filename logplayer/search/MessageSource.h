@@ -33,7 +33,7 @@ class MessageSource {
   virtual robotlink::Result<void> open(const Progress& progress) = 0;
   /// The paths of all streams.
   virtual std::vector<std::string> streams() const = 0;
-  /// What is in it.
+  /// The stretch of time of its messages.
   virtual robotlink::Stretch stretch() const = 0;
   /// The messages of these streams, at least one, that are not earlier than `from`. The source must outlive
   /// the cursor.

@@ -22,7 +22,7 @@ namespace logplayer {
 
 /// A number in the messages of a log's stream, or what an expression makes of several.
 struct LogNumber {
-  /// As in the log; empty: the field is an expression, with streams as in the log.
+  /// The path in the log; empty: the field is an expression, with streams as in the log.
   std::string stream;
   /// A path as robotlink::FieldPath parses it.
   std::string field;
@@ -41,7 +41,7 @@ class NumberReader {
   using Points = std::vector<robotlink::Series::Point>;
   using Texts = std::map<double, std::string>;
   static constexpr std::size_t kMaxTexts = 1000;
-  /// What was read since the last call.
+  /// The points that were read since the last call.
   struct News {
     /// In order of time; times are the log's own, in s.
     std::map<LogNumber, Points> points = {};
@@ -85,7 +85,7 @@ class NumberReader {
     Texts texts = {};
     std::optional<robotlink::Error> problem = {};
   };
-  /// What the thread knows of a reading from one pass to the next.
+  /// The state of a reading that the thread keeps from one pass to the next.
   struct Memory {
     /// Null: the number is no expression, or cannot be bound to the log.
     std::unique_ptr<robotlink::BoundExpression> expression;
@@ -103,7 +103,7 @@ class NumberReader {
   /// The readings that are behind all others; empty: all are complete.
   Pass nextPass();
   void run(Pass& pass, const std::stop_token& stop);
-  /// What is known of a reading, whose expression is bound at its first pass.
+  /// The state of a reading, whose expression is bound at its first pass.
   Memory& memoryOf(const LogNumber& number, Reading& reading);
   /// Makes points available, blocking as long as too many wait, and notes how far the readings are. False: to
   /// be ended.

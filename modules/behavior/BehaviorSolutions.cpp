@@ -205,7 +205,7 @@ class Obey final : public Behavior {
   }
 
  private:
-  /// As on wheels, requests are repeated ten times a second while the user steers. If this stops, the window
+  /// Requests are repeated, as on wheels, ten times a second while the user steers. If this stops, the window
   /// hangs or the connection is lost. It is platform time, which may be ten times as fast.
   static constexpr robotlink::Duration kObeyPatience = std::chrono::seconds(2);
 

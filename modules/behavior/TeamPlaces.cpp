@@ -85,7 +85,7 @@ Pose2 TeamPlaces::defender(const Vector2& ball) const {
 
 Pose2 TeamPlaces::supporter(const Vector2& ball) const {
   const double side = ball.y() > 0 ? -1 : 1;
-  // Nobody scores from the corners next to the goal: it waits before the goal for passes from there.
+  // No robot scores from the corners next to the goal: it waits before the goal for passes from there.
   if (ball.x() > 0.5 * goalX_ && std::abs(ball.y()) > options_.supporterAside)
     return facing({goalX_ - options_.beforeGoal, 0.1 * side}, ball);
   // Near the own goal it waits before the ball, where it is in nobody's way, and where cleared balls arrive.

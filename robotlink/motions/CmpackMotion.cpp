@@ -110,7 +110,7 @@ class CmpackReader {
       if ((head.attributes & kHasPoint) != 0) remark += "; the head looks at a point, which is left out";
     }
     if (record.timeMs() > kMaxTimeMs) fail("motion.bad-duration", "it lasts longer than 1000 s");
-    // As in the original, a key frame lasts at least 1 ms.
+    // A key frame lasts at least 1 ms, as in the original.
     frame.duration = std::chrono::milliseconds(std::clamp(record.timeMs(), 1, kMaxTimeMs));
     motion_.lines.push_back({std::move(frame), remark.empty() ? "" : "//" + remark.substr(1), 0});
   }

@@ -157,7 +157,7 @@ class MarkerShape {
     *arrow.mutable_color() = color_;
     *arrow.mutable_pose() = pose_;
     if (marker_.count("points") < 2) {
-      // As in rviz, the head takes 0.23 of the length, and is as wide as the marker.
+      // The head takes 0.23 of the length and is as wide as the marker, as in rviz.
       arrow.set_shaft_length(0.77 * scale_.x());
       arrow.set_head_length(0.23 * scale_.x());
       arrow.set_shaft_diameter(scale_.y() / 2);

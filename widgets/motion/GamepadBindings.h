@@ -42,8 +42,8 @@ struct GamepadReading {
   std::array<bool, kButtons.size()> buttons{};
 };
 
-/// What the axes and buttons of gamepads do. A plain value; as shipped, the left stick walks, the right one
-/// turns, A kicks and B is STOP.
+/// The functions of the axes and buttons of gamepads. A plain value; as shipped, the left stick walks, the
+/// right one turns, A kicks and B is STOP.
 struct GamepadBindings {
   /// The function of an axis.
   struct Axis {

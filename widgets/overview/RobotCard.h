@@ -31,7 +31,7 @@ struct RobotCard {
   /// The color of its team.
   QColor color;
   bool isSelected = false;
-  /// What it does, or why it stands still; which solution decides that; how it is connected.
+  /// Its activity, or why it stands still; the solution that decides; its connection.
   CardText state, behavior, link;
   /// State kUnknown if it does not say.
   BatteryLevel battery;

@@ -76,8 +76,7 @@ struct HeadlessPlatform {
   /// or had to end.
   using Run = std::function<tl::expected<HeadlessSummary, robotlink::Errors>(const HeadlessConsole& console)>;
 
-  /// What users write for such a platform: in the help, and in the sentence about something that nothing
-  /// runs.
+  /// The syntax for such a platform: in the help, and in the error about something that no platform runs.
   const char* help;
   const char* usage;
   /// Whether it is one of them; null: whatever the adapter opens is.

@@ -59,7 +59,7 @@ struct Unadvertise {
 struct ParameterValues {
   static constexpr char kOp[] = "parameterValues";
   std::vector<Parameter> parameters;
-  /// That of the request which it answers, or empty.
+  /// The id of the request that it answers; empty if there is none.
   std::string id;
   bool operator==(const ParameterValues&) const = default;
 };
@@ -136,7 +136,7 @@ struct PlaybackState {
   Instant time;
   float speed = 1;
   bool didSeek = false;
-  /// That of the request which it answers, or empty.
+  /// The id of the request that it answers; empty if there is none.
   std::string requestId;
   bool operator==(const PlaybackState&) const = default;
 };

@@ -64,7 +64,7 @@ void PortCommands::apply(simcore::Simulation& simulation) {
       const bool isStopped = std::ranges::find(stopped_, path.substr(0, path.find('/'))) != stopped_.end();
       if (isStopped || (command.isOnce && command.isDone)) continue;
       command.isDone = true;
-      // It may have been removed from a scene that was edited meanwhile.
+      // The actuator may have been removed from a scene that was edited meanwhile.
       static_cast<void>(simulation.write(path, command.values));
     }
   }
