@@ -7,7 +7,7 @@
 
 namespace modules {
 
-/// How a ball slows down while it rolls freely: dv/dt = -(deceleration + damping v), until it rests. A carpet
+/// The motion of a ball that rolls freely: dv/dt = -(deceleration + damping v), until it rests. A carpet
 /// decelerates it about constantly; a ball that is damped by its own softness and by the air rolls much
 /// farther while it is slow. A plain value.
 struct RollingBall {
@@ -23,7 +23,7 @@ struct RollingBall {
     const double limit = deceleration / damping;
     return std::max(0.0, (speed + limit) * std::exp(-damping * time) - limit);
   }
-  /// How far it rolls in a time, m.
+  /// The distance that it rolls in a time, m.
   double wayAfter(double speed, double seconds) const {
     const double time = std::min(seconds, secondsToRest(speed));
     if (damping < kNoDamping) return time * (speed - 0.5 * deceleration * time);

@@ -19,7 +19,7 @@ tl::expected<ModelParts, robotlink::Errors> ModelParts::load(const std::string& 
   const auto file = files.addModel(model, spec, errors);
   if (!file || !errors.empty()) return tl::unexpected(std::move(errors));
   const tinyxml2::XMLElement& element = *files.model(*file);
-  // Said first and alone: what else is wrong with it, such as a color that only worlds have, does not matter
+  // Reported first and alone: other problems, such as a color that only worlds have, do not matter
   // then.
   if (childText(element, "robotcontrol:robot").empty() || isTrue(childText(element, "static"))) {
     return tl::unexpected(robotlink::Errors{

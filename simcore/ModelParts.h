@@ -22,7 +22,7 @@ struct ModelParts {
     int parent = -1, child = 0;
     Eigen::Vector3d anchor = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-    /// Its angle at the start of a simulation.
+    /// The angle of the joint at the start of a simulation.
     double usual = 0;
   };
   /// The poses of the links.

@@ -73,7 +73,7 @@ class Rewind {
   struct Segment {
     std::uint64_t step = 0;
     std::vector<std::uint8_t> state, commands;
-    /// How far replay() has come.
+    /// The position in `commands` that replay() has reached.
     std::size_t next = 0;
     std::size_t bytes() const { return sizeof *this + state.size() + commands.size(); }
   };

@@ -42,8 +42,8 @@ struct ModelPosture {
 
 /// The result of continuing a running simulation in another scene.
 struct SceneChange {
-  /// Whether it has the same sensors, cameras, servos and drives as before, in the same order, so that those
-  /// who keep their indices can go on. If not, nothing was changed, unless Continuation::otherPorts.
+  /// Whether it has the same sensors, cameras, servos and drives as before, in the same order, so that their
+  /// indices stay valid. If not, nothing was changed, unless Continuation::otherPorts.
   bool hasSamePorts = false;
   /// The models of both scenes that have other sensors, cameras, servos or drives than before.
   std::vector<std::string> changedPorts = {};
@@ -93,9 +93,9 @@ class Simulation {
   /// Returns to the initial state of the scene, with a new seed.
   void reset(std::uint64_t seed);
 
-  /// Goes on in another scene, usually the same file after an edit. Time and step go on. Models of the same
+  /// Continues in another scene, usually the same file after an edit. Time and step go on. Models of the same
   /// name that move, have the same links and joints, and have the same place in both scenes keep their poses,
-  /// joint angles and velocities, and their servos and drives what was requested of them; all others are at
+  /// joint angles and velocities, and their servos and drives keep their commands; all others are at
   /// the start of the new scene. Fails as create() does, and then nothing has changed.
   robotlink::Result<SceneChange> continueIn(std::shared_ptr<const Scene> scene, const Continuation& how = {});
   /// Takes back the last continueIn(), as if it had never been. Only before the next step() or reset();
@@ -132,12 +132,12 @@ class Simulation {
   /// of its present image, which its delay puts into the past. Ages beyond its exposure and readout are
   /// limited to what is remembered.
   void cameraPoses(std::size_t camera, double age, std::vector<Pose3>& poses) const;
-  /// The content of a camera's image that is requested at step `at`, if only going back to another instant or
-  /// choosing other errors of the camera can change it. Unset if it can, as it always
-  /// can without a delay.
+  /// Predicts a camera's image that is requested at step `at`, if nothing but going back to another instant
+  /// or choosing other errors of the camera can change it. Unset if anything else can, which is always so
+  /// without a delay.
   std::optional<ComingImage> comingImage(std::size_t camera, std::uint64_t at) const;
-  /// Renders the present image of a color camera, kYuyv, in the light of the scene, unless somebody else
-  /// makes the images; valid until the next call.
+  /// Renders the present image of a color camera, kYuyv, in the light of the scene, unless setCameraImages()
+  /// provides the images; valid until the next call.
   const robotlink::Image& cameraImage(std::size_t camera) const;
   /// Makes the present image of a color camera; null where it cannot. It is valid until the next one.
   using CameraImages = std::function<const robotlink::Image*(std::size_t camera)>;

@@ -27,8 +27,8 @@ bool hasSameParts(const ModelDescription& a, const ModelDescription& b) {
          std::ranges::equal(a.links, b.links, sameLink) && std::ranges::equal(a.joints, b.joints, sameJoint);
 }
 
-/// Whether a model of a scene continues as the one of the same name in another scene: what was changed in it
-/// has to do neither with its parts nor with its place.
+/// Whether a model of a scene continues as the one of the same name in another scene: its changes
+/// concern neither its parts nor its place.
 bool goesOnAs(const ModelInstance& before, const ModelInstance& now) {
   return hasSameParts(*before.type, *now.type) &&
          before.poseInWorld.matrix().isApprox(now.poseInWorld.matrix(), 1e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Simulation: controllers, and what people do in views.
+// Simulation: controllers, and events of users in views.
 #include <bit>
 #include <cmath>
 
@@ -179,7 +179,7 @@ void Simulation::control() {
 void SimulationState::transferControl(StateStream& stream) {
   stream.raw(control.digest);
   stream.flag(control.isDone);
-  // The outputs are those that there are; only what they show is written.
+  // The set of outputs is fixed; only their contents are written.
   Controllers::Memory memory = control.controllers->memory();
   stream.size(memory.states, kMaxControllers);
   for (std::string& state : memory.states) stream.text(state);
@@ -195,7 +195,7 @@ void Simulation::resumeControllers() {
   ControlState& control = implementation_->control;
   const std::uint64_t digest = control.digest;
   const bool isDone = control.isDone;
-  // New ones, since what an older one remembers beside its state is of another time.
+  // New controllers, since an old one may remember more of another time than its state.
   startControllers();
   control.controllers->restore(control.restored, implementation_->steps);
   control.restored = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What range and image sensors measure, in several threads if there are, and the images of cameras.
+// Simulation: readings of range and image sensors, in several threads if there are any, and camera images.
 #include "simcore/Simulation.h"
 #include "simcore/SimulationState.h"
 

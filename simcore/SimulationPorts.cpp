@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Simulation: ports by path, errors of sensors, and what the oracle knows.
+// Simulation: ports by path, errors of sensors, and the ground truth for the oracle.
 #include <cmath>
 
 #include "simcore/Simulation.h"

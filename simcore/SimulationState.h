@@ -199,7 +199,7 @@ struct SimulationState {
   /// Has the history reach back as far as a sensor needs it.
   void remember(const SensorErrors& errors, const ShutterModel& shutter = {}) {
     if (!errors.hasTiming() && !shutter.any()) return;
-    // So many samples in a row may be lost before an older one than the newest remembered counts.
+    // The number of samples in a row that may be lost before an older one than the newest remembered counts.
     const double samples = 1 + 20 * errors.dropout;
     const double period = std::max(kStepSeconds, errors.rate > 0 ? 1 / errors.rate : 0);
     const double back = errors.delay + samples * period + shutter.exposure + shutter.readout;

@@ -19,7 +19,7 @@ class TitledModel : public QAbstractTableModel {
   }
 
  protected:
-  /// How numbers lie in their cells, for Qt::TextAlignmentRole.
+  /// The alignment of numbers in their cells, for Qt::TextAlignmentRole.
   static constexpr int kNumberAlignment = Qt::AlignRight | Qt::AlignVCenter;
 
   TitledModel(QStringList titles, QObject* parent)

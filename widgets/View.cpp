@@ -29,8 +29,8 @@ robotlink::Registry<ViewType>& registeredViews() {
 
 View::View(ViewContext& context, QWidget* parent) : QWidget(parent), context_(context) {}
 
-/// Otherwise a field that has the focus would say, while the parts of the view that derive from this one are
-/// gone already, that it was edited.
+/// Otherwise a field with the focus would report that it was edited while the derived parts of the view are
+/// destroyed already.
 View::~View() {
   for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
 }

@@ -38,7 +38,7 @@ class HistoryKeeper {
 
   /// Whether what no longer fits into memory is lost now, since too much waits to be written to disk.
   bool isLosing() const;
-  /// Why nothing more is put on disk, or a part is lost, or why the settings could not be read, once.
+  /// Returns, once, why nothing more is put on disk, a part is lost, or the settings could not be read.
   std::optional<robotlink::Error> takeProblem();
 
  private:

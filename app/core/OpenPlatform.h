@@ -117,7 +117,7 @@ class OpenPlatform {
   const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
   /// Whether something is being loaded now.
   bool loading() const { return !openings_.empty(); }
-  /// Why something could not be opened since this was called last, or was canceled; empty if nothing failed.
+  /// Returns why something could not be opened since the last call, or was canceled; empty if nothing failed.
   robotlink::Errors takeOpeningErrors() { return std::exchange(openingErrors_, {}); }
   /// The share of the file being opened that was read, in [0, 1]; unset if none is being opened.
   std::optional<double> progress() const;
@@ -179,7 +179,7 @@ class OpenPlatform {
   robotlink::BoundedQueue<Outcome> outcomes_{std::numeric_limits<std::size_t>::max()};
   std::optional<LoadedPlatform> loaded_;
   robotlink::Errors openingErrors_;
-  /// How many of the requests of switchKeysOn() a robot has not answered yet, by robot. Shared with the
+  /// The number of requests of switchKeysOn() that a robot has not answered yet, by robot. Shared with the
   /// handlers of the answers, which count down.
   std::map<std::string, std::shared_ptr<int>> keysToSwitchOn_;
   std::function<void(const LoadedPlatform&)> onLoaded_;

@@ -214,7 +214,7 @@ class Service {
   std::optional<ListenAccess> access_;
   std::unique_ptr<Listener> listener_;
   std::optional<RobotAnnouncer> announcer_;
-  /// When the time of the options is over; unset before the platform has a time.
+  /// The instant at which the time of the options is over; unset before the platform has a time.
   std::optional<robotlink::Instant> end_;
   PlatformFeed::Demand demand_;
 };

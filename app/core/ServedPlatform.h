@@ -17,7 +17,7 @@ namespace app {
 class BodyInbox;
 class ProgramTroubles;
 
-/// How a platform is served. A plain value.
+/// The options of serving a platform. A plain value.
 struct ServeOptions {
   robotlink::websocket::ListenAddress address = {};
   /// Times real time; 0 is as fast as possible. A real robot has its own.

@@ -20,11 +20,11 @@ namespace app {
 namespace {
 
 constexpr int kScriptTickMs = 20;
-/// So long a program may take to report its tasks after it was opened, also on a busy machine; those of logs
-/// that are only watched never do.
+/// The time that a program may take to report its tasks after it was opened, also on a busy machine; those of
+/// logs that are only watched never do.
 constexpr std::chrono::seconds kTablesLimit(10), kTablesLimitOfLogs(1);
 
-/// So long the robots at the addresses of the command line may take to be connected.
+/// The time that robots at the addresses of the command line may take to be connected.
 constexpr std::chrono::seconds kRobotsLimit(10);
 
 /// Whether something opens, or the selected robot's program has not reported all of its tasks yet: until then

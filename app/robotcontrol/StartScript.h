@@ -61,11 +61,11 @@ class StartScript : public QObject {
   /// The line that runs now, for messages.
   std::string line_;
   std::size_t next_ = 0;
-  /// Why what the command line names could not be opened.
+  /// The errors of opening what the command line names.
   robotlink::Errors unopened_;
   bool hasStarted_ = false;
   bool isScript_ = false;
-  /// How many outcomes there were before the script.
+  /// The number of outcomes before the script.
   std::size_t before_ = 0;
 };
 

@@ -118,7 +118,7 @@ bool isWideEnough(std::span<const RadialSample> samples) {
   return std::sqrt(sum / freedom) >= kMinDeviation;
 }
 
-/// Shorter, so that no corner becomes darker than can be.
+/// Shortens the step, so that no corner becomes darker than possible.
 Eigen::Vector2d limitedRadius(const Eigen::Vector2d& c, RadialModel model) {
   const double corner = 1 + c.sum();
   return model == RadialModel::kShade && corner < kDarkest ? c * (1 - kDarkest) / (1 - corner) : c;

@@ -7,7 +7,7 @@
 
 namespace colortool {
 
-/// One channel of a patch of uniform color somewhere in an image.
+/// A channel of a patch of uniform color somewhere in an image.
 struct RadialSample {
   /// Samples of equal group have the same color in the same light.
   std::size_t group = 0;

@@ -7,7 +7,7 @@
 
 namespace colortool {
 
-/// One row of pixels in the layout of ImageView. The pointers are not owned.
+/// A row of pixels in the layout of ImageView. The pointers are not owned.
 struct PixelRow {
   /// First byte of the row; for kNv12 the row of Y values.
   const std::uint8_t* pixels = nullptr;

@@ -10,7 +10,7 @@ namespace colortool {
 namespace {
 
 constexpr double kMinOfAll = 0.001;
-/// So much of a stroke must be uncontested for the rest to be outliers.
+/// The share of a stroke that must be uncontested for the rest to be outliers.
 constexpr double kMinUncontested = 0.1;
 
 std::size_t indexOf(std::size_t from, std::size_t to) {
@@ -45,7 +45,7 @@ bool leavesEnough(const Stroke& stroke, const PixelArea& contested) {
   return all - static_cast<double>(pixelCount(contested)) >= kMinUncontested * all;
 }
 
-/// The cells that strokes of other classes touched, and those beside them.
+/// The cells that strokes of other classes touched, and their neighbors.
 CellSet cellsOfOthers(const Samples& samples, const Stroke& stroke) {
   constexpr int kLast = ColorTable::kCells - 1;
   CellSet cells;
@@ -109,7 +109,7 @@ PixelArea contestedPixels(const Samples& samples, const Stroke& stroke, const Co
   };
   PixelArea contested = pixelsWhere(samples, stroke, ofOthers);
   if (leavesEnough(stroke, contested)) return contested;
-  // A table that knows few classes takes everything for one of them; what was touched by strokes tells more.
+  // A table that knows few classes assigns everything to one of them; the cells of strokes tell more.
   const CellSet known = cellsOfOthers(samples, stroke);
   contested = pixelsWhere(samples, stroke, [&](const robotlink::YCbCr& color) {
     return ofOthers(color) && known.contains(ColorTable::cellOf(color));

@@ -7,7 +7,7 @@
 namespace colortool {
 namespace {
 
-/// Pixels that a mouse that follows a line is off at most; brushes are often much wider.
+/// The most pixels by which a mouse that follows a line is off; brushes are often much wider.
 constexpr double kMaxReach = 6;
 /// How much a pixel of the way counts in the mean: colors change slowly along a thing.
 constexpr double kNewest = 0.1;
@@ -60,7 +60,7 @@ ImagePoint SnappedWay::snapped(const ColorImage& image, ImagePoint at) {
   const int bestX = pixelOf(best.x), bestY = pixelOf(best.y);
   if (!image.contains(bestX, bestY)) return best;
   const Color color = weighted(image.at(bestX, bestY));
-  // Something else from here on, or more of the same.
+  // A new thing begins here, or the present one continues.
   const double share = outside_ || !isLike(image, bestX, bestY) ? 1 : kNewest;
   for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] += share * (color[i] - mean_[i]);
   outside_ = false;

@@ -30,7 +30,7 @@ class SnappedWay {
 
   double radius_, tolerance_;
   ImagePoint mouse_, meant_;
-  Color mean_{};  ///< of what it was led along lately
+  Color mean_{};  ///< of the thing that it followed lately
   bool outside_ = false;
 };
 

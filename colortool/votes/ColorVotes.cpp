@@ -18,9 +18,9 @@ constexpr double kReach = 3, kShadeReach = 2.3;
 constexpr double kShadeWidth = 1.5, kShadeLength = 2;
 /// The number of samples in a cell is raised to this power.
 constexpr double kExponent = 0.7;
-/// More pixels than that of one class in one cell count as that many.
+/// The limit of pixels of one class in one cell; more count as this many.
 constexpr std::int64_t kMaxPixels = 1024;
-/// A single pixel has this strength.
+/// The strength of a single pixel.
 constexpr double kStrengthScale = 8;
 /// The sum of all votes that a cell can get fits 31 bits.
 constexpr double kMaxVotes = 2.0e9;

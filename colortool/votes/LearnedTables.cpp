@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kCellsASide = ColorTable::kCells;
 constexpr double kMiddle = ColorTable::kCellSize / 2;
 constexpr int kDimensions = 3;
-/// No more samples of one cell than these are learned from.
+/// The limit of samples of one cell that are learned from.
 constexpr double kMaxRepeats = 32;
 /// Samples of a Gaussian are blurred by this, about as large as a cell.
 constexpr float kBlur = 5;

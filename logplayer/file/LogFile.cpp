@@ -282,7 +282,7 @@ struct LogFile::Cursor::Implementation {
   Implementation(std::shared_ptr<LogFile> opened, const std::vector<std::string>& streams)
       : file(std::move(opened)), log(*file->implementation_), messages(*log.reader, log.idsOf(streams)) {}
 
-  /// Comes to the next message that is shown, unless it is there already. Only with the file's mutex locked.
+  /// Moves to the next message that is shown, unless it is there already. Only with the file's mutex locked.
   bool advance() {
     while (!ahead && !atEnd) {
       atEnd = !messages.next();

@@ -16,7 +16,7 @@ using robotlink::Result;
 
 namespace {
 
-/// So many frames are written between two looks at the free space.
+/// The number of frames that are written between two checks of the free space.
 constexpr std::uint64_t kFramesPerLook = 8;
 
 std::string lowerSuffix(const fs::path& file) {

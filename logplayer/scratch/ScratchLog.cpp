@@ -272,7 +272,7 @@ void ScratchLog::stop(const std::string& why) {
 ScratchLog::Part ScratchLog::read(Instant at, const std::deque<Entry>& entries) const {
   Part part{at, {at, at}, {}};
   if (entries.empty()) return part;
-  // Only what is between the holes around it is complete.
+  // Only the part between the surrounding holes is complete.
   Instant first = entries.front().held.from, last = entries.back().held.to;
   for (std::size_t i = 1; i < entries.size(); ++i) {
     if (!entries[i].isAfterHole) continue;

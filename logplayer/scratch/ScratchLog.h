@@ -62,12 +62,12 @@ class ScratchLog final : public robotlink::HistoryArchive {
   struct Entry {
     /// Used by the thread only, except for constant parts.
     std::shared_ptr<ScratchSegment> segment;
-    /// Its messages until they are written, and the file since then.
+    /// The messages of the segment until they are written, and the file afterward.
     std::shared_ptr<const std::vector<robotlink::StreamMessage>> messages;
     std::filesystem::path file = {};
     /// The stretch of time that is complete with it.
     robotlink::Stretch held = {};
-    /// Memory of its messages until they are written, and the size of the file since then.
+    /// The memory of the messages until they are written, and the size of the file afterward.
     std::uint64_t waiting = 0, written = 0;
     /// Whether a part before it was lost.
     bool isAfterHole = false;

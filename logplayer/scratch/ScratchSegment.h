@@ -30,7 +30,7 @@ class ScratchSegment {
   /// The time of its earliest message, and of its last one.
   const robotlink::Stretch& stretch() const { return stretch_; }
 
-  /// Writes the messages to a new file and releases them. Fails, and has them no more, if that is impossible.
+  /// Writes the messages to a new file and releases them. Fails, and has lost them, if that is impossible.
   robotlink::Result<void> write(const std::filesystem::path& file);
   /// Empty before it was written.
   const std::filesystem::path& file() const { return file_; }

@@ -19,7 +19,7 @@ using robotlink::StreamMessage;
 
 using Found = std::optional<Instant>;
 
-/// Backward, a log is read forward part by part, of which the first is that long, and each other one twice as
+/// A backward search reads the log forward in parts: the first is this long, and each other one is twice as
 /// long as the one behind it.
 constexpr Duration kFirstPart = std::chrono::seconds(1);
 constexpr std::size_t kAskEvery = 1000;  // messages

@@ -18,7 +18,7 @@ struct ChangeQuery {
   std::string robot = {};
   /// Set: only changes count at which the value reaches this, or falls below it.
   std::optional<double> limit = {};
-  /// Where the search begins, in log time; a change at this very instant does not count.
+  /// The instant at which the search begins, in log time; a change at this very instant does not count.
   robotlink::Instant from = {};
   bool isForward = true;
 };

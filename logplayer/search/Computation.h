@@ -24,7 +24,7 @@ class Computation {
   /// The full paths of the streams that can be computed.
   virtual std::vector<std::string> streams() const = 0;
   /// Runs the programs over the whole log, as fast as possible, and has these streams visited. Returns what
-  /// went wrong meanwhile, one sentence each. Fails if a program cannot go on, or as `visit` does. To be
+  /// went wrong meanwhile, one sentence each. Fails if a program cannot continue, or as `visit` does. To be
   /// called once.
   virtual robotlink::Result<std::vector<std::string>> run(const std::set<std::string>& streams,
                                                           const Visit& visit) = 0;

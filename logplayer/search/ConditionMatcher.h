@@ -47,8 +47,8 @@ class ConditionMatcher {
   void finish();
 
   std::uint64_t hits() const { return hits_; }
-  /// One sentence for each value that no message had. An expression without a value is never true, which may
-  /// surprise who misspelled an element's name.
+  /// Returns a sentence per value that no message had. An expression without a value is never true, which may
+  /// surprise a user who misspelled an element's name.
   std::vector<std::string> neverFound() const;
 
  private:

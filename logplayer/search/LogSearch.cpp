@@ -20,7 +20,7 @@ using robotlink::StreamMessage;
 
 /// Ends a computation because the range ends there.
 constexpr char kRangeEnd[] = "search.range-end";
-/// How much later than its time what programs compute may be published, in time of the log.
+/// The longest delay from the time of a computed message to its publication, in time of the log.
 constexpr robotlink::Duration kMaxDelay = std::chrono::seconds(1);
 
 class LogSearch {
@@ -87,7 +87,7 @@ class LogSearch {
                           [this](const StreamMessage& message) { return take(message); });
   }
 
-  /// Has the other streams computed, and takes those of the log beside them.
+  /// Has the other streams computed, together with those of the log.
   Result<Unread> searchComputed(const ExportOptions& options, const ComputedStreams& computed) {
     std::vector<std::string> logged;
     std::ranges::set_difference(streams(), report_.computed, std::back_inserter(logged));
@@ -110,8 +110,8 @@ class LogSearch {
     return cursor_ ? cursor_->unread() : Unread();
   }
 
-  /// Adds what was computed up to an instant, and what the log has up to there; takes what nothing earlier
-  /// can follow any more.
+  /// Adds what was computed up to an instant, and the log's messages up to there; takes the messages that no
+  /// earlier one can follow any longer.
   Result<void> takeWaiting(Instant reached, std::vector<StreamMessage> messages,
                            const ExportOptions& options) {
     const auto wait = [this](StreamMessage message) {
@@ -162,7 +162,7 @@ class LogSearch {
   ConditionMatcher matcher_;
   /// Null if the log has all streams.
   std::unique_ptr<Computation> computation_;
-  /// The problems of the search, one sentence each.
+  /// The problems of the computation, one sentence each.
   std::vector<std::string> troubles_;
   /// Reads the streams that the log has while the others are computed; unset if there are none.
   std::optional<LogFile::Cursor> cursor_;

@@ -23,7 +23,7 @@ struct SearchReport {
   std::uint64_t hits = 0;
   /// The streams that the log lacks, and that its robots' programs have computed for the search.
   std::set<std::string> computed = {};
-  /// The parts that could not be searched, one sentence each; empty if all were.
+  /// The parts that could not be searched, one sentence each; empty if everything was searched.
   std::vector<std::string> losses;
 };
 

@@ -105,7 +105,7 @@ class PieceStream {
     }
     return std::nullopt;
   }
-  /// Enters the next piece that has something; false: there is none.
+  /// Enters the next piece with messages; false: there is none.
   bool enter() {
     log_.reset();
     messages_.reset();

@@ -57,7 +57,7 @@ class NumberReader {
     std::optional<robotlink::Error> failure = {};
   };
   static constexpr std::size_t kMaxWaiting = 500'000;
-  /// The points of so many instants are made available at a time.
+  /// The number of instants whose points are made available at a time.
   static constexpr std::size_t kInstants = 2000;
 
   /// The thread reads on as long as not more than `maxWaiting` points wait.

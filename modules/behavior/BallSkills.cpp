@@ -17,7 +17,7 @@ namespace {
 /// how much farther on the side on which it passes them already, rad.
 constexpr double kMaxDetour = 2.2, kPassRight = 0.1, kKeepSide = 0.4;
 
-/// How far a ball is still ahead of where it is kicked when the paws reach it, m.
+/// The distance of a ball ahead of its kicking position when the paws reach it, m.
 constexpr double kAtPaws = 0.06;
 
 /// The share of a turn that is not made on the way.

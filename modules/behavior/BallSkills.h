@@ -15,7 +15,7 @@ enum class KickKind { kAhead, kFarAhead, kLeft, kRight };
 /// The direction in which it sends the ball, in the robot's frame, rad.
 double angleOf(KickKind kind);
 
-/// How a robot on legs walks to places and to the ball: controllers on plain values in the robot's frame (x
+/// Walks a robot on legs to places and to the ball: controllers on plain values in the robot's frame (x
 /// to the front, meters, radians), which remember only on which side they pass other robots.
 ///
 /// Far away it turns to where it goes and walks ahead; near its aim it walks in any direction. Robots in the
@@ -28,9 +28,9 @@ class BallSkills {
     double forwardSpeed = 0.18, backwardSpeed = 0.12, sidewardSpeed = 0.12;
     /// Radians per second.
     double turnSpeed = 1.1;
-    /// How fast it turns to an angle, 1/s.
+    /// The gain of turning to an angle, 1/s.
     double turnGain = 2.0;
-    /// How fast it walks to a near place, 1/s.
+    /// The gain of walking to a near place, 1/s.
     double walkGain = 2.5;
     /// Distance up to which it walks in any direction, m.
     double nearby = 0.35;
@@ -52,9 +52,9 @@ class BallSkills {
     double farX = 0.12, farToleranceX = 0.015, farToleranceY = 0.04;
     /// The same of the kick to the left; that to the right is its mirror image.
     double sideX = 0.21, sideY = 0.03, sideToleranceX = 0.02, sideToleranceY = 0.025;
-    /// How fast it walks to there, 1/s, and at most with the ball before its paws, m/s.
+    /// The gain of walking there, 1/s, and the maximum speed with the ball before its paws, m/s.
     double positionGain = 1.8, positionSpeed = 0.08;
-    /// How fast it turns to the goal there, 1/s.
+    /// The gain of turning to the goal there, 1/s.
     double positionTurn = 0.8;
     /// Sideward gain and limit of the error beside which it slows down while it pushes the ball, 1/s and m.
     double dribbleGain = 2.5, dribbleWidth = 0.05;
@@ -84,9 +84,9 @@ class BallSkills {
                      KickKind kind) const;
   /// Whether a kick reaches the ball.
   bool canKick(const robotlink::Vector2& ball, KickKind kind) const;
-  /// How well the robot is placed: the angle between the way to the ball and the aim; 0 is straight behind.
+  /// The error of the robot's place: the angle between the way to the ball and the aim; 0: straight behind.
   static double offset(const robotlink::Vector2& ball, double aim);
-  /// How long it takes to be behind the ball, s.
+  /// The time that it takes to be behind the ball, s.
   double secondsTo(const robotlink::Vector2& ball, double aim) const;
 
  private:

@@ -20,7 +20,7 @@ constexpr int kCircle = 24;
 constexpr double kRollStep = 0.1, kBallRadius = 0.042;
 /// A ball nearer to a wall than this counts as next to it, m.
 constexpr double kBesideWall = 0.2;
-/// How far a place behind the ball may be within a wall before there is no room, m.
+/// The distance that a place behind the ball may be within a wall before there is no room, m.
 constexpr double kTight = 0.02;
 /// A ball stops at a robot whose center is nearer, m, and a robot that is this near to a place occupies it.
 constexpr double kStops = 0.14, kOccupies = 0.22;

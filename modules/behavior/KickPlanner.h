@@ -20,9 +20,9 @@ namespace modules {
 class KickPlanner {
  public:
   struct Options {
-    /// How far a kick ahead and one to a side move the ball, m.
+    /// The distance that a kick ahead and one to a side move the ball, m.
     double kickLength = 0.7, sideLength = 0.9;
-    /// How far their directions are off, as a standard deviation, rad.
+    /// The standard deviation of their directions, rad.
     double kickSpread = 0.2, sideSpread = 0.25;
     /// The same of the far kick ahead, which takes its time: it is played only if no opponent is this near to
     /// the ball, m. 0: never.
@@ -33,7 +33,7 @@ class KickPlanner {
     double secondsPerKick = 4, secondsPerMeter = 9;
     /// The cost of a ball next to a wall, from where it is hard to play, s.
     double wallSeconds = 8;
-    /// How much sooner another direction has to be to be chosen instead of the last one, s.
+    /// The time by which another direction has to be sooner to be chosen instead of the last one, s.
     double keepSeconds = 1.5;
     /// The cost of a robot that stops the ball, s.
     double stoppedSeconds = 0;

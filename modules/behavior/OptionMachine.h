@@ -34,7 +34,7 @@ class OptionMachine {
   /// The way from a state to another one of the same option.
   struct Transition {
     std::string to;
-    /// Why it is taken, as a person reads it: "the ball is lost".
+    /// The reason for taking it, in words for people: "the ball is lost".
     std::string reason;
     Condition when;
     /// Index of the state; known after the first advance().

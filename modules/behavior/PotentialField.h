@@ -26,7 +26,7 @@ class PotentialField {
   struct Options {
     /// Meters per second, and radians per second.
     double forwardSpeed = 0.15, sidewardSpeed = 0.10, turnSpeed = 0.9;
-    /// How fast it turns to where it goes, 1/s.
+    /// The gain of turning to the direction of motion, 1/s.
     double turnGain = 1.6;
     /// Speed toward a far ball, m/s, and distance within which it becomes smaller, m.
     double attraction = 0.2, slowing = 0.3;

@@ -15,11 +15,11 @@ namespace modules {
 class RoleAssignment {
  public:
   struct Options {
-    /// How much faster a player has to be to take over the striker's role, s.
+    /// The time by which a player has to be faster to take over the striker's role, s.
     double strikerAdvantage = 2;
-    /// How much nearer to the own goal it has to be to take over the defender's, m.
+    /// The distance by which it has to be nearer to the own goal to take over the defender's, m.
     double defenderAdvantage = 0.3;
-    /// How long the goalie stays in its goal without hearing of others, s.
+    /// The time that the goalie stays in its goal without hearing of others, s.
     double lonelyAfter = 30;
   };
   explicit RoleAssignment(const Options& options) : options_(options) {}
@@ -34,7 +34,7 @@ class RoleAssignment {
 
   Options options_;
   Role role_ = Role::kNone;
-  /// When it heard of others last, s.
+  /// The time at which it last heard of others, s.
   double heardAt_ = 0;
 };
 

@@ -61,7 +61,7 @@ class SituationReader {
   robotlink::Input<robotcontrol::ColorRegions> regions_;
   robotlink::Input<robotcontrol::MotionStatus> status_;
   robotlink::Input<robotcontrol::LandmarkPercepts> landmarks_;
-  /// When one was seen last, s.
+  /// The time at which one was last seen, s.
   std::optional<double> landmarkSeenAt_;
 };
 

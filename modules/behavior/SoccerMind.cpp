@@ -18,7 +18,7 @@ constexpr double kNever = 1e3;
 constexpr double kHearsayPenalty = 0.7;
 /// Looking up takes at least this long, and ends with a beacon that was seen this long ago, s.
 constexpr double kEnoughLooking = 0.4, kJustSeen = 0.1;
-/// How far off a ball is that the team says is before the paws, m.
+/// The error of the position of a ball that the team reports before the paws, m.
 constexpr double kTeamBallError = 0.1;
 /// A ball that was left to the goalie has to be this far beyond the margin before others come back, m.
 constexpr double kComesBack = 0.1;
@@ -29,7 +29,7 @@ constexpr double kMayStillCover = 6;
 /// The time after which it tries again if stepping back did not help, s.
 constexpr double kUncoverAgain = 1;
 constexpr double kLongAgo = -1e9;
-/// How far a ball rolls without being touched by anybody, m.
+/// The distance from which on a ball counts as having been moved by somebody, m.
 constexpr double kMoved = 0.12;
 /// After this many rounds the time of a way has converged.
 constexpr int kSubstitutions = 4;

@@ -39,7 +39,7 @@ class SoccerMind {
     /// A ball that was nearer than this when it vanished may lie under the body, m; then the robot steps back
     /// after, and for some time, s.
     double coveredDistance = 0.17, coveredAfter = 0.6, stepBackTime = 1.6;
-    /// How long it looks for beacons and goals, and how often at the earliest, s.
+    /// The time for which it looks for beacons and goals, and the least time between two looks, s.
     double glanceTime = 1.2, glanceAgain = 6;
     /// Distance of the ball from which on it does so while it walks, m.
     double glanceDistance = 0.8;
@@ -54,7 +54,7 @@ class SoccerMind {
     /// The robot kicks instead of pushing when the goal is no farther than this, or an opponent this near, m.
     /// Always by default: the ERS-210 steps over a ball that it pushes.
     double kickRange = 9, kickPressure = 0.45;
-    /// How exactly the ball must be before the chest for a kick is tried at all for, s.
+    /// The maximum times for positioning the ball before the chest, and for trying a kick, s.
     double positionTime = 4, kickTimeout = 5;
     /// Angle up to which it kicks, rad.
     double kickTolerance = 0.3;
@@ -62,9 +62,9 @@ class SoccerMind {
     double goalieMargin = 0.15;
     /// Margin around it in which the others leave the ball to the goalie, m: there they may not be.
     double ownAreaMargin = 0.05;
-    /// How near to its place a player stands still, m and rad.
+    /// The tolerance with which a player stands at its place, m and rad.
     double placeTolerance = 0.12, placeAngle = 0.3;
-    /// How long it waits for the other team's kick-off, s.
+    /// The time that it waits for the other team's kick-off, s.
     double kickOffWait = 6;
     /// The key-frame motion of a kick straight ahead.
     std::string kick = "kick-forward";

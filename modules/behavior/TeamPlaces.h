@@ -19,7 +19,7 @@ class TeamPlaces {
   struct Options {
     /// Distance of the goalie from its goal line.
     double goalieDistance = 0.2;
-    /// How far the defender stands from the ball toward its own goal.
+    /// The distance of the defender from the ball toward its own goal.
     double defenderDistance = 0.9;
     /// The supporter stands this far behind the ball (negative: ahead of it), and this far to its side; ahead
     /// of

@@ -10,9 +10,9 @@ using robotlink::Vector2;
 
 namespace {
 
-// How far a corner of the robot moves at most between two checks, m.
+// The maximum distance that a corner of the robot moves between two checks, m.
 constexpr double kStep = 0.04;
-// How much closer a point within the margin may come before that counts, m.
+// The distance by which a point within the margin may come closer before that counts, m.
 constexpr double kSlack = 0.003;
 // The distance that is kept even from points within the margin, m.
 constexpr double kTouching = 0.02;

@@ -8,7 +8,7 @@
 
 namespace modules {
 
-/// How long a robot can keep a velocity before an obstacle comes too close to its outline. A point that is
+/// The time for which a robot can keep a velocity before an obstacle comes too close to its outline. A point
 /// closer than the margin already does not count as long as it does not come closer. A plain value for one
 /// set of obstacles.
 class Clearance {
@@ -16,7 +16,7 @@ class Clearance {
   struct Options {
     /// The distance to keep around the outline, m.
     double margin = 0.1;
-    /// How far to look ahead, s.
+    /// The time to look ahead, s.
     double horizon = 3.0;
   };
   /// `points` are obstacles in the robot's frame, m.

@@ -7,7 +7,7 @@ namespace {
 
 // Requested rotation, rad/s, and possible speed, m/s, below which there is none.
 constexpr double kWantsTurn = 0.1, kDrivesSpeed = 0.04;
-// How long it turns without success before it tries the other side, s.
+// The time of turning without success before it tries the other side, s.
 constexpr double kOtherSideAfter = 12;
 
 // The time in which a move must have made room, s; and the bonus for continuing in the same direction, m.

@@ -12,7 +12,7 @@ namespace modules {
 class CornerEscape {
  public:
   struct Options {
-    /// How long a request must be without effect before the escape begins, s.
+    /// The time for which a request must be without effect before the escape begins, s.
     double patience = 0.5;
     /// Free distance ahead, from the robot's center, that ends the escape, m.
     double roomAhead = 0.9;
@@ -49,7 +49,7 @@ class CornerEscape {
   double stuckSince_ = -1;
   /// The side to turn to: 1 left, -1 right, 0 no escape.
   double side_ = 0;
-  /// When turning to that side began.
+  /// The time at which turning to that side began.
   double since_ = 0;
   /// Direction of the last move that was to make room: 1 ahead, -1 back.
   double direction_ = -1;

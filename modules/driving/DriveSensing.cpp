@@ -17,7 +17,7 @@ namespace {
 
 // Readings older than this are not sufficient for driving, s.
 constexpr double kOutdated = 1.0;
-// How far in front of the outline a contact is stored, m.
+// The distance in front of the outline at which a contact is stored, m.
 constexpr double kTouch = 0.01;
 
 }  // namespace

@@ -35,7 +35,7 @@ DynamicWindow::Candidate DynamicWindow::judged(const DriveVelocity& velocity,
   const double rotation = std::abs(velocity.rotation - situation.desired.rotation) / limits.rotation;
   // The room in the direction that the robot will have after a while.
   const double room = view.freeAt(0.7 * velocity.rotation) / view.reach();
-  // How far the robot gets, relative to the requested distance without obstacles.
+  // The distance that the robot gets, relative to the requested distance without obstacles.
   const double desired = std::max(1e-3, std::abs(situation.desired.forward)) * options_.horizon;
   const double way = std::abs(velocity.forward) * candidate.freeTime / desired;
   candidate.value = -options_.speedWeight * speed - options_.rotationWeight * rotation +

@@ -17,9 +17,9 @@ class DynamicWindow {
     Outline outline;
     /// The distance to keep around the outline, m.
     double margin = 0.1;
-    /// How far acceleration may change the velocity until the next decision, s.
+    /// The time for which acceleration may change the velocity until the next decision, s.
     double window = 0.3;
-    /// How far to look ahead, s.
+    /// The time to look ahead, s.
     double horizon = 3.0;
     /// Delay until a request takes effect, s.
     double latency = 0.25;
@@ -32,7 +32,7 @@ class DynamicWindow {
   /// A sampled velocity with its evaluation.
   struct Candidate {
     DriveVelocity velocity;
-    /// How long it can be kept, s.
+    /// The time for which it can be kept, s.
     double freeTime = 0;
     /// Whether the robot can brake in time.
     bool admissible = false;

@@ -20,7 +20,7 @@ namespace modules {
 class RangeMemory {
  public:
   struct Options {
-    /// How long points are kept, s.
+    /// The time for which points are kept, s.
     double memory = 4.0;
     /// The same for near points of a laser, s: no other sensor shows what is at a corner of the robot so
     /// precisely.
@@ -29,11 +29,11 @@ class RangeMemory {
     double near = 1.2;
     /// The distance from the robot up to which points are kept, m.
     double reach = 5.0;
-    /// How long the free space of a cone helps to locate the echoes of others, s.
+    /// The time for which the free space of a cone helps to locate the echoes of others, s.
     double coneMemory = 1.5;
     /// An echo is not stored if a laser ray in the cone ended this close to its distance, m.
     double sameAs = 0.25;
-    /// How long contacts of bumpers are kept, s.
+    /// The time for which contacts of bumpers are kept, s.
     double bumperMemory = 6.0;
   };
   explicit RangeMemory(const Options& options) : options_(options) {}

@@ -10,7 +10,7 @@ using robotlink::Vector2;
 
 namespace {
 
-/// How much the map grows beyond a place, m.
+/// The distance by which the map grows beyond a place, m.
 constexpr double kRoom = 4;
 /// No building is larger, m.
 constexpr double kFarthest = 1e4;

@@ -45,7 +45,7 @@ class OccupancyMap {
   /// The probability that something is there in percent; -1 if it has never been seen. The cell must be in
   /// the frame.
   int percent(int column, int row) const;
-  /// How often occupied() has changed for some cell, or the frame for all.
+  /// The number of changes of occupied() for some cell, or of the frame for all.
   std::uint64_t generation() const { return generation_; }
 
   /// A cell of which occupied() has changed.

@@ -18,11 +18,11 @@ class ScanMatcher {
   struct Options {
     /// The number of rays that are used, evenly spread.
     int rays = 120;
-    /// How far from the prediction poses are tried, m and rad.
+    /// The distance from the prediction up to which poses are tried, m and rad.
     double reach = 0.25, turnReach = 0.12;
     /// The standard deviation of the ends of rays, m.
     double deviation = 0.06;
-    /// How much the score falls at the border of the window, 0 to 1.
+    /// The decrease of the score at the border of the window, 0 to 1.
     double trust = 0.1;
     /// The score from which on a match is accepted, 0 to 1.
     double leastScore = 0.35;
@@ -62,7 +62,7 @@ class ScanMatcher {
 
   /// The map's frame as of the last follow().
   GridFrame frame_;
-  /// How near each cell is to an occupied one, 0 to 1.
+  /// The closeness of each cell to an occupied one, 0 to 1.
   std::vector<float> field_;
   /// The values around an occupied cell, a square of 2 * radius_ + 1.
   std::vector<float> kernel_;

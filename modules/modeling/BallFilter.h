@@ -32,7 +32,7 @@ struct BallMeasurement {
 class LastBall {
  public:
   struct Options {
-    /// How long a percept is used, s.
+    /// The time for which a percept is used, s.
     double memory = 4;
   };
   explicit LastBall(const Options& options) : options_(options) {}
@@ -59,7 +59,7 @@ class LastBall {
 class BallFilter {
  public:
   struct Options {
-    /// How long the ball is known without percepts, s.
+    /// The time for which the ball is known without percepts, s.
     double memory = 6;
     /// Rate at which a velocity decays, 1/s.
     double friction = 0.3;

@@ -87,7 +87,7 @@ class LandmarkLocalizer {
   robotlink::Pose2 drawFrom(const LandmarkMeasurement& seen);
   /// Clamps a pose to the field and its borders.
   void keepOnField(robotlink::Pose2& pose) const;
-  /// How many particles of equal weight would be as informative.
+  /// The number of particles of equal weight that would be as informative.
   double effectiveParticles() const;
   /// Computes the estimate from the particles.
   void summarize();
@@ -99,7 +99,7 @@ class LandmarkLocalizer {
   std::vector<Particle> drawn_;
   robotlink::Pose2 odometry_;
   bool hasOdometry_ = false;
-  /// How well the particles have fitted lately, 0 to 1.
+  /// The recent fit of the particles, 0 to 1.
   double fit_ = 1;
   PoseEstimate estimate_;
 };

@@ -29,7 +29,7 @@ class PlayerTracker {
     double halfLife = 2;
     /// Robots with less confidence are removed.
     double forgetBelow = 0.1;
-    /// How far a percept moves a known robot, 0 to 1.
+    /// The fraction by which a percept moves a known robot, 0 to 1.
     double pull = 0.4;
     std::size_t maximumPlayers = 7;
   };

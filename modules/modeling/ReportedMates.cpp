@@ -6,7 +6,7 @@
 namespace modules {
 namespace {
 
-/// How far the place at which a robot was seen may be from the one that it reported, m.
+/// The maximum distance between the place at which a robot was seen and the one that it reported, m.
 constexpr double kSameRobot = 0.6;
 constexpr double kReportedConfidence = 0.9;
 

@@ -22,9 +22,9 @@ struct GaitParameters {
   FootMode footMode = FootMode::kRectangle;
   double foreHeight = 0.1014, foreWidth = 0.0705, foreCenterX = 0.0428;
   double hindHeight = 0.1069, hindWidth = 0.0572, hindCenterX = -0.0313;
-  /// How high the paws are lifted.
+  /// The height to which the paws are lifted.
   double foreLift = 0.0081, hindLift = 0.0101;
-  /// How far a lifted paw moves to the front per meter of lift.
+  /// The distance that a lifted paw moves to the front per meter of lift.
   double foreTilt = -0.65, hindTilt = 0.31;
 
   /// Duration of a cycle in frames of 8 ms.
@@ -46,8 +46,8 @@ struct GaitParameters {
   /// per (rad/s)^2 and per (m/s)^2. It counts less the faster the robot walks ahead or backward, and not at
   /// all from `counterForwardUntil` (m/s) on; 0: never.
   double counterForwardRotation = 0, counterForwardSideways = 0, counterForwardUntil = 0.1;
-  /// How far the hind paws move to the front per m/s of walking backwards, so that they continue to carry
-  /// their share.
+  /// The distance that the hind paws move to the front per m/s of walking backward, so that they continue to
+  /// carry their share.
   double hindShiftBackward = 0.19;
   /// The semi-axes of the ellipsoid of allowed speeds.
   double maximumX = 0.18, maximumBackward = 0.16, maximumY = 0.16, maximumRotation = 1.2;

@@ -48,7 +48,7 @@ struct HeadParameters {
   double sweepSpeed = 1.9;
   /// Time of looking at where the ball should be, without seeing it, before it is searched, s.
   double lostAfter = 0.7;
-  /// How far below the middle of the image a tracked ball is kept, if beacons and goals are higher, rad. A
+  /// The angle below the image's middle at which a tracked ball is kept if landmarks are higher, rad. A
   /// ball before the paws is kept in the middle.
   double ballLow = 0.2;
   bool operator==(const HeadParameters&) const = default;
@@ -97,7 +97,7 @@ class HeadController {
   /// The side where a search begins: 1 left, -1 right.
   double side_ = 1;
   bool searchesNear_ = false;
-  /// How long it has looked at the ball's place without seeing it, s.
+  /// The time for which it has looked at the ball's place without seeing it, s.
   double lookedFor_ = 0;
   /// The present target of the sweep.
   HeadAngles sweep_;

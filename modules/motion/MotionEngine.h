@@ -86,7 +86,7 @@ class MotionEngine {
   WalkSpeed speed() const;
   const FallDetector& falls() const { return falls_; }
   const WheelModelGait& gait() const { return gait_; }
-  /// Why the request is not executed: "there is no motion 'x'"; empty if it is.
+  /// The reason why the request is not executed: "there is no motion 'x'"; empty if it is.
   const std::string& refusal() const { return refusal_; }
 
  private:

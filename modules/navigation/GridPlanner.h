@@ -14,7 +14,7 @@ namespace modules {
 struct PlannedPath {
   /// In the map, m, from the robot to the goal; empty if it is blocked.
   std::vector<robotlink::Vector2> points;
-  /// Why there is no path; empty if there is one.
+  /// The reason why there is no path; empty if there is one.
   std::string reason;
   /// Whether it is longer than it would be without obstacles that the map does not have.
   bool around = false;
@@ -38,7 +38,7 @@ class GridPlanner {
     double comfort = 0.8;
     /// The cost of a meter at the least clearance is higher by this factor.
     double nearness = 3;
-    /// How far from a robot that is too close to a wall a path may begin, m.
+    /// The distance from a robot that is too close to a wall at which a path may begin, m.
     double reach = 1.0;
   };
   /// Builds the grid; the map need not outlive it.
@@ -76,7 +76,7 @@ class GridPlanner {
   double costOf(double clearance) const;
   /// The cost of a straight path; infinite if it is blocked.
   double costOf(const robotlink::Vector2& from, const robotlink::Vector2& to) const;
-  /// Why the robot cannot be at the goal; empty if it can.
+  /// Returns why the robot cannot be at the goal; empty if it can.
   std::string wrongWithGoal() const;
   /// The cell where the path of a robot begins on a wave; empty if there is none within reach. Between it and
   /// the robot there is nothing.

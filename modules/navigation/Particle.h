@@ -26,7 +26,7 @@ struct WeightSums {
   double best = 0;
   /// Sums over the weights, relative to the largest one.
   double sum = 0, squares = 0;
-  /// How many particles of equal weight would be as informative.
+  /// The number of particles of equal weight that would be as informative.
   double effective() const { return sum * sum / squares; }
 };
 /// There must be at least one particle.

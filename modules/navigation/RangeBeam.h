@@ -15,7 +15,7 @@ struct RangeBeam {
   double maximum = 0;
   /// The full cone, rad; 0 for a ray.
   double openingAngle = 0;
-  /// When it was measured.
+  /// The time at which it was measured.
   robotlink::Instant time;
 
   bool hit() const { return range < maximum; }

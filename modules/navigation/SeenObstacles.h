@@ -23,7 +23,7 @@ class SeenObstacles {
     double range = 3;
     /// For how long a place counts after it was last seen, s.
     double memory = 60;
-    /// How many rays must have ended at a place.
+    /// The number of rays that must have ended at a place.
     int confirmedBy = 3;
   };
   /// The walls of the map; must outlive it.

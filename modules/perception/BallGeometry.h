@@ -47,7 +47,7 @@ class BallGeometry {
     double maximumDistance = 5.0;
     /// Standard deviation of the camera's elevation, rad.
     double tiltDeviation = 0.03;
-    /// How many standard deviations the two measurements may differ.
+    /// The number of standard deviations by which the two measurements may differ.
     double gate = 3;
   };
   explicit BallGeometry(const Options& options) : options_(options) {}

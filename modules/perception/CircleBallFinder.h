@@ -23,13 +23,13 @@ class CircleBallFinder {
   struct Options {
     /// Minimum size of a region, pixels.
     int minimumArea = 6;
-    /// How many of the largest regions to try.
+    /// The number of the largest regions to try.
     int candidates = 4;
     /// Rays per region.
     int rays = 24;
     /// A larger difference in Cb / Y and Cr / Y is an edge.
     double colorDifference = 0.3;
-    /// How far an inlier may be from the circle, pixels.
+    /// The distance of an inlier from the circle, at most, pixels.
     double tolerance = 1.2;
     /// The fraction of edge points.
     double minimumInliers = 0.55;

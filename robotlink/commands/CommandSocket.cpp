@@ -64,7 +64,7 @@ bool isOfThisUser(int socket) {
   return ::getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && peer.uid == ::geteuid();
 }
 
-/// The process that a socket's file is of; 0: it is another file.
+/// The process of a socket's file; 0: it is another file.
 int pidOf(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   if (!name.starts_with(kBegin) || !name.ends_with(kEnd)) return 0;

@@ -28,7 +28,7 @@ ScriptCondition::~ScriptCondition() {
 void ScriptCondition::bind() {
   StreamStore& store = session_.store();
   const bool isSame = generation_ == store.generation() && robot_ == session_.selectedRobot();
-  // New streams are of no use to what is bound already.
+  // New streams do not matter to an expression that is bound already.
   if (wrong_ || (isSame && (bound_ || listVersion_ == store.listVersion()))) return;
   listVersion_ = store.listVersion();
   generation_ = store.generation();

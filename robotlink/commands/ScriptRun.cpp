@@ -170,7 +170,7 @@ void ScriptRun::end(Instant now) {
 
 void ScriptRun::fail(Error error, Instant now) {
   const Source& source = sources_.back();
-  // A position in another file, which the line reads, belongs to what was wrong.
+  // A position in another file, which the line reads, becomes a part of the error's text.
   if (!error.where.file.empty()) error = {error.id, error.describe(), error.arguments, {}};
   error.where.file = source.name;
   error.where.line = source.name.empty() ? 0 : static_cast<int>(source.next);

@@ -114,11 +114,12 @@ void readKickOff(const YamlNode& root, FieldDescription& field) {
 void readTeams(const YamlNode& root, FieldDescription& field) {
   const YamlNode teams = root.optionalChild("teams");
   if (teams.empty()) {
-    for (const auto& [name, direction] : {std::pair{"red", 1}, std::pair{"blue", -1}}) {
+    const auto goalToward = [&field](double direction) {
       const auto goal =
           std::ranges::find_if(field.goals, [&](const auto& each) { return each.x * direction > 0; });
-      field.teams.push_back({name, goal == field.goals.end() ? "" : goal->name, name});
-    }
+      return goal == field.goals.end() ? std::string() : goal->name;
+    };
+    field.teams = {{"red", goalToward(1), "red"}, {"blue", goalToward(-1), "blue"}};
     return;
   }
   for (const YamlNode& node : teams.items()) {

@@ -39,7 +39,7 @@ bool isAddress(const std::string& text) {
   });
 }
 
-/// A line "KIND<tab>LAYOUT" for each robot. Programs of before do not send them.
+/// A line "KIND<tab>LAYOUT" for each robot. Older programs do not send them.
 std::string detailsOf(const std::vector<AnnouncedRobot>& robots) {
   std::string text;
   for (const AnnouncedRobot& robot : robots)

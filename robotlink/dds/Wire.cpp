@@ -12,7 +12,7 @@ namespace {
 /// How long a write may wait for readers that are slow.
 constexpr dds_duration_t kMaxBlocking = DDS_MSECS(20);
 
-/// DDS permits letters, digits, '_' and '/'; what else there is becomes "_" with its code, and "_" is
+/// DDS permits letters, digits, '_' and '/'; other characters become "_" with their code, and "_" is
 /// doubled.
 std::string topicName(const std::string& name) {
   std::string result;

@@ -122,7 +122,7 @@ PackagePtr PackageBoard::replaced(Entry& entry, const PackagePtr& package) {
   return entry.held ? stamped(entry.held) : package;
 }
 
-/// Readers drop what seems to be old, so that a value without a timestamp gets that of the frame.
+/// Readers drop packages that seem old, so a value without a timestamp gets that of the frame.
 PackagePtr PackageBoard::stamped(PackagePtr value) const {
   const auto* field = stampOf(*value);
   if (field == nullptr) return value;

@@ -295,7 +295,7 @@ void TaskRunner::executeActive() {
   }
 }
 
-// ---- In the shadow
+// ---- Shadow mode
 
 void TaskRunner::executeShadow(Shadow& shadow) {
   const std::string& name = shadow.description.name;

@@ -21,7 +21,7 @@ using google::protobuf::RepeatedField;
 
 namespace {
 
-/// Structs without bytes of their own that a message may have beside one for each byte.
+/// Structs without bytes of their own that a message may have in addition to one for each byte.
 constexpr std::uint64_t kSpareStructs = 10'000;
 /// The maximum number of elements of a repeated field.
 constexpr std::uint64_t kMaxValues = std::numeric_limits<int>::max();
@@ -64,7 +64,7 @@ void appendUtf8(std::string& to, std::uint32_t c) {
   add(0x80 | (c & 0x3F));
 }
 
-/// Collects the characters of UTF-16 or UTF-32; what is neither becomes "?".
+/// Collects the characters of UTF-16 or UTF-32; anything else becomes "?".
 class WideText {
  public:
   void add(std::uint32_t unit) {

@@ -114,7 +114,7 @@ std::vector<Series::Column> Series::columnsOfFew(std::size_t begin, std::size_t 
   columns.reserve(count);
   const double width = (to - from) / static_cast<double>(count), perTime = 1 / width;
   double until = -std::numeric_limits<double>::infinity();
-  // Kept in registers, unlike what is in a vector.
+  // Kept in registers, unlike the elements of a vector.
   Column column;
   Extent extent;
   const auto complete = [&] {

@@ -11,9 +11,9 @@
 namespace robotlink {
 namespace {
 
-/// Closer to the begin of what is in the store, more is read.
+/// The distance from the begin of the stored messages below which more is read.
 constexpr Duration kMargin = std::chrono::seconds(2);
-/// So many messages are looked at in one tick, which takes some milliseconds.
+/// The number of messages that are looked at in one tick, which takes some milliseconds.
 constexpr int kLookedAtOnce = 2000;
 
 /// Returns the readable stretches of an archive, in order of time.
@@ -126,7 +126,7 @@ std::optional<History::Step> History::stepped(const std::string& stream, Instant
     return Step{lastKept(begin - Duration(1)), true};
   }
   const auto at = std::ranges::upper_bound(messages, from, {}, &StreamMessage::time);
-  // Between what is looked at and the horizon there may be more.
+  // There may be more messages between the stretch that is looked at and the horizon.
   const bool isGap = looked && looked->to < store_.horizon() && from < store_.horizon();
   if (isGap && at - messages.begin() >= static_cast<std::ptrdiff_t>(store_.find(stream)->lookedAt))
     return Step{looked->to + Duration(1), true};

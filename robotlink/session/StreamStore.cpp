@@ -41,7 +41,7 @@ void updateRates(StreamStore::Stream& stream, Instant now) {
   stream.byteRate = static_cast<double>(bytes) / seconds(now - from);
 }
 
-/// The bytes that a message takes in memory. Counting them by reflection takes longer than to serialize it,
+/// The bytes that a message takes in memory. Counting them by reflection takes longer than serializing it,
 /// so those of a type that are equally long on the wire share what one of them was found to take: streams
 /// have messages of the same shape repeatedly.
 std::size_t memoryOf(const google::protobuf::Message& message, std::size_t onWire) {

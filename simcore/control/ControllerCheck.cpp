@@ -127,7 +127,7 @@ class ControllerChecker {
          std::string("there is no ") + what + " '" + named + "'" + robotlink::suggestion(named, known));
   }
 
-  /// So many ports are named in an error at most.
+  /// The most ports that are named in an error.
   static constexpr std::size_t kMaxKnown = 20;
 
   const ControllerDescription& description_;

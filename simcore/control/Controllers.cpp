@@ -17,7 +17,7 @@ bool isSameOutput(const ControllerOutput& a, const ControllerOutput& b) {
          a.kind == b.kind;
 }
 
-/// Makes what an output shows nothing again.
+/// Clears the contents of an output.
 void clearOutput(ControllerOutput& output) {
   output.shapes.clear();
   std::ranges::fill(output.values, 0.0);

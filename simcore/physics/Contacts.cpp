@@ -21,7 +21,7 @@ constexpr int kMaxMeshContacts = 24;
 constexpr double kContactErrorReduction = 0.3;
 /// For bodies up to 1 kg; it is less for heavier ones, which would sink in otherwise instead of bouncing.
 constexpr double kContactSoftness = 1e-5;
-/// From this speed on, m/s, what touches slides.
+/// From this speed on, m/s, touching solids slide.
 constexpr double kSlides = 0.02;
 constexpr double kMinBounceVelocity = 0.05;  // m/s
 /// The upward component of a contact's normal from which the other solid is a floor or a ramp rather than an
@@ -80,7 +80,7 @@ void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double upward) {
   if (b.body != OdeGeom::kNoBody) ode.obstacleTouches.push_back({b.body, a.model});
 }
 
-/// The mass that two bodies that meet have together: the reciprocal of the sum of their reciprocals, kg. Null
+/// The effective mass of two bodies that meet: the reciprocal of the sum of their reciprocals, kg. Null
 /// is a body that does not move.
 double reducedMass(dBodyID a, dBodyID b) {
   double reciprocals = 0;

@@ -48,7 +48,7 @@ class FollowerStep {
     setVelocities(before);
   }
 
-  /// Puts its bodies to where they are to be.
+  /// Puts its bodies in their places.
   void pose() const {
     for (std::size_t i = 0; i < type_.links.size(); ++i) {
       const OdeBody& body = ode_.bodies[model_.firstBody + i];
@@ -115,7 +115,7 @@ class FollowerStep {
     return follower_.place * Pose2{way.x(), way.y(), turn};
   }
 
-  /// Poses all links for the present place and joints, of what travels with the lowest solid on the ground.
+  /// Poses all links for the present place and joints; a traveling model's lowest solid is on the ground.
   void stand() {
     Pose3 model = Pose3::Identity();
     model.translation() = Vector3(follower_.place.x, follower_.place.y, follower_.height);
@@ -133,8 +133,8 @@ class FollowerStep {
 
   double inTheWay(NoteTouches note) const { return deepestInWay(ode_, follower_, note).depth; }
 
-  /// Stays at `from` unless the model is deeper in something there than the `depth` where it would go. Of
-  /// what does not travel, the joints stay.
+  /// Stays at `from` unless the model is deeper in something there than the `depth` where it would go. The
+  /// joints of a model that does not travel stay.
   void stopOr(const Pose2& from, std::vector<double> joints, double depth) {
     const Pose2 to = std::exchange(follower_.place, from);
     if (!follower_.travels) follower_.joints.swap(joints);

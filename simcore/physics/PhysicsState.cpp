@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Physics: the state that a step leaves behind, and going back to it.
 //
-// ODE has no functions for this. What it keeps from step to step is the motion of its bodies, bit by bit: its
+// ODE has no functions for this. Its state from step to step is the motion of its bodies, bit by bit: its
 // setters normalize rotations again, which changes their last bits, so the bits are written where ODE has
 // them. All else is derived from them, set before each step (motors), or empty between steps (contacts,
 // forces). Its spaces keep their geoms in an order that depends on how they moved before; findContacts() does
@@ -16,7 +16,7 @@
 namespace simcore {
 namespace {
 
-/// How far rotations of a file may be from being ones.
+/// The tolerance of rotations in a file.
 constexpr double kRotationTolerance = 1e-6;
 /// The maximum speeds in a file, m/s and rad/s; a faster body has left the world long ago.
 constexpr double kMaxMotion = 1e4;

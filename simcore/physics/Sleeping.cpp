@@ -22,7 +22,7 @@ struct Quiet {
   double turn = 0;  // rad
 };
 constexpr Quiet kQuiet{0.0005, 0.003};
-/// The same for what hangs on servos. The iterations of ODE's solver do not converge for a chain of light
+/// The same for parts on servos. The iterations of ODE's solver do not converge for a chain of light
 /// links that stands on the ground: with 20 of them, the legs of a standing ERS-210 tremble by up to 6.7 mrad
 /// and 0.7 mm in half a second, with 200 of them, or an exact solver, by nothing.
 constexpr Quiet kQuietOnServo{0.001, 0.008};
@@ -138,7 +138,7 @@ class TouchingModels {
   std::vector<bool> sleeps_;
 };
 
-/// Keeps what a model that falls asleep touches.
+/// Keeps the contacts of a model that falls asleep.
 void keepContacts(OdeWorld& ode) {
   const OdeGeom *first = nullptr, *second = nullptr;
   for (const OdeContactRecord& record : ode.contactRecords) {
@@ -154,8 +154,8 @@ void keepContacts(OdeWorld& ode) {
   }
 }
 
-/// Sets what the servos of a model are compared with while it sleeps: the speeds that they will ask for at
-/// the angles which they have reached in this step.
+/// Sets the values with which the servos of a model are compared while it sleeps: the speeds that they will
+/// request at the angles that they have reached in this step.
 void keepWhatServosAskFor(OdeWorld& ode, const OdeModel& model) {
   for (std::size_t i = model.firstHinge; i < model.firstHinge + model.hingeCount; ++i) {
     if (!ode.hingeIsStiff[i]) continue;

@@ -22,7 +22,7 @@ constexpr double kCellSize = 0.05;
 constexpr double kRoom = 0.1;
 /// Half the side of the floor around the origin if nothing bounds it, m.
 constexpr double kOpenFloor = 5;
-/// Robots drive over what is lower, m.
+/// Robots drive over obstacles lower than this, m.
 constexpr double kFlat = 0.02;
 constexpr double kForbiddenWidth = 0.05;
 constexpr std::uint64_t kPlaceStream = 0x706C616365;

@@ -19,7 +19,7 @@ class Candidates {
   }
   void add(BundleTarget& target) {
     targets_.push_back(&target);
-    // All zero, what is around the origin passes each comparison.
+    // A target around the origin is all zero, and so passes each comparison.
     const float distance = target.around ? 0 : target.nearest + target.radius;
     x_.push_back(target.around ? 0 : target.center.x());
     y_.push_back(target.around ? 0 : target.center.y());

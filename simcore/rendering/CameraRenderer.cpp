@@ -127,7 +127,7 @@ struct Frustum {
   }
 };
 
-/// Sets what makes a lamp a spot.
+/// Sets the properties of a spot.
 void aimSpot(const Lamp& lamp, const Pose3& worldInCamera, ShadeLamp& result) {
   if (lamp.kind != Lamp::Kind::kSpot) return;
   const Eigen::Vector3f direction = (worldInCamera.linear() * lamp.direction.cast<double>()).cast<float>();

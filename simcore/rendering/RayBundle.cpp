@@ -19,7 +19,7 @@ RayBundle::Cone coneAround(const std::vector<Eigen::Vector3f>& directions) {
   cone.axis = cone.wide ? Eigen::Vector3f(1, 0, 0) : sum.normalized();
   for (const Eigen::Vector3f& direction : directions)
     cone.cosHalf = std::min(cone.cosHalf, cone.axis.dot(direction));
-  // Slightly wider, for what is rounded.
+  // Slightly wider, to allow for rounding.
   cone.cosHalf -= 1e-6F;
   cone.wide = cone.wide || cone.cosHalf < 0.05F;
   cone.sinHalf = std::sqrt(std::max(0.F, 1 - cone.cosHalf * cone.cosHalf));

@@ -214,7 +214,7 @@ class Checker {
       const bool isName = key == "name";
       if (!attribute->GetRequired() || (value != nullptr && !(isName && *value == '\0'))) continue;
       fail(element, "scene.missing-attribute", tag(element) + " needs the attribute '" + key + "'");
-      // So that the rest is read.
+      // Set to a name that is possible, so that the rest is read.
       if (isName) element.SetAttribute("name", ("unnamed " + std::to_string(++unnamed_)).c_str());
     }
     checkAttributeValues(element, description);

@@ -12,7 +12,7 @@ namespace simcore {
 namespace {
 
 constexpr double kFullTurn = JointDescription::kFullTurn;
-/// Limits from this on are none.
+/// Limits from this value on count as none.
 constexpr double kEndless = 1e15;
 using JointKind = JointDescription::Kind;
 

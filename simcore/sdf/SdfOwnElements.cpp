@@ -17,7 +17,7 @@ using tinyxml2::XMLElement;
 
 constexpr std::string_view kOwnUri = "urn:robotcontrol:sdf";
 
-/// One of our own elements: where it is allowed, and how many numbers it contains (0: text or elements).
+/// Our own element: where it is allowed, and how many numbers it contains (0: text or elements).
 struct OwnElement {
   std::string_view name;
   std::array<std::string_view, 6> parents;

@@ -23,7 +23,7 @@ using tinyxml2::XMLElement;
 
 namespace {
 
-/// Calls what uses libsdformat, and reports what it throws.
+/// Calls a function that uses libsdformat, and reports its exceptions.
 template <typename Read>
 void guarded(const SdfContext& context, Read read) {
   try {
@@ -36,7 +36,7 @@ void guarded(const SdfContext& context, Read read) {
   }
 }
 
-/// Reports what libsdformat finds when it reads a tree; returns whether there is nothing.
+/// Reports the errors of libsdformat when it reads a tree; returns whether there are none.
 bool loadSdf(const sdf::ElementPtr& tree, const SdfContext& context, sdf::Root& root) {
   sdf::ParserConfig config;
   config.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kSmallest = 1e-6, kLargest = 1e5;  // meters
 /// Above this, static solids are boxes, too: ODE tests every triangle near a body.
 constexpr std::size_t kMaxSolidTriangles = 100'000;
-/// So that flat meshes have a volume.
+/// The minimum thickness, so that flat meshes have a volume.
 constexpr double kThinnest = 1e-3;  // m
 
 using Shapes = std::vector<PlacedShape>;

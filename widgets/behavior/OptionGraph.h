@@ -47,7 +47,7 @@ class OptionGraph {
   /// A place where a line passes a column: above, between or below its boxes.
   struct Gap {
     double top = 0, bottom = 0;
-    /// How many lines pass already.
+    /// The number of lines that pass already.
     int lines = 0;
   };
   void findGaps();

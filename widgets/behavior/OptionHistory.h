@@ -21,7 +21,7 @@ namespace widgets {
 /// A plain value with an update; GUI thread.
 class OptionHistory {
  public:
-  /// How far it looks back, s.
+  /// The length of the history, s.
   static constexpr double kSpan = 60;
   static constexpr double kRow = 18, kNames = 110;
 

@@ -41,7 +41,7 @@ const ViewRegistration kCalibrationViewRegistration{
 
 constexpr char kDefaultStream[] = "*/camera/image";
 constexpr char kTask[] = "camera-pose";
-/// How far the mouse may move between press and release of a click, pixels.
+/// The distance that the mouse may move between press and release of a click, pixels.
 constexpr double kClickPixels = 4;
 constexpr int kCalibrationPanelWidth = 380;
 

@@ -17,7 +17,7 @@ struct PickedMark {
   FieldMark mark;
   /// Pixels; unset: not clicked.
   std::optional<QPointF> pixel = {};
-  /// How far off the computed camera would see it, pixels.
+  /// The error of its position in the computed camera, pixels.
   std::optional<double> error = {};
 };
 

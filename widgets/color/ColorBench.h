@@ -31,7 +31,7 @@ struct ReferenceTable {
   std::shared_ptr<const colortool::ColorTable> table;
   /// The classes by which the table is numbered.
   colortool::ColorClasses classes;
-  /// How it is called in views, such as the name of its file.
+  /// The name in views, such as the name of its file.
   QString name;
 };
 

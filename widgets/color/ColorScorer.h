@@ -36,7 +36,7 @@ struct ColorQuality {
   std::optional<colortool::StrokeQuality> strokes;
   /// Over the labeled images; unset without such images.
   std::optional<colortool::Evaluation> labeled;
-  /// How good the reference table is: over all strokes, and over the labeled images; unset without a
+  /// The evaluations of the reference table: over all strokes, and over the labeled images; unset without a
   /// reference.
   std::optional<colortool::Evaluation> referenceStrokes, referenceLabeled;
   /// Score over unlabeled images: numbers of pixels that are suspicious (colortool::SuspicionMeter, without

@@ -79,13 +79,13 @@ class FrameSearch {
   /// The frames found since the last call, in the order of the stream.
   std::vector<SuspiciousFrame> take();
 
-  /// How far the search is.
+  /// The progress of the search.
   struct Progress {
     /// Images that were examined.
     std::uint64_t seen = 0;
-    /// How many of these have suspicious pixels, including those that were not kept.
+    /// The number of images with suspicious pixels, including those that were not kept.
     std::uint64_t suspicious = 0;
-    /// How many of these could not be decoded.
+    /// The number of images that could not be decoded.
     std::uint64_t damaged = 0;
     /// All images of the stream; 0: unknown.
     std::uint64_t total = 0;
@@ -94,7 +94,7 @@ class FrameSearch {
     /// The search has ended, for whatever reason.
     bool ended = false;
     bool canceled = false;
-    /// Why the log could not be read; empty: it could.
+    /// The reason why the log could not be read; empty: it could.
     std::string failure = {};
   };
   Progress progress() const;

@@ -17,7 +17,7 @@ namespace widgets {
 /// most one image.
 class LogImages {
  public:
-  /// How many are read; fewer if the stream has fewer, or some are damaged.
+  /// The number of images to read; fewer if the stream has fewer, or some are damaged.
   static constexpr std::size_t kCount = 12;
 
   /// Begins at once. `stream`: the path of the images in the session.

@@ -36,7 +36,7 @@ class CommandInput final : public QLineEdit {
 
   const robotlink::CommandTable& commands_;
   const CommandLog& log_;
-  /// How many lines back in the history; 0: what was typed.
+  /// The number of lines back in the history; 0: the typed line.
   int back_ = 0;
   QString typed_;
 };

@@ -11,7 +11,7 @@ namespace widgets {
 
 namespace {
 
-/// How many rows a list of this many elements has: elements, or ranges of them.
+/// Returns the number of rows for a list of `count` elements: elements, or ranges of them.
 int rowsOfList(int count) {
   return count <= DataNode::kRange ? count : (count + DataNode::kRange - 1) / DataNode::kRange;
 }

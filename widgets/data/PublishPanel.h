@@ -82,7 +82,7 @@ class PublishPanel final : public QWidget {
   QAction* release_ = nullptr;
   QLabel* held_ = nullptr;
   QTimer repeating_;
-  /// How many messages were sent, and accepted, since the last choice.
+  /// The number of messages that were sent, and accepted, since the last choice.
   int sent_ = 0, accepted_ = 0;
 };
 

@@ -88,7 +88,7 @@ class DrawingsModel : public QAbstractListModel {
     /// The key was requested and is not yet on.
     bool asked = false;
     QString help = {};
-    /// Why the robot refused the key; empty: it did not.
+    /// The reason why the robot refused the key; empty: it did not.
     QString refusal = {};
   };
   /// Updates `exists` from the store's streams.

@@ -11,7 +11,7 @@ namespace widgets {
 
 struct RadarReadings;
 
-/// How a radar is shown. A plain value; logical pixels.
+/// The look of a radar. A plain value; logical pixels.
 struct RadarLook {
   /// Limits of the range, m.
   static constexpr double kMinRange = 0.5, kMaxRange = 40;

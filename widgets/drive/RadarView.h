@@ -38,7 +38,7 @@ class RadarView final : public PictureView {
   std::vector<WorldDrawing> drawingsOf(const std::string& robot) const;
   /// Heading of the robot on the map (rad): by its pose estimate if there is one, else the odometry's.
   double mapHeading(const std::string& robot, double odometry) const;
-  /// Why nothing is shown and what to do; empty if there are readings (`told`).
+  /// Says why nothing is shown and what to do; empty if there are readings (`told`).
   QString hint(const std::string& robot, bool hasContents) const;
   /// Updates the footer.
   void updateStatus();

@@ -8,7 +8,7 @@
 namespace widgets {
 namespace {
 
-/// How a unit of messages is shown: its name, what it is multiplied by, and how many decimals it has.
+/// The way in which a unit of messages is shown: its name, factor, and number of decimals.
 struct ShownUnit {
   QString name;
   double factor;

@@ -30,7 +30,7 @@ struct ErrorRow {
   bool isShadow() const { return source.path != package; }
 };
 
-/// How far what a robot believes is from the truth: a row for each quantity of each stream and solution.
+/// The errors of a robot's beliefs relative to the truth: a row for each quantity of a stream and solution.
 /// GUI thread.
 class ErrorModel final : public RowModel<ErrorRow> {
   Q_OBJECT

@@ -20,7 +20,7 @@ namespace widgets {
 
 class EmptyHint;
 
-/// How far the percepts and models of the selected robot are from the truth of its simulation, as figures
+/// The errors of the percepts and models of the selected robot relative to the simulation's truth, as figures
 /// since the last reset. It switches on the debug keys of what it compares. Figures of other robots
 /// stay until a reset of the simulation, or a jump in a log, starts all of them over.
 ///

@@ -11,7 +11,7 @@ namespace widgets {
 
 class ViewExport;
 
-/// How far the export of a view is, with a button that cancels it, and then what was written, with one that
+/// Shows the progress of a view's export, with a button that cancels it, and then the result, with one that
 /// shows the folder. Hidden without an export. Object name "exportBar". GUI thread.
 class ExportBar final : public QWidget {
   Q_OBJECT

@@ -29,7 +29,7 @@ class ExportClock {
   void show(robotlink::Instant time);
   /// Whether the views show it when they are ticked next.
   bool hasArrived() const;
-  /// Why it never will; empty: nothing is wrong.
+  /// The reason why it never will; empty: nothing is wrong.
   std::string problem() const;
 
  private:
@@ -43,7 +43,7 @@ class ExportClock {
   std::optional<robotlink::Instant> before_;
   /// The answer of the log to the last request, shared with its handler.
   std::shared_ptr<Reply> reply_;
-  /// How often another platform was opened at the beginning.
+  /// The number of platforms that had been opened at the beginning.
   std::uint64_t generation_ = 0;
 };
 

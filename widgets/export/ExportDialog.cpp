@@ -26,7 +26,7 @@
 namespace widgets {
 namespace {
 
-/// How much of live robots is proposed without a selected range.
+/// The span of live robots that is proposed without a selected range.
 constexpr std::chrono::seconds kProposedSpan{10};
 constexpr double kMaxExportTime = 1e7;  // s
 

@@ -38,7 +38,7 @@ struct ExportPlan {
   /// Pixels.
   QSize size;
 
-  /// How many pictures there are: at least one.
+  /// The number of pictures: at least one.
   std::int64_t frames() const;
   /// The instant of a picture, from 0.
   robotlink::Instant instant(std::int64_t frame) const;

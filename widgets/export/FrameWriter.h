@@ -30,7 +30,7 @@ class FrameWriter {
   bool tryFinish();
   /// Whether all is complete.
   bool isFinished();
-  /// Why it cannot be continued; unset: nothing is wrong.
+  /// The reason why it cannot be continued; unset: nothing is wrong.
   const std::optional<robotlink::Error>& problem();
 
  private:

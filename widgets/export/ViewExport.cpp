@@ -19,7 +19,7 @@ using robotlink::Result;
 
 namespace {
 
-/// How long pictures are painted in one tick, so that the window stays usable.
+/// The time for which pictures are painted in one tick, so that the window stays usable.
 constexpr qint64 kExportTickMs = 25;
 
 /// A view that looks like another one, with a picture of this size. It is no window on the screen.
@@ -55,7 +55,7 @@ struct ViewExport::Run {
   FrameWriter writer;
   std::unique_ptr<View> view;
   Step step = Step::kTime;
-  /// How many pictures were passed to the writer.
+  /// The number of pictures passed to the writer.
   std::int64_t written = 0;
   QImage picture = {};
 };

@@ -24,7 +24,7 @@ class ExportClock;
 class ViewExport final : public QObject {
   Q_OBJECT
  public:
-  /// How an export ended.
+  /// The outcome of an export.
   struct Outcome {
     /// Whether all pictures were written.
     bool isDone = false;

@@ -51,7 +51,7 @@ class GoalSender {
   const std::optional<Aim>& sent() const { return sent_; }
   /// The program has published a path.
   void settled() { sent_.reset(); }
-  /// Why the last goal was refused; empty if it was not. Cleared after four seconds.
+  /// Returns why the last goal was refused; empty if it was not. Cleared after four seconds.
   QString refusal() const;
 
  private:

@@ -33,7 +33,7 @@ class GoalTool final : public QObject {
   /// Called once per tick. `robot` is the robot that a click sends (empty: none can be sent), `aims` the
   /// goals of all robots.
   void tick(const std::string& robot, std::vector<DriveAim> aims);
-  /// Why the last goal was refused; empty if it was not.
+  /// Returns why the last goal was refused; empty if it was not.
   QString refusal() const;
 
  private:

@@ -19,7 +19,7 @@ class TrailMenu final : public QMenu {
  public:
   explicit TrailMenu(QWidget* parent);
 
-  /// How far they reach back; `onMap`: on a map, which is crossed in minutes rather than in seconds.
+  /// The length of the trails; `onMap`: on a map, which is crossed in minutes rather than in seconds.
   robotlink::Duration reach(bool onMap) const;
   /// Whether there are trails of true poses, of pose estimates, and of the ball (true, or else estimated).
   bool showsRobots() const;

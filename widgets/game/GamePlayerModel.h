@@ -17,7 +17,7 @@ namespace widgets {
 struct PlayedRole {
   std::string role = {};
   double seconds = 0;
-  /// Why its program does not run, in sentences; empty: it runs.
+  /// The reason why its program does not run, in sentences; empty: it runs.
   std::string trouble = {};
 };
 /// Keyed by the names of robots.
@@ -28,7 +28,7 @@ struct GamePlayerRow {
   std::string robot, team, role;
   PlayedRole played = {};
   unsigned number = 0;
-  /// Why it is penalized; empty: it is not.
+  /// The reason why it is penalized; empty: it is not.
   std::string reason = {};
   /// The seconds of its penalty that are left.
   double seconds = 0;

@@ -10,7 +10,7 @@ class QDoubleSpinBox;
 
 namespace widgets {
 
-/// How messages get from robot to robot of a team: range, delay and loss, each as a number. GUI thread.
+/// Edits the transmission of messages in a team: range, delay and loss, each as a number. GUI thread.
 class RadioPanel final : public QWidget {
   Q_OBJECT
  public:

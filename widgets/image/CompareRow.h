@@ -31,7 +31,7 @@ class StreamSelector;
 class CompareRow final : public QWidget {
   Q_OBJECT
  public:
-  /// How both images are shown. Part of saved states.
+  /// The way in which both images are shown. Part of saved states.
   enum class Mode : std::uint8_t { kSideBySide, kBlend, kDifference };
 
   explicit CompareRow(QWidget* parent);

@@ -52,7 +52,7 @@ class ImageCanvas final : public QWidget {
   /// From the pixels of the first picture to the widget.
   QTransform transform() const;
   /// The point of the image at a position of the widget, in either picture; outside of both, what would be
-  /// if the first picture continued.
+  /// there if the first picture continued.
   QPointF imageAt(const QPointF& widget) const;
   /// The picture that is shown, without frame and hint.
   QImage rendered() const;

@@ -16,7 +16,7 @@
 namespace widgets {
 namespace {
 
-/// So many texts are looked at, the newest ones, since this is done in each tick.
+/// The number of texts to examine, the newest ones, since this is done in each tick.
 constexpr std::ptrdiff_t kMaxPlatformTexts = 1000;
 
 QString imageSentence(const char* text) {

@@ -55,7 +55,7 @@ class ImageStreamView final : public PictureView {
   /// Compares with such a stream; `mode`: "side-by-side", "blend" or "difference". Fails as showStream().
   robotlink::Result<void> compareWith(const std::string& stream, const std::string& mode);
   void endComparison();
-  /// How images are shown: "color", "gray", or "stereogram", which only depths are.
+  /// Sets how images are shown: "color", "gray", or "stereogram", which is for depths only.
   void setMode(const std::string& mode);
   /// The streams that these functions accept.
   std::vector<std::string> streamChoices() const;

@@ -11,7 +11,7 @@
 namespace widgets {
 namespace {
 
-/// How deep the picture is, as a share of the distance to its far plane.
+/// The depth of the picture, as a share of the distance to its far plane.
 constexpr double kDepth = 1.0 / 3;
 
 /// The distance of the two points that show one point at a depth (0 far to 1 near), for eyes this far apart;

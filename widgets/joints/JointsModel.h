@@ -31,7 +31,7 @@ struct JointRow {
   /// The measured angles of the last seconds, oldest first, at equal distances in time.
   std::vector<double> history;
 
-  /// How far it is from what is requested, rad; unset: one of them is unknown.
+  /// The difference from the requested angle, rad; unset: one of them is unknown.
   std::optional<double> error() const;
 };
 
@@ -42,7 +42,7 @@ class JointsModel final : public RowModel<JointRow> {
   Q_OBJECT
  public:
   enum Column { kName, kRequested, kMeasured, kError, kSpeed, kLoad, kLimits, kPosition, kHistory, kColumns };
-  /// How far back the history of a joint goes, and its number of angles at most.
+  /// The duration of the history of a joint, and its maximum number of angles.
   static constexpr robotlink::Duration kHistoryTime = std::chrono::seconds(5);
   static constexpr std::size_t kHistoryPoints = 100;
 

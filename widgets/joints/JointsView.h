@@ -32,7 +32,7 @@ class JointsView final : public View {
  public:
   explicit JointsView(ViewContext& context, QWidget* parent = nullptr);
   void tick() override;
-  /// Also as .csv: the table.
+  /// Also saves the table as .csv.
   robotlink::Result<void> saveTo(const QString& file) override;
 
  private:

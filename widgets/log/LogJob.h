@@ -15,7 +15,7 @@ namespace widgets {
 /// that of the GUI. The destructor cancels the operation and waits for its end.
 class LogJob {
  public:
-  /// How the operation ended.
+  /// The outcome of the operation.
   struct Outcome {
     /// Whether it succeeded.
     bool done = false;

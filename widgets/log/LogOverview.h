@@ -48,7 +48,7 @@ struct LogOverview {
   Stage stage = Stage::kOpening;
   /// Progress of the stage, 0 to 1.
   double progress = 0;
-  /// Why the file could not be opened; empty: it could.
+  /// The reason why the file could not be opened; empty: it could.
   QString failure = {};
   /// Damage report in words; empty if the file is intact.
   QString damage = {};

@@ -63,7 +63,7 @@ class OpenLogs final : public QObject {
 
   /// Follows the replay, takes what was read, and saves bookmarks.
   void tick();
-  /// How searches get what the logs lack; empty, as at first: not at all. Called in any thread.
+  /// Returns how searches compute what the logs lack; empty, as at first: not at all. Called in any thread.
   const logplayer::MakeComputation& computation() const { return computation_; }
   void setComputation(logplayer::MakeComputation make) { computation_ = std::move(make); }
   /// The control of the replay, which all views share.

@@ -36,7 +36,7 @@ class ReplayPackageModel final : public TitledModel {
   QString packageName(int row) const;
   /// Whether a source is possible.
   bool allows(int row, Source source) const;
-  /// Why a source is not possible; empty if it is.
+  /// Returns why a source is not possible; empty if it is.
   QString reason(int row, Source source) const;
   /// "as logged", "recomputed", "automatic": translated.
   static QString sourceName(Source source);

@@ -15,7 +15,7 @@ class GamepadSettings {
   /// Reads the file; an empty path: nothing is remembered.
   explicit GamepadSettings(std::filesystem::path file = {});
 
-  /// Why the file could not be used, which was then put aside; nothing otherwise.
+  /// The reason why the file could not be used, which was then put aside; unset otherwise.
   const std::optional<robotlink::Error>& problem() const { return problem_; }
   const GamepadBindings& bindings() const { return bindings_; }
   /// Uses other bindings from now on. Fails if the file cannot be written; they are used nevertheless.

@@ -46,7 +46,7 @@ class ManualControl {
   std::string former_;
   /// The solution that was requested; empty: none.
   std::string requested_;
-  /// Why the solution is unavailable or was refused.
+  /// The reason why the solution is unavailable or was refused.
   QString reason_;
 };
 

@@ -111,7 +111,7 @@ class MotionView final : public View {
   GamepadSource gamepad_;
   /// The gamepad's state in the last tick, to detect pressed buttons.
   Gamepad::State pad_;
-  /// Why the last command of a button failed; empty: it did not.
+  /// The reason why the last command of a button failed; empty: it did not.
   QString padFailure_;
   QScrollArea* area_ = nullptr;
   QBoxLayout* columns_ = nullptr;

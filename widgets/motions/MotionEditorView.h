@@ -26,7 +26,7 @@ class MotionEditorView final : public View {
  public:
   explicit MotionEditorView(ViewContext& context, QWidget* parent = nullptr);
   void tick() override;
-  /// Also as .mof: the text, which stays unsaved.
+  /// Also saves the text as .mof; it still counts as unsaved.
   robotlink::Result<void> saveTo(const QString& file) override;
 
  private:

@@ -46,7 +46,7 @@ class MotionLink final : public QObject {
   State state() const;
   /// The state for the user: "red1 has this motion", or what was refused.
   QString text() const;
-  /// When the motion that is edited began to be played, in the session's time; unset: it is not played.
+  /// The time at which playing the edited motion began, in the session's time; unset: it is not played.
   std::optional<robotlink::Instant> playedSince() const { return playedSince_; }
 
   /// Called 30 times a second.
@@ -66,7 +66,7 @@ class MotionLink final : public QObject {
   ManualSteering& manual_;
   bool autoSend_ = false;
   bool isPending_ = false;
-  /// Why the robot refused the text that was sent last; empty: it did not.
+  /// The reason why the robot refused the text that was last sent; empty: it did not.
   QString refusal_;
   /// The text that was sent last, and the robot.
   std::string sent_, robot_;

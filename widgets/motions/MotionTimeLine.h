@@ -19,7 +19,7 @@ class MotionTimeLine final : public QWidget {
  public:
   explicit MotionTimeLine(MotionBench& bench, QWidget* parent = nullptr);
 
-  /// How long the motion is being played; unset: it is not.
+  /// Sets the time for which the motion has been played; unset: it is not.
   void setPlayed(std::optional<robotlink::Duration> time);
   /// The index of the joint's column whose curve is highlighted; -1: none.
   void setColumn(int column);
@@ -41,7 +41,7 @@ class MotionTimeLine final : public QWidget {
   /// The height of the scale above the key frames.
   int timesHeight() const;
   robotlink::Duration timeAt(int x) const;
-  /// When a key frame ends.
+  /// Returns the time at which a key frame ends.
   robotlink::Duration endOf(int frame) const;
   /// The key frame whose end is near; -1: none.
   int endAt(int x) const;

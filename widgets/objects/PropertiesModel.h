@@ -34,7 +34,7 @@ struct PropertyRow {
   /// Whether the user changed it, which is not in the file yet.
   bool isChanged = false;
   bool isEditable = false;
-  /// How many numbers it has; 0: it is a text.
+  /// The number of its numbers; 0: it is a text.
   int count = 1;
 };
 

@@ -53,7 +53,7 @@ class PropertiesView final : public View {
   void keepPose();
   void save();
   void showEdits();
-  /// Has the simulation continue with what was typed.
+  /// Has the simulation continue with the values that were typed.
   void applyEdits();
   void report(const robotlink::Result<void>& done, const QString& text);
   /// Reports that a change was made, or why not.

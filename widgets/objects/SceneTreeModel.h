@@ -51,7 +51,7 @@ class SceneTreeModel final : public QAbstractItemModel {
   /// The values at which an actuator is held; null: it is not.
   const robotcontrol::PortReading* held(const std::string& port) const;
 
-  /// How a kind of object is called.
+  /// Returns the name of a kind of object.
   static QString kindText(const robotcontrol::WorldObject& object);
   /// "0.5 rad", "0.1 0.2 9.8 m/s²", or of many values their number.
   static QString valuesText(const robotcontrol::PortReading& reading, const std::string& unit);

@@ -36,12 +36,12 @@ const ViewRegistration kSceneTreeRegistration{
          "View", "All objects of a simulated scene, with the values of sensors and sliders for actuators"),
      "layers", false, create<SceneTreeView>}};
 
-/// So many values of one sensor are plotted, the first ones.
+/// The maximum number of values of one sensor that are plotted, the first ones.
 constexpr int kMaxCurves = 12;
 constexpr int kMaxLevels = 100;
 constexpr int kTicksUntilHiddenShown = 10;
 
-/// How many values a port has; images count as none.
+/// Returns the number of values of a port; images count as none.
 int valueCount(const robotcontrol::WorldPort& port) {
   return port.type() == "image" ? 0 : numberCount(port);
 }
@@ -310,7 +310,7 @@ void SceneTreeView::readShown() {
 
 void SceneTreeView::followSelection() {
   if (selection_.object().empty() && tree_->currentIndex().isValid()) {
-    // So that a click on the same row selects it again.
+    // The selection is cleared, so that a click on the same row selects it again.
     tree_->selectionModel()->clear();
     return showSelected();
   }

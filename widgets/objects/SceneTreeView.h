@@ -70,7 +70,7 @@ class SceneTreeView final : public View {
   bool run(const char* command, const std::vector<std::string>& words);
   /// Says what went wrong; whether it was done.
   bool report(const robotlink::Result<void>& done);
-  /// How much of the selected object hides what is behind it.
+  /// Shows the opacity of the selected object.
   void showOpacity(double opacity);
   /// The paths of unfolded objects.
   std::set<std::string> unfolded() const;

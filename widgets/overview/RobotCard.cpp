@@ -71,7 +71,7 @@ struct Known {
   }
 };
 
-/// Why the robot's program does not do what it should; empty if it does.
+/// Returns why the robot's program does not do what it should; empty if it does.
 CardText programTrouble(const Known& known) {
   const auto* hosting = known.ofRobot<HostingStatus>(streams::kHosting);
   if (hosting == nullptr || hosting->state() == HostingStatus::RUNNING) return {};

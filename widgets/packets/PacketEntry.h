@@ -15,7 +15,7 @@ struct PacketEntry {
   /// A packet, or a marker between packets. Markers have a time and a name only.
   enum class Kind : std::uint8_t { kPacket, kNewConnection, kClosed };
   Kind kind = Kind::kPacket;
-  /// When the platform sent or received it.
+  /// The time at which the platform sent or received it.
   robotlink::Instant time;
   bool fromRobot = false;
   /// The bytes are no valid packet, or decoding found a problem.

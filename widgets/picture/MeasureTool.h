@@ -28,7 +28,7 @@ namespace widgets {
 class MeasureTool final : public QObject {
   Q_OBJECT
  public:
-  /// How a view measures.
+  /// The scale with which a view measures.
   struct Scale {
     /// From the picture's coordinates to the canvas's pixels.
     std::function<QTransform()> toCanvas;

@@ -21,7 +21,7 @@ namespace {
 const QString kPortValue =
     QStringLiteral("ports(?:: |\\.)readings\\[port=\"([^\"]*)\"\\]\\.values\\[(\\d+)\\]");
 
-/// How many points of a curve are held at most; then the older half goes.
+/// The maximum number of points of a curve; beyond it, the older half is dropped.
 constexpr std::ptrdiff_t kMaxHeld = 4'000'000;
 
 QString csvCell(const CurveModel::Curve& curve, double value) {

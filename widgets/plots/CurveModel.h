@@ -102,7 +102,7 @@ class CurveModel final : public QAbstractTableModel {
     std::optional<bool> asStrip = {};
     /// The curve over which it is drawn instead of time; null: over time.
     std::unique_ptr<Curve> across = {};
-    /// Why it has no values now, as said when it was updated last.
+    /// The reason why it had no values at the last update.
     QString problem = {};
     /// Whether what the filter makes of the log needs too much memory.
     bool isFilteredCut = false;

@@ -14,7 +14,7 @@ struct LoggedCurve {
   robotlink::Series series = {};
   /// Set for values that are states.
   StateNames names = {};
-  /// Why there are no values; empty if there are.
+  /// The reason why there are no values; empty if there are.
   QString problem = {};
   bool isComplete = false;
   /// The log has more points than there is memory for.

@@ -50,7 +50,7 @@ class LoggedCurves final : public QObject {
   explicit LoggedCurves(OpenLogs& logs);
   /// The number in a log that is the source; empty if the log lacks something that is needed.
   static std::optional<logplayer::LogNumber> numberIn(const OpenLogs::Log& log, const PlotSource& source);
-  /// How much each curve may take.
+  /// The memory that each curve may take.
   std::size_t share() const;
   void follow(Log& log, robotlink::Duration offset);
   void take(Log& log);

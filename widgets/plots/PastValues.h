@@ -48,7 +48,7 @@ class PastValues {
   bool isDecided_ = false;
   /// Null if nothing is read, or all was.
   std::shared_ptr<const LoggedCurve> values_;
-  /// How many of them were put before the others, and the time of the last one.
+  /// The number of values that were put before the others, and the time of the last one.
   std::size_t merged_ = 0;
   std::optional<double> reached_;
   /// The values that the session published, before the filter; empty without one, and when nothing is read.

@@ -41,7 +41,7 @@ class StateStrip;
 class PlotCanvas final : public QWidget {
   Q_OBJECT
  public:
-  /// How robots elsewhere are connected, by their names.
+  /// The connections of remote robots, by their names.
   using RemoteRobots = std::map<std::string, robotlink::RemoteRobot>;
 
   /// `curves` must outlive the canvas.

@@ -13,7 +13,7 @@ namespace widgets {
 /// A value that can be plotted, now or when it is published.
 struct PlotChoice {
   PlotSource source;
-  /// Why it is not published now, as a sentence; empty: it is.
+  /// The reason why it is not published now, as a sentence; empty: it is.
   QString missing = {};
   /// Whether it can be plotted; else its stream is known, but not yet what it holds.
   bool isPlottable = true;

@@ -71,7 +71,7 @@ class StateNames {
  private:
   struct State {
     QString name;
-    /// How many were known before.
+    /// The number of those known before.
     int place;
   };
   /// Null if it has no name.
@@ -107,7 +107,7 @@ class PlotReader {
   const std::vector<std::string>& streams() const { return streams_; }
   /// Returns what arrived since the last call. Messages without the field are skipped.
   News take(const robotlink::StreamStore& store);
-  /// Why there can be no values now: what is misspelled, or not there; empty: there can.
+  /// Returns why there can be no values now: what is misspelled, or missing; empty: there can.
   QString problem(const robotlink::StreamStore& store) const;
   const StateNames& names() const { return names_; }
   /// The newest value.
@@ -116,7 +116,7 @@ class PlotReader {
   QString unit() const { return unit_; }
 
  private:
-  /// Why the messages that are there have no value: of a field, of an expression. Empty: they have.
+  /// Returns why the present messages have no value: of a field, of an expression. Empty: they have.
   QString missingField(const robotlink::StreamStore& store) const;
   QString missingValue(const robotlink::StreamStore& store) const;
   std::optional<double> valueOf(const robotlink::StreamMessage& message);

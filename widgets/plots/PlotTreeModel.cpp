@@ -84,7 +84,7 @@ class LongLists {
 
  private:
   struct List {
-    /// Behind the last choice.
+    /// The position behind the last choice.
     std::size_t end = 0;
     QString name, path;
     QStandardItem* row = nullptr;

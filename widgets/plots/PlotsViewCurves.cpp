@@ -23,7 +23,7 @@
 namespace widgets {
 namespace {
 
-/// How a stream is replayed that is a package of a log; empty for others.
+/// Returns the source in a replay of a stream that is a package of a log; empty for others.
 std::optional<robotcontrol::ControlReplay::PackageSource> replayed(const robotcontrol::ReplayStatus& status,
                                                                    const std::string& stream) {
   for (const auto& package : status.packages()) {

@@ -19,7 +19,7 @@ struct PortNumber {
   bool hasRange() const { return minimum < maximum; }
 };
 
-/// How many numbers a port has: 1 for a scalar. Shapes that no port has count as far as they can.
+/// Returns the number of a port's numbers: 1 for a scalar. Shapes that no port has count as far as they can.
 int numberCount(const robotcontrol::WorldPort& port);
 /// A number of the port of an object, from 0: with its own range and unit where the numbers differ.
 PortNumber portNumber(const robotcontrol::WorldObject& object, int number);

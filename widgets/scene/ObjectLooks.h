@@ -12,7 +12,7 @@ namespace widgets {
 
 class SceneObjects;
 
-/// How an object is shown in a view, as far as the user has chosen.
+/// The look of an object in a view, as far as the user has chosen.
 struct ObjectLook {
   /// Unset: as what it belongs to, and finally as the view.
   std::optional<bool> isShown = {};
@@ -48,7 +48,7 @@ class ObjectLooks {
   /// The look that counts for an object; all but hidden objects have isShown.
   ObjectLook of(const std::string& path, const SceneObjects& objects) const;
   bool isHidden(const std::string& path, const SceneObjects& objects) const;
-  /// How many objects the user has hidden.
+  /// The number of objects that the user has hidden.
   int hiddenCount() const;
 
   /// For saved window layouts, and back; what is damaged is left out.

@@ -17,7 +17,7 @@ namespace widgets {
 namespace {
 
 constexpr char kFixedFrame[] = "field";  // the frame of what cannot be moved
-/// How colorful solids are.
+/// The color saturation of solids.
 constexpr double kMovingSaturation = 0.38, kFixedSaturation = 0.1;
 /// A model is wide from this many times the size of what moves, m, within these limits.
 constexpr double kTimesWider = 3, kMinWide = 1, kMaxWide = 3;
@@ -41,7 +41,7 @@ void forEachCorner(const SceneBody& body, Found found) {
                                Eigen::Map<const Eigen::Vector3f>(vertex.position.data()).cast<double>()));
 }
 
-/// How wide a model is on the ground, in the direction in which it is narrowest.
+/// The width of a model on the ground, in the direction in which it is narrowest.
 double leastWidthOf(const std::string& model, const std::vector<SceneBody>& bodies) {
   std::array<Eigen::AlignedBox1d, kWidthDirections> widths;
   std::array<robotlink::Vector2, kWidthDirections> directions;

@@ -184,7 +184,7 @@ class SceneCanvas final : public QWidget {
   std::optional<Gizmo> gizmo_;
   GizmoHandle hot_ = GizmoHandle::kNone;
   std::optional<GizmoDrag> gizmoDrag_;
-  /// How fast the mouse moves in the plane of a drag.
+  /// The speed of the mouse in the plane of a drag.
   HandSpeed speed_;
   /// Numbers of the drag; empty: none are shown.
   QString readout_;

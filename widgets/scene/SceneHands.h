@@ -54,7 +54,7 @@ class SceneHands final : public QObject {
   void fillMenu(QMenu& menu, const QPoint& at);
   /// The bodies of the object whose handle is dragged, at the place where it is dragged.
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
-  /// Why the last thing could not be done, or that something takes its time; empty: there is nothing to say.
+  /// Says why the last action could not be done, or that it takes some time; empty: there is nothing to say.
   /// Cleared after some seconds.
   QString notice() const;
 

@@ -34,8 +34,8 @@ inline constexpr int kSceneLayers = 9;
 const char* nameOfLayer(SceneLayer layer);
 std::optional<SceneLayer> layerNamed(const std::string& name);
 
-/// How a view shows its scene, as actions with menus: how surfaces are drawn, and which layers are shown.
-/// GUI thread.
+/// The modes in which a view shows its scene, as actions with menus: how surfaces are drawn, and which layers
+/// are shown. GUI thread.
 class SceneModes final : public QObject {
   Q_OBJECT
  public:

@@ -49,7 +49,7 @@ class SceneView final : public PictureView {
   /// The poses of the models: their paths, positions and angles.
   std::optional<QString> numbers() override;
 
-  /// How a camera follows an object.
+  /// The way in which a camera follows an object.
   enum class Following : std::uint8_t { kOff, kPosition, kHeading, kFirstPerson };
   /// Hides an object with all that belongs to it. Fails if the scene has none of this path; so do the others.
   robotlink::Result<void> hideObject(const std::string& path);

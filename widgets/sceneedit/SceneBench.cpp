@@ -22,9 +22,9 @@ namespace {
 
 /// Half a second.
 constexpr int kTicksUntilChecked = 15;
-/// How often files are looked at: once a second.
+/// The period of checks of the files: once a second.
 constexpr int kTicksUntilLook = 30;
-/// How many files may include each other on the way to an object.
+/// The maximum number of files that include each other on the way to an object.
 constexpr int kMaxIncludes = 8;
 
 std::filesystem::path wholePath(const std::filesystem::path& path) {

@@ -13,7 +13,7 @@ namespace widgets {
 
 /// Something that may be written at a place of a scene file.
 struct SceneProposal {
-  /// How it is listed.
+  /// The text in the list.
   QString shown;
   /// The replacement for XmlPlace::prefix, and the number of characters from the cursor to its end afterward.
   QString text;

@@ -32,7 +32,7 @@ class SceneEditorView final : public View {
   explicit SceneEditorView(ViewContext& context, QWidget* parent = nullptr);
   ~SceneEditorView() override;
   void tick() override {}
-  /// Also as .sdf: the text, which stays unsaved.
+  /// Also saves the text as .sdf; it still counts as unsaved.
   robotlink::Result<void> saveTo(const QString& file) override;
 
  private:

@@ -86,7 +86,7 @@ class SceneFile final : public QObject {
   QString name_, instance_;
   /// The text as it is in the file; null: there is none yet.
   QString saved_;
-  /// When the file was written, as far as that is known.
+  /// The time at which the file was written, as far as that is known.
   std::optional<std::filesystem::file_time_type> savedTime_;
   std::vector<SceneProblem> problems_;
   TextPlace place_;

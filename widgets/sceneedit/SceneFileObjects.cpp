@@ -39,7 +39,7 @@ QString objectName(const QString& text, const std::vector<XmlElement>& all, int 
   return name.isEmpty() ? uri.section(QLatin1Char('/'), -1) : name;
 }
 
-/// How the views of the scene call an object. `around`: how they call what it is in; `model`: its model.
+/// Returns an object's name in the views of the scene. `around`: that of its container; `model`: its model.
 QString selectionOf(const SceneObject& object, const QString& around, const QString& model,
                     const QString& type) {
   const QString& element = object.element;
@@ -136,7 +136,7 @@ FoundSceneObject findSceneObject(const QString& text, const QString& path, const
     const SceneObject* next = objectOf(objects, partOf(parts[i]), object);
     if (next == nullptr) {
       if (!object->uri.isEmpty()) return {*object, parts.mid(i).join(QLatin1Char('/'))};
-      // Behind an object of a model a path may name one of its values: red1/neck/position.
+      // After an object of a model, a path may name one of its values: red1/neck/position.
       return i > 1 ? FoundSceneObject{*object, {}} : FoundSceneObject{};
     }
     object = next;

@@ -12,7 +12,7 @@ namespace widgets {
 struct SceneObject {
   /// The names of the objects around it and its own: "red1/head/camera".
   QString path;
-  /// How the views of the simulated scene call it: "red1/link:head", "red1/joint:neck", "red1/camera/image".
+  /// The name in the views of the simulated scene: "red1/link:head", "red1/joint:neck", "red1/camera/image".
   QString selection;
   QString element, name;
   /// The URI that an <include> includes; empty for all others.

@@ -34,7 +34,7 @@ XmlPlace xmlPlaceAt(const QString& text, int position);
 /// The text to be inserted behind a '>' that was typed directly before the position: "</link>" if it ends the
 /// opening tag of an element that is not closed yet; otherwise nothing.
 QString closingTagFor(const QString& text, int position);
-/// How the element around a position ends for whom begins its closing tag there.
+/// The end of the element around a position, for a closing tag that begins there.
 struct XmlClosing {
   /// "link>"; empty if nothing is open.
   QString name;

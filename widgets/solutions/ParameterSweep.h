@@ -59,7 +59,7 @@ class ParameterSweep final : public QObject {
   bool isRunning() const { return state_ != State::kIdle; }
   /// Whether it runs; fails once, with why it ended.
   robotlink::Result<bool> working();
-  /// Why the last sweep failed; unset if it did not.
+  /// The reason why the last sweep failed; unset if it did not.
   const std::optional<robotlink::Error>& failed() const { return failed_; }
   /// The values that were measured, and the one that is being measured now.
   const std::vector<Row>& rows() const { return rows_; }

@@ -44,7 +44,7 @@ bool sameShape(const std::vector<TaskEntry>& a, const std::vector<TaskEntry>& b)
   });
 }
 
-/// How often a process runs in an interval, s between frames; 0 if that is not known. Its times may come less
+/// Returns the time between a process's frames, s; 0 if that is not known. Its times may come less
 /// often than its frames.
 double periodOf(const robotlink::StreamStore& store, const std::string& robot, const std::string& process,
                 robotlink::Instant from, robotlink::Instant until) {

@@ -24,7 +24,7 @@ struct TaskEntry {
   struct Solution {
     std::string name;
     QString help;
-    /// Why it cannot be chosen; empty: it can.
+    /// The reason why it cannot be chosen; empty: it can.
     QString unavailable;
     bool hasParameters = false;
     /// The packages that it reads: those without which it cannot run, and those that it uses if they are

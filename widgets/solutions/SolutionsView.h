@@ -43,7 +43,7 @@ class SolutionsView final : public View {
   void select(const std::string& task, const std::string& solution);
   /// Requests that a solution runs in the shadow of the active one, or no longer, and shows the outcome.
   void requestShadow(const std::string& task, const std::string& solution, bool on);
-  /// Has the robot measure its tasks, if it does not, so that the costs are known.
+  /// Has the robot measure its tasks if it does not, so that the costs are known.
   void measure();
   /// The team of the robot; empty: it has none, or none is known.
   std::string team() const;

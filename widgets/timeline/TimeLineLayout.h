@@ -29,11 +29,11 @@ struct TimeLineTrack {
   QString unit = {};
   /// Times are seconds on the session's timeline; null: there are no values.
   std::shared_ptr<const robotlink::Series> series = {};
-  /// Why there are no values.
+  /// The reason why there are no values.
   QString problem = {};
   /// The parts of the history that the series lacks.
   std::vector<MissingValues> missing = {};
-  /// How many points there are, and the time of the last one: a series changes while it is shown.
+  /// The number of points, and the time of the last one: a series changes while it is shown.
   std::size_t points = 0;
   double newest = 0;
   bool operator==(const TimeLineTrack&) const = default;

@@ -8,7 +8,7 @@
 
 namespace widgets {
 
-/// How often a process runs: its frames per second on the platform's clock, over the last two seconds of
+/// The rate of a process: its frames per second on the platform's clock, over the last two seconds of
 /// those that were added. By the frames' numbers, so that frames that were not published do not matter.
 class FrameRate {
  public:

@@ -21,7 +21,7 @@ struct GanttFrame {
   robotlink::Instant time;
   /// 0: unknown.
   std::uint64_t number = 0;
-  /// How long it took, and the time within which it had to be done (0: unknown), s.
+  /// Its duration, and the time within which it had to be done (0: unknown), s.
   double seconds = 0, period = 0;
   /// Its tasks, in order.
   std::shared_ptr<const robotcontrol::StopwatchTimes> times;
@@ -33,7 +33,7 @@ struct GanttFrame {
 struct GanttLane {
   std::string process;
   std::vector<GanttFrame> frames;
-  /// How many of them overrun, and how often the process ran at the end of the stretch, Hz.
+  /// The number of those that overrun, and the rate of the process at the end of the stretch, Hz.
   std::size_t overruns = 0;
   double rate = 0;
 };

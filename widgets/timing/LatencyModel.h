@@ -10,7 +10,7 @@
 
 namespace widgets {
 
-/// How long a robot's readings took to become commands since the last reset, a row for each reading and
+/// The times in which a robot's readings became commands since the last reset, a row for each reading and
 /// command; milliseconds. add() collects; update() announces the changes once per tick. GUI thread.
 class LatencyModel final : public TitledModel {
   Q_OBJECT

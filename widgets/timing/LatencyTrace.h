@@ -15,7 +15,7 @@ class StopwatchTimes;
 
 namespace widgets {
 
-/// How long a reading of the platform, such as an image, took to become a command to it. Seconds.
+/// The time in which a reading of the platform, such as an image, became a command to it. Seconds.
 struct Latency {
   /// The names of the packages: "camera/image", "joints/request".
   std::string reading, command;

@@ -26,7 +26,7 @@ class TimeStatistics {
  private:
   std::uint64_t count_ = 0;
   double sum_ = 0, minimum_ = 0, maximum_ = 0, last_ = 0;
-  /// How many values each bucket has; made with the first one.
+  /// The number of values in each bucket; made with the first one.
   std::vector<std::uint32_t> buckets_;
 };
 

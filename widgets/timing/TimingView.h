@@ -89,7 +89,7 @@ class TimingView final : public View {
   /// process, s.
   std::string program_;
   std::map<std::string, double> periods_;
-  /// Why the robot does not measure; empty: it does, or was not asked.
+  /// The reason why the robot does not measure; empty: it does, or was not asked.
   QString refusal_;
 };
 

@@ -31,7 +31,7 @@ struct DriveAim {
   std::vector<robotlink::Vector2> path;
   /// Whether no path exists at present.
   bool blocked = false;
-  /// Why it is blocked.
+  /// The reason why it is blocked.
   QString reason;
 };
 

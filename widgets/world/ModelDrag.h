@@ -42,7 +42,7 @@ class ModelDrag {
   const std::string& model() const { return model_; }
   /// The pose to which the model is dragged.
   const robotlink::Pose2& wanted() const { return wanted_; }
-  /// Why the newest pose was refused; empty if it was not. Cleared two seconds after the end.
+  /// The reason why the newest pose was refused; empty if it was not. Cleared two seconds after the end.
   QString refusal() const;
 
  private:

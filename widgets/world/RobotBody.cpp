@@ -32,7 +32,7 @@ double lowestPoint(const foxglove::SceneEntity& entity, const Pose3& part) {
 }  // namespace
 
 std::vector<Pose3> partsOnGround(const RobotBody& body, const JointAngles& angles) {
-  // How each part is moved by the joints above it, in the model's frame.
+  // The transformation of each part by the joints above it, in the model's frame.
   std::vector<Pose3> moved(body.parts.size(), Pose3::Identity());
   for (const RobotBody::Joint& joint : body.joints) {
     const auto child = static_cast<std::size_t>(joint.child), parent = static_cast<std::size_t>(joint.parent);

@@ -40,7 +40,7 @@ class Trails {
   };
   /// Positions by model, oldest first, at least 100 ms apart and at most 300.
   using Places = std::map<std::string, std::deque<robotlink::Vector2>>;
-  /// How far back the trails reach, 10 s by default; another value clears them.
+  /// Sets the length of the trails in time, 10 s by default; another value clears them.
   void setReach(robotlink::Duration reach);
   /// Appends the positions up to `shown`, or reads all if it is not shortly after the last call, or if the
   /// sources are others.

@@ -71,7 +71,7 @@ class BodyFeed final : public RealTimeFeed {
   BodyFeed(BodyOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
            HostingMemory* hosting, const LinkLimitsMemory* limits);
   void stepProgram() override;
-  /// Why a server has no body for this program, as it says itself; empty if it may still offer it.
+  /// Returns a server's reason for having no body for this program; empty if it may still offer it.
   std::string whyNoBody() const;
   /// Names the information that a server has not sent yet, so that its body is not known.
   std::string whatIsMissing() const;

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// Has the packages of a body elsewhere, for a program that is not the one with the platform. It is never
+/// Has the packages of a remote body, for a program that is not the one with the platform. It is never
 /// executed.
 class BodyStandIn final : public robotlink::Platform {
  public:

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// How many bytes a second may be sent over a line so that they do not queue up in it: commands that answer
+/// The bytes per second that may be sent over a line without queuing up in it: commands that answer
 /// readings are too late behind a queue, on a line that could carry them in time. What the queue costs is the
 /// time by which a round trip takes longer than the shortest one. A plain value.
 class LineBudget {

@@ -35,7 +35,7 @@ std::uint64_t randomSender() {
   return (std::uint64_t{random()} << 32U | random()) | 1U;  // never 0, which means no sender
 }
 
-/// Why a body does not move as `sender` commands; empty if it does.
+/// Returns why a body does not move as `sender` commands; empty if it does.
 std::string whyNotMoved(const robotcontrol::BodyState& state, std::uint64_t sender) {
   if (!state.text().empty()) return state.text();
   if (state.stop_engaged()) return "it stands: STOP is engaged there";

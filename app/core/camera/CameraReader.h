@@ -29,7 +29,7 @@ class CameraReader {
   struct Counts {
     /// Images that were read, that could not be decoded, and that were replaced by newer ones unread.
     std::uint64_t images = 0, damaged = 0, replaced = 0;
-    /// How often the camera was opened, and lost after that.
+    /// The number of times that the camera was opened, and lost after that.
     std::uint64_t connections = 0, losses = 0;
   };
 
@@ -50,7 +50,7 @@ class CameraReader {
   std::vector<std::string> takeRefusals();
   /// The state as a sentence without its period.
   std::string state() const;
-  /// Why there are no images, as such a sentence; empty if there are, or if it is not known yet.
+  /// Returns why there are no images, as such a sentence; empty if there are, or if it is not known yet.
   std::string problem() const;
   Counts counts() const;
   /// Ends the pause between two attempts to open the camera.

@@ -26,7 +26,7 @@ struct DeployFile {
 tl::expected<std::vector<DeployFile>, robotlink::Errors> filesFor(const RobotSet::Robot& robot,
                                                                   const std::filesystem::path& folder);
 
-/// How a file at a robot is, compared with the one here.
+/// The state of a file at a robot, compared with the local one.
 struct DeployDifference {
   enum class State {
     kSame,

@@ -23,7 +23,7 @@ Pose2 turned(const Vector2& place, double heading, int direction) {
 
 /// The cosine of the tilt from which a robot is put on its feet.
 constexpr double kUpright = 0.8;
-/// How far inside of the line robots come back.
+/// The distance inside of the line at which robots come back.
 constexpr double kReturnInset = 0.25;
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace app {
 
-/// How messages get from robot to robot of a team.
+/// The transmission of messages between robots of a team.
 struct RadioSettings {
   /// m; 0: without limit.
   double range = 0;
@@ -25,17 +25,17 @@ struct RadioSettings {
   bool operator==(const RadioSettings&) const = default;
 };
 
-/// How a simulated game is refereed, as read from a file like resources/games/2002.yaml. Meters, in the
+/// The rules of a simulated game, as read from a file like resources/games/2002.yaml. Meters, in the
 /// field's frame; places are those of the team that plays toward +x. A plain value.
 struct GameRules {
   /// The fouls that the referee notices by itself.
   enum class Watch : std::uint8_t { kNothing, kLeaving, kPushing, kDefending, kHolding };
   enum class Placing : std::uint8_t { kAll, kIllegal };
-  /// Why a robot is taken out of the game, and for how long.
+  /// The reason for taking a robot out of the game, and for how long.
   struct Penalty {
     std::string reason;
     Watch watch = Watch::kNothing;
-    /// How long it must have lasted, if it is watched.
+    /// The time for which it must have lasted, if it is watched.
     robotlink::Duration after{};
     robotlink::Duration time{};
   };
@@ -47,7 +47,7 @@ struct GameRules {
   unsigned halves = 2;
   robotlink::Duration half{}, pause{};
   bool switchSides = false;
-  /// How long these phases last.
+  /// The durations of these phases.
   robotlink::Duration initial{}, ready{}, set{};
 
   Placing placing = Placing::kAll;

@@ -36,7 +36,7 @@ class Referee final : public Umpire {
   /// The record of a player since the game began.
   struct Tally {
     unsigned penalties = 0;
-    /// How long it was outside of the field at most, without being penalized, and how long it lay.
+    /// The longest time it was outside of the field without being penalized, and how long it lay.
     robotlink::Duration longestOutside{}, fallen{};
   };
 

@@ -44,7 +44,7 @@ struct CrashReport {
 /// The signal at which a program writes a report and continues.
 int askSignal();
 
-/// How a program ended, from its status of waitpid(): "crashed with a segmentation fault", "called exit(3)".
+/// Describes a program's end, by its waitpid() status: "crashed with a segmentation fault", "called exit(3)".
 std::string endInWords(int status);
 
 }  // namespace app

@@ -50,7 +50,7 @@ class MirrorPlatform final : public robotlink::Platform {
   std::vector<std::string> turnOfSender_;
   std::map<std::string, std::unique_ptr<StandInProcess>> turns_;
   std::vector<std::unique_ptr<robotlink::AnyReceiver>> receivers_;
-  /// How many packages each receiver had taken when takeTo() was called last.
+  /// The number of packages that each receiver had taken when takeTo() was last called.
   std::vector<std::uint64_t> taken_;
   std::vector<robotlink::AnySender*> onRequest_;
   google::protobuf::RepeatedPtrField<robotcontrol::WirePackage> packages_;

@@ -19,18 +19,18 @@ namespace app {
 
 class SpareChild;
 
-/// How a robot's program in a process of the operating system of its own is run. A plain value.
+/// The options of running a robot's program in a process of the operating system of its own. A plain value.
 struct OwnProgramOptions {
   /// The executable to start; its main() begins with ownProgramMain().
   std::filesystem::path executable = "/proc/self/exe";
-  /// How long a step, or the answer to a question, may take before the program counts as not answering, from
-  /// when it was sent.
+  /// The time that a step, or the answer to a question, may take before the program counts as not answering,
+  /// from when it was sent.
   std::chrono::milliseconds patience{2000};
   /// Ends that time early, such as for STOP; null: nothing does.
   std::shared_ptr<const ModulePatience> cut = nullptr;
-  /// How long it may take to be made.
+  /// The time in which it must be made.
   std::chrono::milliseconds startLimit{20'000};
-  /// How much memory it may allocate, bytes; 0: as much as there is.
+  /// The memory that it may allocate, bytes; 0: as much as there is.
   std::uint64_t memoryLimit = std::uint64_t{2} << 30U;
   /// Whether each process of the layout has a thread there, and nothing waits for it: a step sends what the
   /// platform has sent, and takes what has arrived from the program. Otherwise a step is one in lockstep.

@@ -35,7 +35,7 @@ namespace app {
 /// One thread.
 class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
  public:
-  /// How long a drive request is valid.
+  /// The time for which a drive request is valid.
   static constexpr robotlink::Duration kSilence = std::chrono::seconds(1);
 
   /// Fixed settings of a driver.
@@ -44,7 +44,7 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
     std::string address;
     /// Whether the motors are switched on when the robot is connected.
     bool motorsOn = false;
-    /// Whether a simulator is asked for laser scans. The laser of a real robot has a line of its own, whose
+    /// Whether a simulator has to send laser scans. The laser of a real robot has a line of its own, whose
     /// scans arrive by takeScan().
     bool laser = true;
   };

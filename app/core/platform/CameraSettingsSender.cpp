@@ -19,7 +19,7 @@ CameraSettingsSender::CameraSettingsSender(robotlink::Process& platform)
     : sender_(platform, robotlink::kCameraSettings.name, robotlink::Blocking::kNo) {}
 
 bool CameraSettingsSender::isWanted() {
-  // So that the next receiver gets them at once.
+  // Cleared, so that the next receiver gets them at once.
   if (!sender_.connected()) sent_.clear();
   return sender_.connected();
 }

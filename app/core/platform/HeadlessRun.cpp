@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-/// How users name what can be run: "--platform is a log file, or a robot's address; ...".
+/// Returns the usage for users: "--platform is a log file, or a robot's address; ...".
 std::string usageOf(const std::vector<HeadlessPlatform>& platforms) {
   std::string text;
   for (const HeadlessPlatform& platform : platforms)

@@ -70,7 +70,7 @@ struct HeadlessServing {
   bool texts = false;
 };
 
-/// How platforms of one kind run without a window. A plain value.
+/// The runner of platforms of one kind without a window. A plain value.
 struct HeadlessPlatform {
   /// Blocks until the run has ended by itself or was interrupted. Fails with all reasons why it cannot begin
   /// or had to end.
@@ -99,7 +99,7 @@ struct HeadlessPlatform {
   std::function<robotlink::Result<Run>(const HeadlessChoices& choices)> prepareOther = {};
 };
 
-/// How the platforms of all adapters run that can. The adapter comes first that is asked last, since it takes
+/// The runners of all adapters that have one. The adapter that is asked last is the first, since it takes
 /// the most.
 std::vector<HeadlessPlatform> headlessPlatforms();
 /// The one that runs what was chosen. Fails if none does, or if an option was given that belongs to another.

@@ -74,8 +74,8 @@ struct PlatformOpening {
   /// The same with a token that the user has entered meanwhile, or, if that is empty, as before; unset:
   /// no token is needed. May be called from any thread.
   std::function<PlatformOpening(const std::string& token)> withToken = {};
-  /// Why the robot refuses the connection while the platform is open, see make(); empty if it does not. May
-  /// be called from any thread. Unset: it never does.
+  /// Returns why the robot refuses the connection while the platform is open, see make(); empty: it does not.
+  /// May be called from any thread. Unset: it never does.
   std::function<robotlink::Errors()> refusal = {};
 };
 
@@ -117,7 +117,7 @@ struct PlatformAdapter {
   const char* (*perspective)(const std::string& source) = nullptr;
   /// The form that the user fills in before a platform is opened; null: none.
   PlatformForm (*form)() = nullptr;
-  /// How `robotctl run` runs it; null: it does not.
+  /// The runner for `robotctl run`; null: there is none.
   HeadlessPlatform (*headless)() = nullptr;
   /// The command that runs it instead, as a sentence; null: none.
   const char* insteadOfHeadless = nullptr;

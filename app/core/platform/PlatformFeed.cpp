@@ -10,7 +10,7 @@ using robotlink::Result;
 
 namespace {
 
-/// Why a request that concerns a robot cannot be passed to it; empty if it can.
+/// Returns why a request that concerns a robot cannot be passed to it; empty if it can.
 std::string whyForNoRobot(const robotcontrol::Request& request, RequestDoer doer) {
   if (doer == RequestDoer::kRecording)
     return "only the workbench records on this request; a robot's program that was started with --recordings "

@@ -53,7 +53,7 @@ struct LoadedPlatform {
   bool areBodies = false;
   /// The user's overrides that the programs cannot fulfill in this layout, as a sentence each.
   std::vector<std::string> lostChoices;
-  /// How much of a scene is left out, if no robot has a log that says so; empty if nothing is.
+  /// A text on how much of a scene is left out, if no robot has a log that says so; empty if nothing is.
   std::string leftOut = {};
   /// The reports of the previous platform about its end, as a sentence each: "p3at1: The platform was
   /// shut down in 12.5 ms."
@@ -75,8 +75,8 @@ struct LoadedPlatform {
 /// exceptions are noted. Derived classes are registered as PlatformAdapters.
 class PlatformFeed {
  public:
-  /// How an accepted request is answered: by the caller of fulfill(), or by the robot's program in its debug
-  /// queue.
+  /// The way of answering an accepted request: by the caller of fulfill(), or by the robot's program in
+  /// its debug queue.
   enum class Answer { kHere, kByProgram };
   /// The state of playback that a platform inherits from the one that it replaces.
   struct Going {

@@ -58,7 +58,7 @@ struct PlatformField {
   double min = 0, max = 0;
   int decimals = 0;
   std::string unit = {};
-  /// How the lowest number or an empty text reads: "none"; empty: as it is.
+  /// The text for the lowest number or an empty text: "none"; empty: as it is.
   std::string emptyText = {};
 
   /// Returns the choices; called whenever they are listed.

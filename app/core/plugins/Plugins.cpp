@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-/// Has the plug-ins of a program for those that it starts, separated by colons as in PATH.
+/// The variable with the plug-ins of a program for those that it starts, separated by colons as in PATH.
 constexpr char kVariable[] = "ROBOTCONTROL_PLUGINS";
 
 std::vector<LoadedPlugin>& plugins() {

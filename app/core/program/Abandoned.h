@@ -11,7 +11,7 @@ namespace app {
 
 /// Destroys `what` when `hasEnded` returns true, in a thread of its own.
 void abandon(std::shared_ptr<void> what, std::function<bool()> hasEnded);
-/// How many of these exist. While there are some, the process of the operating system has to be left by
+/// Returns the number of these. While there are some, the process of the operating system has to be left by
 /// leave().
 int abandonedCount();
 /// Ends the process of the operating system at once, if modules run that cannot be ended; else returns.

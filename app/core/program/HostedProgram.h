@@ -102,7 +102,7 @@ class HostedProgram {
 
   /// Enqueues a request. Returns false if it takes none now.
   virtual bool request(const robotcontrol::Request& request) = 0;
-  /// Why it takes no requests, as a sentence; empty if it does.
+  /// The reason why it takes no requests, as a sentence; empty if it does.
   virtual std::string refusal() const { return {}; }
   /// Only in lockstep, between steps.
   virtual std::unique_ptr<ProgramPreview> preview() = 0;

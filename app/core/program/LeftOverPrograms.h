@@ -16,7 +16,7 @@ namespace app {
 
 class RobotHost;
 
-/// How long a module may take, in real time, before it counts as not returning.
+/// The time that a module may take, in real time, before it counts as not returning.
 inline constexpr std::chrono::milliseconds kModulePatience{2000};
 
 /// Programs with modules that had not returned when their executors were ended, and these executors: nothing

@@ -8,7 +8,7 @@ namespace {
 
 using robotlink::Process;
 
-/// How long the end of a frame is waited for when all are stopped.
+/// The time to wait for the end of a frame when all are stopped.
 constexpr std::chrono::milliseconds kEndPatience{300};
 /// Stands for a patience without end.
 constexpr std::chrono::hours kForEver{24 * 365};

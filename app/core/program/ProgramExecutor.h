@@ -17,7 +17,7 @@
 
 namespace app {
 
-/// How the processes of the programs are executed: in turn, or in parallel.
+/// The execution of the processes of the programs: in turn, or in parallel.
 enum class ExecutorKind : std::uint8_t { kLockstep, kThreads };
 /// The name that is logged in ProgramSetup.executor: "lockstep" or "threads".
 const char* nameOf(ExecutorKind kind);
@@ -48,12 +48,12 @@ class ProgramExecutor {
     /// In lockstep, the threads that share the robots' programs; null: one does. With a patience the programs
     /// run in as many threads of their own.
     std::shared_ptr<robotlink::ThreadPool> pool = nullptr;
-    /// How those threads wait for each other.
+    /// The way in which those threads wait for each other.
     TurnCrew::Waiting waiting = TurnCrew::Waiting::kAlert;
     /// Called if something is wrong with a process, with the rest of a sentence: "was stopped because it
     /// threw: ...". Must not be empty.
     std::function<void(const robotlink::Process& process, const std::string& text)> trouble;
-    /// How long a frame may last, in real time, before it counts as not returning; 0: for ever.
+    /// The time that a frame may last, in real time, before it counts as not returning; 0: forever.
     std::chrono::milliseconds patience{0};
     /// Ends that time early in lockstep, such as for STOP; null: nothing does.
     std::shared_ptr<const ModulePatience> cut = nullptr;

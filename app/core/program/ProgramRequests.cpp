@@ -12,7 +12,7 @@ using robotcontrol::Request;
 
 namespace {
 
-/// How many requests may be open.
+/// The maximum number of open requests.
 constexpr std::size_t kMaxOpen = 1000;
 /// Names the user's choice in a request, for a message that it was lost; empty if it does not matter.
 std::string choiceOf(const Request& request) {

@@ -17,13 +17,13 @@ class TextLimit {
 
   /// Whether one more text may be shown; counts it otherwise.
   bool admit(RealTime now);
-  /// How many texts were suppressed since the last result other than 0; 0 if that is less than a second ago.
+  /// The number of texts suppressed since the last result other than 0; 0 if that is less than a second ago.
   std::uint64_t takeSuppressed(RealTime now);
-  /// How many texts were suppressed in all.
+  /// The total number of suppressed texts.
   std::uint64_t suppressed() const { return suppressed_; }
 
  private:
-  /// How many texts may be shown at refilled_.
+  /// The number of texts that could be shown at refilled_.
   double tokens_ = kBurst;
   RealTime refilled_;
   /// The time of the first of the unreported suppressed texts.

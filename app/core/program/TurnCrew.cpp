@@ -8,11 +8,11 @@
 namespace app {
 namespace {
 
-/// How long threads look for turns, and for their end, before they sleep: waking one takes as long as many a
-/// turn.
+/// The time for which threads look for turns, and for their end, before they sleep: waking one takes as long
+/// as many a turn.
 constexpr std::chrono::microseconds kAttention{300};
 
-/// How often turns that take long are looked at.
+/// The period of checks for turns that take long.
 constexpr std::chrono::milliseconds kTurnLook{10};
 
 }  // namespace

@@ -23,7 +23,7 @@ struct RealHeadless {
   RealRobotOptions (*robotOf)(const std::string& url, const FormValues& values);
 };
 
-/// How a real robot runs without a window: its program runs here in real time until the time is over or the
+/// Runs a real robot without a window: its program runs here in real time until the time is over or the
 /// user interrupts it. The state of the connection is printed. The run fails if the robot was never
 /// connected.
 HeadlessPlatform headlessReal(RealHeadless declared);

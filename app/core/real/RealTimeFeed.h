@@ -61,7 +61,7 @@ class RealTimeFeed : public PlatformFeed {
   const std::chrono::milliseconds period_;
   /// Whether the published messages have readers.
   bool isRead_ = true;
-  /// When the next step is due, and when the status was last published.
+  /// The time at which the next step is due, and that of the last publication of the status.
   Clock::time_point due_, lastStatus_;
 };
 

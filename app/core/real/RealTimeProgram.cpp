@@ -19,8 +19,8 @@ using robotlink::Errors;
 
 namespace {
 
-/// Why it cannot be chosen where the program of a robot runs; nothing if it can. `asked` is the robot that a
-/// request names, empty for all.
+/// Returns why it cannot be chosen where the program of a robot runs; empty if it can. `asked` is the robot
+/// that a request names, empty for all.
 Errors refusalOfHosting(const std::string& robot, const std::string& asked, const HostProgram& choice,
                         bool isSpread) {
   if (!asked.empty() && asked != robot)

@@ -41,7 +41,7 @@ struct RealTimeOptions {
   std::shared_ptr<const robotlink::Preset> preset = nullptr;
   /// Whether the program runs in a process of the operating system of its own.
   HostingChoices hosting = {};
-  /// How it is run there; always with threads, in real time.
+  /// The options of running it there; always with threads, in real time.
   OwnProgram::Options own = {};
   /// Makes what runs instead of a program, such as a link to one elsewhere; empty: a program.
   HostedProgram::Maker instead = {};

@@ -37,7 +37,7 @@ class RecordingFetch {
   };
   struct Fetched {
     std::uint64_t bytes = 0;
-    /// How many of them were there from an earlier try.
+    /// The number of bytes that were there from an earlier try.
     std::uint64_t resumedAt = 0;
   };
 

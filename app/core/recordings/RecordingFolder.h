@@ -18,7 +18,7 @@ class RecordingFolder {
   struct Entry {
     std::string name;
     std::uint64_t bytes = 0;
-    /// When it was last written, in seconds since 1970.
+    /// The time of the last write, in seconds since 1970.
     double modified = 0;
     /// Whether it was ended as it should be, rather than by a crash; not while it is being recorded.
     bool isWhole = false;

@@ -103,7 +103,7 @@ void RecordingServices::stop(const json& argument, const Reply& reply) {
   control.set_action(ControlRecording::STOP);
   if (const auto stopped = recorder_.control(control); !stopped)
     return reply.fail(stopped.error().describe());
-  // So that what is listed next is whole.
+  // Finished, so that the recording listed next is complete.
   recorder_.finish();
   status(argument, reply);
 }

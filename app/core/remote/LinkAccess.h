@@ -11,7 +11,7 @@
 
 namespace app {
 
-// How the programs of this user connect with robots elsewhere; all of them do it in this way.
+// The way in which all programs of this user connect to remote robots.
 
 /// Decides whether a robot that was never seen is the intended one, see Connector::Options::isTrusted.
 using TrustRule = std::function<bool(const std::string& server, const std::string& fingerprint)>;
@@ -35,7 +35,7 @@ struct LinkQuestion {
   bool operator==(const LinkQuestion&) const = default;
 };
 
-/// Why there is no connection, as an error from which questionIn() reads what the person is to be asked.
+/// Returns why there is no connection, as an error from which questionIn() reads the question to the user.
 robotlink::Error refusalOf(const std::string& url, const robotlink::websocket::ConnectionState& state);
 /// Returns the question in these errors; unset if they are about something else.
 std::optional<LinkQuestion> questionIn(const robotlink::Errors& errors);

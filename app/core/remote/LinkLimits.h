@@ -18,18 +18,18 @@ class SessionClient;
 
 namespace app {
 
-/// How much a connection to robots elsewhere may carry. A plain value; the default is without limits.
+/// The limits of a connection to remote robots. A plain value; the default is without limits.
 struct LinkLimits {
   using Images = robotlink::websocket::RemoteImages;
-  /// How much the robot may send; 0: as much as the line takes.
+  /// The rate at which the robot may send; 0: as much as the line takes.
   double bytesPerSecond = 0;
   Images images = Images::kAutomatic;
-  /// How many images of each stream it may send; 0: all.
+  /// The number of images of each stream that it may send per second; 0: all.
   double imagesPerSecond = 0;
   bool operator==(const LinkLimits&) const = default;
 };
 
-/// How images are sent, as commands and options name it: "auto", "raw", "jpeg", "png".
+/// Returns the name of the coding of images in commands and options: "auto", "raw", "jpeg", "png".
 const char* nameOf(LinkLimits::Images images);
 std::optional<LinkLimits::Images> imagesNamed(const std::string& name);
 

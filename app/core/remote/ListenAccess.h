@@ -25,7 +25,7 @@ struct AccessOptions {
   std::vector<std::string> origins = {};
 };
 
-/// How a port is to be opened, and what the person who opens it has to know.
+/// The way in which a port is to be opened, and the notes for the person who opens it.
 struct ListenAccess {
   robotlink::websocket::Listener::Options listening;
   /// Sentences: tokens that were made just now, where they are, the fingerprint, what is not secure.

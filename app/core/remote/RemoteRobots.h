@@ -149,7 +149,7 @@ class RemoteRobots {
   /// The streams that are subscribed to for a recording.
   std::set<std::string> recorded_;
   std::uint64_t version_ = 0;
-  /// How often the connections were shown.
+  /// The number of times that the connections were shown.
   unsigned ticks_ = 0;
 };
 

@@ -11,13 +11,13 @@
 
 namespace app {
 
-/// How programs compute what a log lacks. A plain value.
+/// The options of computing what a log lacks by programs. A plain value.
 struct ComputationOptions {
   /// The layout of the programs; empty: as in ReplayOptions.
   std::filesystem::path layout = {};
   /// Maps tasks to solutions, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
-  /// How long a module may take, in real time, before the computation fails; 0: for ever.
+  /// The time that a module may take, in real time, before the computation fails; 0: forever.
   std::chrono::milliseconds patience = kModulePatience;
 };
 

@@ -126,7 +126,7 @@ class ReplayFeed final : public PlatformFeed {
   Playback playback_;
   /// A program got a request whose effect at the present instant is not published yet.
   bool stale_ = false;
-  /// When the status was last published.
+  /// The time at which the status was last published.
   Clock::time_point lastStatus_;
 };
 

@@ -70,7 +70,7 @@ Result<void> ReplayFeed::stop(const robotcontrol::Request& request) {
   return {};
 }
 
-/// While it is paused, they do not wait until the programs have run again up to here. They are no part of the
+/// While it is paused, they do not wait until the programs have run again up to here. They are not in the
 /// log that a recording of the replay is.
 void ReplayFeed::publishAnswers() {
   if (playback_.playing()) return;

@@ -126,7 +126,7 @@ std::optional<Instant> ReplayLogs::countedTime(const std::string& stream, int co
   // Several messages at one instant count as one step.
   auto at = std::ranges::upper_bound(times, place.source->inLog(now));
   for (int step = 1; step < count && at != times.end(); ++step) at = std::upper_bound(at, times.end(), *at);
-  // Behind the last message, or at the present instant, is the message before.
+  // Past the last message, or when not stepping forward, begin at the message before.
   if (at == times.end() || (count <= 0 && at != times.begin())) --at;
   for (int step = 0; step > count && at != times.begin(); --step) {
     at = std::lower_bound(times.begin(), at, *at);

@@ -47,13 +47,13 @@ struct ReplayOptions {
   std::filesystem::path colorTable;
   /// Whether the programs publish all packages that they yield, even if their debug keys are off.
   bool publishAllPackages = false;
-  /// How much of the log before the aim of a jump the programs run on, so that their models settle.
+  /// The time before the target of a jump for which the programs run, so that their models settle.
   robotlink::Duration preroll = std::chrono::seconds(2);
-  /// How long a module may take before it counts as not returning, in real time; 0: for ever.
+  /// The time that a module may take before it counts as not returning, in real time; 0: forever.
   std::chrono::milliseconds patience{0};
   /// The choice of programs that run in processes of the operating system of their own; always in lockstep.
   HostingChoices hosting = {};
-  /// How those are run.
+  /// The options of running those.
   OwnProgram::Options own = {};
   /// Called while the logs are opened; can cancel that.
   logplayer::LogFile::Progress progress;

@@ -46,7 +46,7 @@ struct ReplayPlan {
     bool logged = false;
     /// Whether a solution that yields it could run.
     bool canRecompute = false;
-    /// Why it cannot be recomputed: "nobody offers joints/states"; empty if it can.
+    /// The reason why it cannot be recomputed: "nobody offers joints/states"; empty if it can.
     std::string whyNot;
     /// AS_LOGGED or RECOMPUTED.
     robotcontrol::ControlReplay::PackageSource source = robotcontrol::ControlReplay::RECOMPUTED;

@@ -27,12 +27,12 @@
 
 namespace app {
 
-/// How the program of a robot of a log is run. A plain value.
+/// The options of running the program of a robot of a log. A plain value.
 struct ReplayHosting {
-  /// How long a module may take before it counts as not returning, in real time; 0: for ever.
+  /// The time that a module may take before it counts as not returning, in real time; 0: forever.
   std::chrono::milliseconds patience{0};
   bool ownProcess = false;
-  /// How it is run in a process of its own.
+  /// The options of running it in a process of its own.
   OwnProgram::Options own = {};
 };
 
@@ -111,7 +111,7 @@ class ReplayRobot {
   /// logged ones.
   robotlink::StreamMessage published(robotlink::StreamMessage message) const;
 
-  /// How recomputed packages differ from logged ones.
+  /// The differences between recomputed and logged packages.
   PackageDifferences& differences() { return differences_; }
   const PackageDifferences& differences() const { return differences_; }
   /// Whether run() counts differences; not done while a jump runs over earlier data.

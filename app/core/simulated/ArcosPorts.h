@@ -50,7 +50,7 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
   const robotlink::arcos::RobotPorts& ports() const { return *ports_; }
   /// A sentence for the user if programs on other computers can drive the robots; otherwise empty.
   std::string warning() const;
-  /// How many lines from this robot's clients were left out.
+  /// The number of lines from this robot's clients that were left out.
   std::uint64_t suppressedTexts(std::size_t robot) const { return texts_.at(robot).suppressed(); }
   /// The exit status with which a client asked the simulation to end; unset if none did.
   std::optional<int> exitRequest() const { return exit_; }

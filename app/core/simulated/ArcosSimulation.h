@@ -31,7 +31,7 @@ class ArcosSimulation {
     /// Folders in which model://NAME is searched first.
     std::vector<std::filesystem::path> models = {};
   };
-  /// How well the simulation keeps up with real time.
+  /// The figures on how well the simulation keeps up with real time.
   struct Punctuality {
     /// The largest delay of a step.
     robotlink::Duration latest{};

@@ -38,7 +38,7 @@ struct BallTrials {
   SimulatedRun::Listeners listeners = {};
   /// The seed of the first trial; each further one has the next number.
   std::uint64_t firstSeed = 1;
-  /// How many trials are played.
+  /// The number of trials to play.
   int count = 20;
   /// The largest distance of the ball from the robot, m.
   double radius = 1.5;
@@ -47,7 +47,7 @@ struct BallTrials {
   /// Robot and ball are placed anywhere on the field, whatever the radius is, and a trial ends with a goal
   /// instead of a touch.
   bool goals = false;
-  /// How long a trial continues after the first touch, simulated s.
+  /// The time for which a trial continues after the first touch, simulated s.
   double afterTouch = 2;
   /// Called after each trial; may be empty.
   std::function<void(const Trial&)> onTrial;

@@ -24,7 +24,7 @@ robotlink::Errors missingField(const simcore::Scene& scene);
 /// The rules of the game.
 robotlink::Errors missingGame(const simcore::Scene& scene);
 
-/// How many parts of its files a scene leaves out (Scene::leftOut()), and how to see them; empty if none.
+/// Says how many parts of its files a scene leaves out (Scene::leftOut()), and how to see them; empty: none.
 std::string leftOutText(const simcore::Scene& scene);
 
 /// All of what is missing.

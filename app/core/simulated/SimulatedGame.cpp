@@ -28,7 +28,7 @@ using robotlink::Result;
 
 namespace {
 
-/// How often the time that is left is sent to robots.
+/// The period at which the remaining time is sent to robots.
 constexpr robotlink::Duration kPublishEvery = std::chrono::milliseconds(96);
 
 }  // namespace

@@ -71,13 +71,13 @@ struct RunOptions {
   std::optional<simcore::RobotsToAdd> robots = {};
   /// TCP ports at which other programs find the Pioneers; unset: none.
   std::optional<ArcosPorts::Options> ports = {};
-  /// How long a module may take before it counts as not returning, in real time; 0: for ever.
+  /// The time that a module may take before it counts as not returning, in real time; 0: forever.
   std::chrono::milliseconds patience{0};
   /// Whether a window shows the run, with which it shares the processors.
   bool isWatched = false;
   /// The choice of where programs run, and whether in threads.
   HostingChoices hosting = {};
-  /// How those in processes of their own are run.
+  /// The options of running those in processes of their own.
   OwnProgram::Options own = {};
   /// Makes what runs instead of programs, such as links to programs elsewhere; empty: programs.
   HostedProgram::Maker instead = {};
@@ -197,7 +197,7 @@ class SimulatedRun {
   /// The same in the recent past; see SimulatedWorld::rewind().
   robotlink::Result<void> rewind(robotlink::Duration back);
   /// Begins to bring world and programs to the state of a snapshot: all start over, and each step() repeats
-  /// the requests of then. Fails, changing nothing, with the reason where it cannot be known that the same
+  /// its requests. Fails, changing nothing, with the reason where it cannot be known that the same
   /// state results: programs in threads or elsewhere, other settings, robots driven from outside, or
   /// where something happened that is not kept.
   robotlink::Result<void> runAgain(const simcore::Snapshot& snapshot);
@@ -442,7 +442,7 @@ class SimulatedRun {
   std::unique_ptr<SimulatedWorld> world_;
   /// The scene as its file described it when it was read last.
   std::shared_ptr<const simcore::Scene> read_;
-  /// How models moved, by name, that are in the scene no more after its file was edited.
+  /// The motions of models, by name, that are no longer in the scene after its file was edited.
   std::map<std::string, std::shared_ptr<const simcore::ModelMotion>> goneMotions_;
   /// The newest last.
   std::vector<Edit> edits_;

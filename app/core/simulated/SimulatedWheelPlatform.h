@@ -23,7 +23,7 @@ class SimulatedWheelPlatform final : public SimulatedPlatform {
  public:
   /// Period of drive/state, and of range sensors that have no rate of their own.
   static constexpr robotlink::Duration kCycle = std::chrono::milliseconds(100);
-  /// How long a drive request is valid.
+  /// The time for which a drive request is valid.
   static constexpr robotlink::Duration kSilence = std::chrono::seconds(1);
 
   /// Fails if the simulated robot lacks the drive, laser or sonars of the description.

@@ -156,7 +156,7 @@ class SimulationFeed final : public PlatformFeed {
   void afterControl(Clock::time_point real);
   /// Publishes the inputs of remote controllers for the next step; `newOnly`: those that have just begun.
   void publishInputs(bool newOnly);
-  /// How the controllers fare, if there are any, and the scene's objects, which name them.
+  /// Publishes the state of the controllers, if there are any, and the scene's objects, which name them.
   void publishControllers();
   /// Publishes the drawings of controllers.
   void publishDrawings();
@@ -183,7 +183,7 @@ class SimulationFeed final : public PlatformFeed {
   /// Single steps that were requested and not made yet.
   int stepsWanted_ = 0;
   Pace pace_;
-  /// When transforms, status and ports were last published.
+  /// The times of the last publications.
   Clock::time_point lastTransforms_, lastStatus_, lastPorts_, lastForces_, lastGame_;
   /// Referee::changes() at lastGame_.
   std::uint64_t gameChanges_ = 0;

@@ -7,7 +7,7 @@
 namespace app {
 namespace {
 
-/// How often the time that is left is published, in real time.
+/// The period at which the remaining time is published, in real time.
 constexpr std::chrono::milliseconds kGameEvery{200};
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace app {
 namespace {
 
 constexpr std::chrono::milliseconds kForcesPeriod{33};
-/// How long programs are run again until requests are looked at.
+/// The time for which programs are run again before requests are handled.
 constexpr std::chrono::milliseconds kAgainSlice{30};
 constexpr std::chrono::milliseconds kAgainStatusEvery{100};
 

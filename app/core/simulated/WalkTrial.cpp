@@ -18,7 +18,7 @@ using robotlink::Pose2;
 constexpr double kStandTime = 0.5, kSteadyAfter = 1.5;
 /// While a robot is steered, requests are repeated.
 constexpr double kRepeatAfter = 0.5;
-/// How far it begins before the middle of the field, m.
+/// The distance of the start from the middle of the field, m.
 constexpr double kBeforeMiddle = 0.8;
 /// The most that the seed adds to the heading (rad), and to the commanded velocity (m/s, rad/s).
 constexpr double kHeadingRange = 0.3, kSidewardRange = 0.01, kRotationRange = 0.1;

@@ -28,7 +28,7 @@ struct WalkTrial {
   SimulatedRun::Listeners listeners = {};
   /// The commanded velocity; the gait limits it.
   Velocity asked;
-  /// How long it is measured, simulated s.
+  /// The duration of the measurement, simulated s.
   double seconds = 5;
 
   /// Fails if the simulation cannot be run or has no robot, or if the robot cannot be placed or steered.

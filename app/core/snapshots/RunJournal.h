@@ -36,7 +36,7 @@ class RunJournal {
   const std::string& settings() const { return settings_; }
   const std::vector<robotcontrol::Request>& overrides() const { return overrides_; }
   const std::vector<Entry>& entries() const { return entries_; }
-  /// Why it cannot be repeated; empty: it can.
+  /// The reason why it cannot be repeated; empty: it can.
   const std::string& spoiled() const { return spoiled_; }
 
   std::vector<std::uint8_t> encode() const;

@@ -18,7 +18,7 @@ using robotlink::Process;
 namespace {
 
 constexpr std::chrono::milliseconds kOtherLook{10};
-/// How long the end of frames is waited for.
+/// The time to wait for the end of frames.
 constexpr std::chrono::milliseconds kOtherEnd{300};
 
 robotlink::ThreadExecutor::Options executorOptions(const std::function<void(const std::string&)>& report) {

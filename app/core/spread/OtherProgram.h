@@ -39,7 +39,7 @@ class OtherProgram {
     std::function<std::unique_ptr<robotlink::Platform>(const robotlink::Clock& clock)> platform;
     /// Called with sentences for the user, from any thread.
     std::function<void(const std::string& text)> report;
-    /// How long a frame may last before it counts as not returning.
+    /// The time that a frame may last before it counts as not returning.
     std::chrono::milliseconds patience = kModulePatience;
   };
 

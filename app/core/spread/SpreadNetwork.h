@@ -10,8 +10,8 @@
 
 namespace app {
 
-/// How a program of a layout takes part in DDS: on the loopback interface, or, if the layout names hosts, on
-/// the interface of this machine that has the address of its host.
+/// The network for DDS in a program of a layout: the loopback interface, or, if the layout names
+/// hosts, the interface of this machine that has the address of its host.
 struct SpreadNetwork {
   robotlink::dds::NodeOptions node;
   /// A note for the user about it, as a sentence.

@@ -32,7 +32,7 @@ class SpreadProgram {
 
   /// Makes the program; this object must outlive the maker's calls.
   HostedProgram::Maker maker();
-  /// Why programs that are spread cannot change to the layout of a file.
+  /// Returns why programs that are spread cannot change to the layout of a file.
   static robotlink::Error refusalOfLayout(const std::filesystem::path& file);
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 /// The ends of slides, m: a position as near as that counts as the end.
 constexpr double kEnd = 0.003;
-/// How far behind a paddle's place its target is while it presses, m.
+/// The distance of a paddle's target behind its place while it presses, m.
 constexpr double kPress = 0.01;
 
 template <typename Devices>

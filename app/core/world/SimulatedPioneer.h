@@ -42,8 +42,8 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   static robotlink::Result<std::unique_ptr<SimulatedPioneer>> create(simcore::Simulation& simulation,
                                                                      std::string robot, Options options);
   const std::string& robot() const { return robot_; }
-  /// Finds its wheels and sensors again after the simulation went on in another scene, where they have other
-  /// numbers. False, changing nothing, if they are others than before.
+  /// Finds its wheels and sensors again after the simulation continued in another scene, in which they have
+  /// other numbers. False, changing nothing, if they are others than before.
   bool rebind();
 
   /// Call this after each step of the physics; sets the wheels' speeds for the next one.

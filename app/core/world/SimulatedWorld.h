@@ -49,7 +49,7 @@ class SimulatedWorld {
     std::optional<double> imageNoise = {};
     /// Whether robots on wheels are moved by their odometry instead of by forces.
     bool kinematic = false;
-    /// How many bytes of its past are kept, so that it can be rewound; 0: it cannot.
+    /// The number of bytes of its past that are kept, so that it can be rewound; 0: it cannot.
     std::size_t rewindBytes = 0;
     /// How many threads share the work: physics, measurements, images, and in SimulatedRun the programs. The
     /// results are the same for any number.
@@ -95,7 +95,7 @@ class SimulatedWorld {
   /// snapshot. Fails, changing nothing, if the snapshot is of another scene or is not possible. Returns the
   /// models that an edited scene has where its file puts them.
   robotlink::Result<std::vector<std::string>> restore(const simcore::Snapshot& snapshot);
-  /// How far it can go back.
+  /// The time by which it can go back.
   robotlink::Duration rewindable() const;
   /// Goes back in the simulation by at least a step of kStep, to the nearest one, as restore() does; digest()
   /// continues. Fails, changing nothing, if that is too long ago.
@@ -127,7 +127,7 @@ class SimulatedWorld {
   /// Whether a camera (by its index) takes an image at this step.
   bool imageDue(std::size_t camera) const { return imageDue(camera, simulation_->steps()); }
   /// Renders the image of a camera, YCbCr 4:2:2. Valid until the next call. With several threads, images that
-  /// are due now of other cameras that were asked for when their previous one was due are made meanwhile.
+  /// are due now of other cameras that were requested when their previous one was due are made meanwhile.
   const robotlink::Image& render(std::size_t camera);
   /// Renders what a camera sees for a person, as render() does; costs() and digest() do not count it. Valid
   /// until the next call of either.

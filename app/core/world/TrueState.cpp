@@ -14,7 +14,7 @@ namespace {
 constexpr double kLiftedHeight = 0.01;   // m
 constexpr double kLyingCosine = 0.7071;  // 45 degrees
 
-/// How the names of the links of a leg end, and how the leg is called.
+/// The ends of the names of a leg's links, and the leg's name.
 constexpr std::array<std::pair<const char*, const char*>, 4> kLegsOfLinks{
     {{"FL", "front left"}, {"FR", "front right"}, {"HL", "hind left"}, {"HR", "hind right"}}};
 

@@ -329,7 +329,7 @@ std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Si
     const ModelWriter writer(model, file, isMovable, *message);
     const auto robot = std::ranges::find(robots, model.name, &simcore::SceneRobot::name);
     if (robot == robots.end()) continue;
-    // Also an empty one: then it is known that the robot has none.
+    // An empty one is added, too: then it is known that the robot has none.
     auto& team = *message->mutable_objects(first)->add_properties();
     team.set_name("team");
     team.set_text(robot->team);

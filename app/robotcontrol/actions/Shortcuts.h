@@ -41,7 +41,7 @@ class Shortcuts final : public QObject {
  public:
   Shortcuts(WindowKeys& keys, std::filesystem::path file, QWidget& window);
 
-  /// Why the file cannot be used; nothing otherwise.
+  /// The reason why the file cannot be used; unset otherwise.
   const std::optional<robotlink::Error>& problem() const { return problem_; }
   std::vector<Shortcut> all() const;
   /// Gives something another key; an empty one removes the key. Fails if the key does something else already,

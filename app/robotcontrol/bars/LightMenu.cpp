@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kStepsPerUnit = 100;
 constexpr int kRefreshMs = 100;
-/// How often a requested light may be missing in the simulation's reports.
+/// The number of the simulation's reports in which a requested light may be missing.
 constexpr int kPatience = 10;
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// How far the opening of a log, map or scene is, with a button that cancels it. Hidden while none is
-/// opened, and for what takes no longer than a moment. GUI thread.
+/// Shows the progress of opening a log, map or scene, with a button that cancels it. Hidden while none is
+/// opened, and if that takes only a moment. GUI thread.
 class OpeningBar : public QWidget {
   Q_OBJECT
  public:

@@ -32,7 +32,7 @@ class RemoteLine : public QObject {
 
  private:
   QToolButton* addButton(const QString& name);
-  /// How wide the texts of all connections together may be, in pixels: what the others leave of the bar.
+  /// The maximum width of the texts of all connections together, in pixels: what the others leave of the bar.
   int room(std::size_t shown) const;
   static QString tipOf(const RemoteRobots::Connection& connection);
   void showConnections();

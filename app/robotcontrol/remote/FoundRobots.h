@@ -15,7 +15,7 @@ class EmptyHint;
 
 namespace app {
 
-/// How long something has been there, for users: "12 s", "3 min", "2 h".
+/// Returns an age as a text for users: "12 s", "3 min", "2 h".
 QString ageText(robotlink::Duration age);
 
 /// Lists the robots that announce themselves on the networks of this computer: their names, kinds, what they

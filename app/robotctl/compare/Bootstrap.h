@@ -21,7 +21,7 @@ MeanInterval bootstrapMean(const std::vector<double>& values);
 /// up to 12 values, else by 4,000 permutations of fixed seeds. Of n values it is at least 2 / 2^n, whatever
 /// they are: five or fewer never tell at the level of 5 %, which bootstrapped bounds hide. 1 without values.
 double chanceOf(const std::vector<double>& values);
-/// How many values chanceOf() needs to be able to tell at the level of 5 %.
+/// The fewest values with which chanceOf() can tell a difference at the level of 5 %.
 inline constexpr std::size_t kFewestForChance = 6;
 
 /// Corrects such chances for their number: of those up to a level, at most that share is due to chance

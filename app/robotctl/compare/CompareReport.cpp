@@ -60,7 +60,7 @@ std::string groupOf(const std::string& figure) {
   return word.find('/') == std::string::npos ? std::string() : word;
 }
 
-/// How a figure is shown: its unit, and what its numbers are multiplied by.
+/// The unit with which a figure is shown, and the factor of its numbers.
 struct ShownUnit {
   std::string name;
   double factor = 1;
@@ -287,7 +287,7 @@ std::string differenceTable(const Comparison& comparison, const std::vector<Diff
          rows + "</table></div>\n";
 }
 
-/// How much was compared, in a sentence.
+/// Returns the extent of the comparison, in a sentence.
 std::string extentText(const Comparison& comparison, const std::vector<Difference>& differences) {
   std::string text;
   for (const std::string& variant : comparison.variants()) {

@@ -27,7 +27,7 @@ struct Figure {
 /// that are weighted so.
 std::vector<Figure> figuresIn(const nlohmann::json& printed);
 
-/// How two variants differ in a figure, on the subjects that both were tried on.
+/// The difference of two variants in a figure, on the subjects that both were tried on.
 struct Difference {
   std::string figure, unit, first, second;
   std::size_t subjects = 0;

@@ -17,7 +17,7 @@ struct Optimizer {
   /// H. da Silva Santos et al., 2010). "sbplx": Nelder-Mead on a sequence of subspaces (T. Rowan: Functional
   /// stability analysis of numerical algorithms, 1990), which looks around the start only.
   std::string algorithm;
-  /// How often the cost is computed at most.
+  /// The maximum number of computations of the cost.
   int evaluations = 0;
   /// The same seed tries the same points, as long as the costs are the same.
   std::uint64_t seed = 1;

@@ -17,7 +17,7 @@ class App;
 
 namespace app {
 
-/// How the runs of a comparison or a tournament are executed: the options about it, and the execution. A
+/// Executes the runs of a comparison or a tournament: the options about it, and the execution. A
 /// plain value.
 struct RunExecution {
   /// The simulated length of each run.

@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-/// How long a part may be, in bytes: names of files have two of them, and suffixes, within 255 bytes.
+/// The maximum length of a part, in bytes: names of files have two of them, and suffixes, within 255 bytes.
 constexpr std::size_t kMaxPart = 100;
 
 /// A part of a file's name: letters, digits, and '-' for everything else. Names that differ only in something

@@ -23,7 +23,7 @@ std::string wholeFile(const std::string& name) {
   return std::filesystem::exists(name, ignored) ? std::filesystem::absolute(name).string() : name;
 }
 
-/// How much a game counts as won.
+/// The share of a win that a game counts as.
 double shareOfWin(int own, int other) {
   if (own == other) return 0.5;
   return own > other ? 1 : 0;

@@ -16,7 +16,7 @@ namespace {
 /// The cost of a candidate whose runs have no result: worse than any figure, and finite.
 constexpr double kNoResult = 1e30;
 
-/// So many candidates are tried before it counts that all have the same figure.
+/// The number of candidates to try before it counts that all have the same figure.
 constexpr std::size_t kAlike = 4;
 
 /// A name for a candidate that depends on its numbers only.

@@ -33,7 +33,7 @@ struct RequestArguments {
 
 constexpr std::chrono::milliseconds kLookInterval{5};
 
-/// Until the condition holds or the time is over; false if it does not hold, or the user has interrupted.
+/// Waits until the condition holds or the time is over; false if it does not hold, or the user interrupted.
 template <typename Condition>
 bool waitFor(Condition condition, std::chrono::steady_clock::time_point end) {
   while (!condition()) {

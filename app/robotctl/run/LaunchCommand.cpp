@@ -17,7 +17,7 @@
 namespace app {
 namespace {
 
-/// How long the programs may take to end after Ctrl-C.
+/// The time that the programs may take to end after Ctrl-C.
 constexpr std::chrono::seconds kLaunchGrace{5};
 
 struct LaunchArguments {

@@ -23,7 +23,7 @@ namespace app {
 namespace {
 
 constexpr std::chrono::milliseconds kScriptTick{2};
-/// So long programs may take to report their tasks after they were opened.
+/// The time that programs may take to report their tasks after they were opened.
 constexpr std::chrono::seconds kMaxTablesTime{10};
 
 /// The folder of a user who keeps nothing; removed at the end.

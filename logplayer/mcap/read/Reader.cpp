@@ -39,7 +39,7 @@ Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, 
   Result<Source> source = Source::open(file);
   if (!source) return tl::unexpected(source.error());
   options.maxRecordBytes = std::min(options.maxRecordBytes, kMaxReadableRecordBytes);
-  // A file of which others look through the same bytes is looked through once.
+  // A file that several readers scan at the same time is scanned once.
   std::shared_ptr<const FileIndex> known = KnownIndexes::all().find(*source, options.maxRecordBytes);
   if (known == nullptr) {
     Result<FileIndex> index = readIndex(*source, options);
@@ -142,7 +142,7 @@ void Reader::readAll(const std::function<bool(const Message&)>& visit) {
   for (std::size_t i = 0; proceed && i < sections.size(); ++i) {
     if (!parts_->cache.readInto(i, records)) {
       if (!parts_->refit()) continue;
-      // On with the first that was not read.
+      // Continues with the first one that was not read.
       known = parts_->knownChannels();
       const auto next =
           std::ranges::lower_bound(sections, readTo, {}, [](const Section& s) { return s.info.offset; });

@@ -133,7 +133,7 @@ std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
   if (!list) {
     const auto read = records(section);
     list = read ? MessageList::fromRecords(**read) : MessageList();
-    // Without message indexes, what comes behind the place where the records break off is lost.
+    // Without message indexes, everything behind the place where the records break off is lost.
     if (read && !visitRecords(**read, [](const RecordView&, std::size_t) {}))
       messagesOfBroken(section, **read);
     const auto ends = std::ranges::minmax_element(list->entries(), {}, &MessageList::Entry::time);

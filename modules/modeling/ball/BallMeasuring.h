@@ -7,7 +7,7 @@
 
 namespace modules {
 
-/// How exact a ball percept is: its distance is much less certain than its direction, and the more so the
+/// The accuracy of a ball percept: its distance is much less certain than its direction, and the more so the
 /// farther away the ball is. A plain value.
 struct BallAccuracy {
   /// Standard deviation along the ray, m, plus this for each meter of distance.

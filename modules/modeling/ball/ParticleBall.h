@@ -23,16 +23,16 @@ class ParticleBall {
  public:
   struct Options {
     int particles = 80;
-    /// How long the ball is known without percepts, s.
+    /// The time for which the ball is known without percepts, s.
     double memory = 6;
     RollingBall roll;
     /// How often a ball begins to roll and stops, 1/s.
     double startRate = 0.5, stopRate = 0.5;
     /// Standard deviation of the velocity of a ball that begins to roll, m/s.
     double startSpeed = 0.6;
-    /// How far velocities change, m/s after one second, growing with the root of time.
+    /// The change of velocities, m/s after one second, growing with the root of time.
     double velocityNoise = 0.4;
-    /// How far dead reckoning moves a ball, m after one second, growing with the root of time.
+    /// The distance by which dead reckoning moves a ball, m after one second, growing with the root of time.
     double drift = 0.12;
     BallAccuracy accuracy;
     /// The fraction of particles that are drawn at a percept.

@@ -21,12 +21,12 @@ namespace modules {
 class RollingBallFilter {
  public:
   struct Options {
-    /// How long the ball is known without percepts, s.
+    /// The time for which the ball is known without percepts, s.
     double memory = 6;
     RollingBall roll;
     /// Standard deviation of the accelerations of a rolling ball, m/s^2.
     double acceleration = 2;
-    /// How far dead reckoning moves a resting ball, m after one second, growing with the root of time.
+    /// The drift of a resting ball by dead reckoning, m after one second, growing with the root of time.
     double drift = 0.1;
     /// How often a ball begins to roll and stops, 1/s.
     double startRate = 0.5, stopRate = 0.5;

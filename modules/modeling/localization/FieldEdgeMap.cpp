@@ -13,11 +13,11 @@ using robotlink::Vector2;
 
 namespace {
 
-/// How far the map extends beyond the surface, m.
+/// The distance by which the map extends beyond the surface, m.
 constexpr double kEdgeMargin = 0.1;
 /// The resolution of the distances, m.
 constexpr double kUnit = 0.002;
-/// How far a direction may be from that of an edge, rad.
+/// The difference that a direction may have from that of an edge, rad.
 constexpr double kSimilar = kPi / 6;
 
 /// The difference of two directions of lines, which are the same after half a turn; from 0 to pi/2.

@@ -17,14 +17,14 @@ namespace {
 constexpr double kMaxSquare = 9;
 /// Goals have no exact position, because posts and robots hide parts of them.
 constexpr double kGoalDoubt = 2;
-/// How far the middle of what is seen of a goal may be from that of the goal, m.
+/// The distance between the middle of the visible part of a goal and that of the goal, at most, m.
 constexpr double kGoalBlur = 0.12;
-/// How far off the distance of a goal may be that robots hide parts of, m. In games it was 0.25 to 0.55 m on
+/// The error of the distance of a goal of which robots hide parts, m. In games it was 0.25 to 0.55 m on
 /// the average, most near the goal, and up to 3 m.
 constexpr double kGoalDistanceBlur = 0.6;
 /// Cells of poses in which clusters are looked for, m and per turn.
 constexpr double kClusterCell = 0.4;
-/// How many times denser than the cluster of the last estimate another one has to be to take its place.
+/// The factor by which another cluster must be denser than that of the last estimate to take its place.
 constexpr double kKeepsCluster = 1.5;
 constexpr int kHeadingCells = 12;
 /// The share of new particles that keep their place and turn.

@@ -32,7 +32,7 @@ class FieldMonteCarlo {
     double distanceDeviation = 0.1;
     /// The deviation of the place of a line's point, m, plus a fraction of its distance.
     double lineDeviation = 0.03, lineDeviationPerMeter = 0.08;
-    /// How many of an image's points of lines are used; 0: none.
+    /// The number of an image's points of lines that are used; 0: none.
     int linePoints = 12;
     /// The fraction of an image's information that the previous image did not contain: of landmarks, and of
     /// each point of a line.
@@ -49,7 +49,7 @@ class FieldMonteCarlo {
     double goodFit = 0.45;
     /// The fraction of particles that are replaced if nothing fits; and in every image.
     double newShare = 0.2, probeShare = 0.01;
-    /// How long landmarks are remembered for new particles, s.
+    /// The time for which landmarks are remembered for new particles, s.
     double memory = 4;
     std::uint64_t seed = 1;
   };
@@ -77,7 +77,7 @@ class FieldMonteCarlo {
   void update(const Frame& frame);
 
   const PoseEstimate& estimate() const { return estimate_; }
-  /// How well the particles fit to the landmarks lately, 0 to 1.
+  /// The recent fit of the particles to the landmarks, 0 to 1.
   double fit() const { return fit_; }
   /// The poses of all particles; for drawings.
   std::vector<robotlink::Pose2> particles() const;

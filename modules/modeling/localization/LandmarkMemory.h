@@ -17,7 +17,7 @@ class LandmarkMemory {
     robotlink::Vector2 position = robotlink::Vector2::Zero();
     /// In the frame of dead reckoning, m.
     robotlink::Vector2 inOdometry = robotlink::Vector2::Zero();
-    /// When it was seen, s.
+    /// The time at which it was seen, s.
     double time = 0;
     bool isGoal = false;
   };

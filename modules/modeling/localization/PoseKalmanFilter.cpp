@@ -96,7 +96,7 @@ double PoseKalmanFilter::correctByLine(Hypothesis& hypothesis, const LineMeasure
   if (!edge) return std::exp(-0.5 * options_.evidence * options_.gate * options_.gate);
   const Vector2 along = (edge->end - edge->start).normalized();
   const Vector2 normal(-along.y(), along.x());
-  // How the point moves when the robot turns.
+  // The motion of the point when the robot turns.
   const Vector2 arm = inField - hypothesis.pose.translation();
   const double turning = normal.dot(Vector2(-arm.y(), arm.x()));
   return correct(hypothesis, {normal.x(), normal.y(), turning}, -normal.dot(inField - edge->start),

@@ -31,7 +31,7 @@ class PoseKalmanFilter {
     /// The deviation of the distance of a point to its line, m, plus a fraction of its distance to the
     /// robot.
     double lineDeviation = 0.05, lineDeviationPerMeter = 0.12;
-    /// How many of an image's points of lines are used; 0: none.
+    /// The number of an image's points of lines that are used; 0: none.
     int linePoints = 6;
     /// The fraction of an image's information that the previous image did not contain.
     double evidence = 0.3;
@@ -46,7 +46,7 @@ class PoseKalmanFilter {
     /// Hypotheses with less weight are removed.
     double minimumWeight = 0.005;
     int maximumHypotheses = 8;
-    /// How long landmarks are remembered for new hypotheses, s.
+    /// The time for which landmarks are remembered for new hypotheses, s.
     double memory = 4;
   };
   using Frame = FieldMonteCarlo::Frame;

@@ -10,7 +10,7 @@ using robotlink::Vector2;
 
 namespace {
 
-/// How far the grid extends beyond the field, m.
+/// The distance by which the grid extends beyond the field, m.
 constexpr double kGridMargin = 0.2;
 /// Less evidence is none.
 constexpr double kNoEvidence = 0.005;

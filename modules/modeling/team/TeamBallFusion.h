@@ -54,7 +54,7 @@ class TeamBallFusion {
   struct Options {
     /// Older reports are ignored, s.
     double memory = 4;
-    /// How much less certain a report becomes, m after one second, growing with time.
+    /// The loss of certainty of a report, m after one second, growing with time.
     double drift = 0.15;
     /// Reports farther from each other than this many standard deviations contradict each other.
     double gate = 3;

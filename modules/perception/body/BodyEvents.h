@@ -42,10 +42,10 @@ struct BodyFrame {
 class ContactEvents {
  public:
   struct Options {
-    /// How long no paw touches the ground until the robot counts as picked up, and how long one does until it
-    /// counts as put down, s.
+    /// The time without ground contact after which the robot counts as picked up, and that with contact after
+    /// which it counts as put down, s.
     double pickedUpAfter = 0.3, putDownAfter = 0.1;
-    /// How long a paw of a walking robot keeps its contact until its leg has collided, s.
+    /// The time for which a paw of a walking robot keeps its contact until its leg has collided, s.
     double stuckAfter = 1.2;
   };
   explicit ContactEvents(const Options& options) : options_(options) {}
@@ -76,11 +76,11 @@ class JointErrorEvents {
     double load = 0.06;
     /// Over which time that is averaged, s.
     double loadTime = 0.5;
-    /// How many standard deviations above its mean the error of a leg is when it has collided.
+    /// The number of standard deviations above its mean that the error of a leg has when it has collided.
     double deviations = 4;
     /// Over which time the present error, and the usual one, are averaged, s.
     double errorTime = 0.15, usualTime = 6;
-    /// How long the robot has walked until its usual errors are known, s.
+    /// The time of walking until the usual errors of the robot are known, s.
     double learningTime = 2;
   };
   explicit JointErrorEvents(const Options& options) : options_(options) {}

@@ -14,7 +14,7 @@ using robotlink::YCbCr;
 
 namespace {
 
-/// How far below the horizon scan lines begin, pixels: ground farther away is of no use.
+/// The distance below the horizon at which scan lines begin, pixels: ground farther away is of no use.
 constexpr int kBelowHorizon = 4;
 /// The smallest gradient of Y that has a direction, for each pixel.
 constexpr double kMinGradient = 12;

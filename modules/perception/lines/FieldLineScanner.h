@@ -34,11 +34,11 @@ class FieldLineScanner {
     int columnSpacing = 8, rowSpacing = 10;
     /// Minimum difference in Y of white and green.
     int contrast = 30;
-    /// How far Cr of green is below the middle, as a fraction of Y.
+    /// The distance of Cr of green below the middle, as a fraction of Y.
     double greenness = 0.25;
-    /// How far Cb and Cr of white are from the middle at most, as a fraction of Y.
+    /// The maximum distance of Cb and Cr of white from the middle, as a fraction of Y.
     double whiteness = 0.25;
-    /// How many pixels of other colors may be between green and white.
+    /// The number of pixels of other colors that may be between green and white.
     int maximumGap = 3;
     /// Points nearer than this are on the robot's own body, m.
     double minimumDistance = 0.2;

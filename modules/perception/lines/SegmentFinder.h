@@ -25,9 +25,9 @@ struct LineSegment {
 class SegmentFinder {
  public:
   struct Options {
-    /// How far a point may be from its line, m, plus a fraction of its distance to the robot.
+    /// The distance that a point may have from its line, m, plus a fraction of its distance to the robot.
     double tolerance = 0.02, tolerancePerMeter = 0.03;
-    /// How far the direction of a point may be from that of its line, rad.
+    /// The difference that a point's direction may have from that of its line, rad.
     double directionTolerance = 0.5;
     /// Pairs of points that are tried for each line.
     int samples = 40;

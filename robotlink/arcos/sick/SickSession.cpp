@@ -150,7 +150,7 @@ void SickSession::tick(Instant now) {
 void SickSession::take(std::span<const std::uint8_t> bytes, Instant now) {
   if (!open_) return;
   parser_.push(bytes);
-  // A telegram may make it want another speed; what follows is not read at this one.
+  // A telegram may make it want another speed; the rest is not read at this one.
   while (open_) {
     const auto found = parser_.next();
     if (!found) break;
@@ -160,7 +160,7 @@ void SickSession::take(std::span<const std::uint8_t> bytes, Instant now) {
 
 void SickSession::takeTelegram(const SickTelegram& telegram, Instant now) {
   if (auto readings = sickReadings(telegram, bits())) {
-    if (state_ != State::kRunning) return;  // of before it was set up
+    if (state_ != State::kRunning) return;  // a scan from before the setup
     lastScan_ = now;
     ++scans_;
     // Ten bits a byte, and eight bytes around the data.

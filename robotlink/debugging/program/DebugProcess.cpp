@@ -327,7 +327,7 @@ void DebugProcess::Implementation::recordPackages(const Request& request) {
   answer(request, "");
 }
 
-/// Processes know themselves whether a value takes the package's place there: all that receive readings do.
+/// Processes know themselves whether a value replaces the package there: all that receive readings do.
 void DebugProcess::Implementation::setPackage(const Request& request) {
   sendToAll(request);
   processTableDue.reset();

@@ -107,7 +107,7 @@ std::string RequestPreview::setPackage(const Request& request) {
   return "";
 }
 
-/// Marks a process's packages in whose places there will be values of the user.
+/// Marks a process's packages that values of the user will replace.
 void RequestPreview::describeHeld(robotcontrol::ProcessTable::Process& process) const {
   const TaskProcess* tasks = nullptr;
   for (const Process* one : program_.processes()) {

@@ -72,7 +72,7 @@ struct RobotProgram::Implementation {
   /// The debug process or the reporter; one of the two is null.
   DebugProcess* debugProcess = nullptr;
   ProcessReporter* reporter = nullptr;
-  /// The platform, and what decides here what it does.
+  /// The platform, and the processes here that decide what it does.
   std::vector<const Process*> commandedBy;
 };
 

@@ -9,7 +9,7 @@
 namespace robotlink::websocket {
 namespace {
 
-/// A longer argument of a call is sent in parts of this size: what is urgent waits for one of them.
+/// A longer argument of a call is sent in parts of this size: urgent messages wait for one of them.
 constexpr std::size_t kPartBytes = 2048;
 
 }  // namespace
@@ -315,7 +315,7 @@ void Client::failAll(Calls& calls, const std::function<bool(const PendingCall&)>
   }
 }
 
-/// Why a call did not become what was asked for in its time.
+/// The reason why a call was not answered in time.
 std::string Client::reasonFor(const PendingCall& pending) const {
   if (pending.isSent)
     return "the robot did not answer within " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What servers say to a client.
+// Handles the messages of servers.
 #include <algorithm>
 
 #include "robotlink/foxglove/client/Client.h"
@@ -74,7 +74,7 @@ Result<void> Client::handle(const ServerInfo& message, Calls& calls) {
   return {};
 }
 
-/// Asks for all that holds.
+/// Sends all requests that hold.
 void Client::greet() {
   if (wishes_.budget && can("parameters")) send(SetParameters{{{"link/budget", Value{*wishes_.budget}}}, ""});
   if (!wishes_.rates.empty() && can("parameters"))

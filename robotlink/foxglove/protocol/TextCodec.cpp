@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 constexpr std::uint32_t kNanoseconds = 1'000'000'000;
 
-/// A sentence that is longer than what is read is cut, rather than lost with its message.
+/// A sentence that is longer than the limit is cut, rather than lost with its message.
 std::string shortSentence(const std::string& text) {
   return text.size() <= kMaxName ? text : validUtf8(text.substr(0, kMaxName));  // this may split a character
 }
@@ -338,7 +338,7 @@ std::string textOf(const Variant& message) {
   return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Looks at brackets outside of texts only; what is no JSON is found later.
+/// Looks at brackets outside of texts only; invalid JSON is found later.
 bool isTooDeep(std::string_view text) {
   int depth = 0;
   bool isText = false;

@@ -10,7 +10,7 @@
 namespace robotlink::websocket {
 namespace {
 
-/// Bounds what is remembered of machines; each is forgotten when its time is over.
+/// The limit of machines that are remembered; each is forgotten when its time is over.
 constexpr std::size_t kMaxWaiting = 1024;
 /// The limit for showing a page's origin, which may be any text.
 constexpr std::size_t kMaxOrigin = 200;

@@ -57,7 +57,7 @@ std::vector<std::string> Server::capabilities(const ServedClient& client) const 
   return names;
 }
 
-// Channels and what is published.
+// Channels and published messages.
 
 std::vector<ChannelPtr> Server::addChannels(std::vector<ChannelSetup> setups) {
   std::vector<ChannelPtr> added;

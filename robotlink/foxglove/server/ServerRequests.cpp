@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What clients say to a server.
+// Handles the messages of clients.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr char kOnlyWatches[] =
     "you may only watch this robot: connect with its token for control to change something";
 
-/// A budget below this would not carry what keeps a connection alive.
+/// A budget below this would not carry the messages that keep a connection alive.
 constexpr double kMinBudget = 1000;
 /// The minimum rate, about one message a day.
 constexpr double kMinRate = 1e-5;

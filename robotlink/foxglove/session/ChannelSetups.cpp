@@ -29,14 +29,14 @@ constexpr std::array kStreamTypes{StreamType{streams::kImageDrawings, "foxglove.
                                   StreamType{streams::kRobotDrawings, "foxglove.SceneUpdate"},
                                   StreamType{streams::kImages, "foxglove.RawImage"},
                                   StreamType{streams::kPlots, "robotcontrol.PlotValue"}};
-/// Beside what is latched: types of which no message may be replaced by a newer one.
+/// Types, in addition to latched ones, of which no message may be replaced by a newer one.
 constexpr std::array kCompleteTypes{"robotcontrol.ViewEvents", "foxglove.Log",
                                     "foxglove.Event",          "robotcontrol.PlotValue",
                                     "robotcontrol.Request",    "robotcontrol.LinkPackets"};
 
 constexpr std::array kImageTypes{"foxglove.RawImage", "foxglove.CompressedImage", "foxglove.CompressedVideo"};
 
-/// The type of what a key publishes on a stream; null: it is not known.
+/// The message type of a key's stream; null: it is not known.
 const Descriptor* typeOf(const std::string& stream, const std::map<std::string, std::string>& packageTypes) {
   const auto known = std::ranges::find_if(
       kStreamTypes, [&](const StreamType& type) { return stream.starts_with(type.prefix); });

@@ -8,7 +8,7 @@
 namespace robotlink::websocket {
 namespace {
 
-/// A server that continues to invent processes.
+/// The limit for a server that continues to invent processes.
 constexpr std::size_t kMaxProcesses = 100;
 
 }  // namespace

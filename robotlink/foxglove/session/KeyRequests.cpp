@@ -20,7 +20,7 @@ bool isSame(const KeyMode& one, const KeyMode& other) {
   return one.SerializeAsString() == other.SerializeAsString();
 }
 
-/// Modes of a higher one publish more in the long run.
+/// The density of a mode: modes of a higher density publish more in the long run.
 int densityOf(const KeyMode& mode) {
   switch (mode.kind()) {
     case KeyMode::ALWAYS:

@@ -8,7 +8,7 @@ namespace robotlink::websocket {
 namespace {
 
 constexpr Duration kNarrowWindow = std::chrono::seconds(1);
-/// Fewer are too few to tell.
+/// The number of images below which nothing can be concluded.
 constexpr std::uint64_t kFewImages = 3;
 
 /// "3 of 25".

@@ -17,7 +17,7 @@ namespace robotlink::websocket {
 
 class SessionServer;
 
-/// Work added by the link's thread and taken by tick(); outlives the SessionServer with the server's handlers
+/// Work that the link's thread adds and tick() takes; outlives the SessionServer with the server's handlers.
 /// Bounded: while the session does not tick, clients are refused what would wait beyond that.
 class PostedWork {
  public:

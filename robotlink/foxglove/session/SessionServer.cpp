@@ -333,7 +333,7 @@ void SessionServer::updateRobots() {
     if (!robot.services.empty()) continue;
     offerServices(name, robot);
     offerSteering(name, robot);
-    // So that its first text finds its subscribers, and the first person who steers.
+    // Created before use, so that the first text, and the first person who steers, find subscribers.
     const std::string log = name + "/" + streams::kLog, steering = name + "/" + streams::kSteering;
     if (!channels_.contains(log)) addChannels({setupOf(log, *foxglove::Log::descriptor())});
     if (!channels_.contains(steering))
@@ -350,7 +350,7 @@ void SessionServer::updateRobots() {
   if (robots_.size() < before) offerGraph();
 }
 
-/// With all that clients know of it.
+/// Removes a robot with all that clients know of it.
 void SessionServer::removeRobot(const std::string& name, Robot& robot) {
   for (const std::uint32_t service : robot.services) server_->removeService(service);
   for (const auto& [group, names] : std::map(robot.parameters)) offerParameters(name, robot, group, {});

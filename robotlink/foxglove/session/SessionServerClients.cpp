@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What clients of a SessionServer ask for.
+// The requests of clients of a SessionServer.
 #include <google/protobuf/util/json_util.h>
 
 #include <algorithm>

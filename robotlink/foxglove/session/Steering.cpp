@@ -10,7 +10,7 @@ using robotcontrol::MotionRequest;
 using robotcontrol::Request;
 
 constexpr char kThisMachine[] = "this machine";
-/// Between two tries of what a robot did not accept.
+/// The time between two attempts of a request that a robot did not accept.
 constexpr Duration kAskAgain = std::chrono::milliseconds(100);
 
 /// Returns what stays the same when a client reconnects: its name and its machine, without the port.

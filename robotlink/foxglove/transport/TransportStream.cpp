@@ -96,7 +96,7 @@ class TransportStream::State : public std::enable_shared_from_this<State> {
     writing_.swap(gathered_);
     gathered_.clear();
     const std::array<asio::const_buffer, 2> parts{asio::buffer(writing_), next_.large};
-    // The handler is held by what is under way only, since it holds the stream in its turn.
+    // Only the operation in progress holds the handler, since the handler in turn holds the stream.
     auto onDone = [self = shared_from_this(), write = std::exchange(next_, {})](
                       error_code error, std::size_t) mutable { self->onWritten(error, std::move(write)); };
     if (secured) {

@@ -39,7 +39,7 @@ const char* toolName(ColorTool tool);
 /// as in colortool::ImagePoint. Independent of Qt; a plain value.
 class ColorGesture {
  public:
-  /// How the tool works.
+  /// The settings of the tool.
   struct Options {
     ColorTool tool = ColorTool::kBrush;
     double radius = 3;  ///< of brush and eraser, pixels

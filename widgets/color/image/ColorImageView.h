@@ -84,7 +84,7 @@ class ColorImageView final : public PictureView {
   void updateStatus();
   /// Updates color, class and margin of the pixel under the cursor.
   void updatePixel();
-  /// How sure the table is in a cell; empty: unknown.
+  /// The certainty of the table in a cell; empty: unknown.
   QString marginText(std::size_t cell) const;
 
   /// Passes the tool to both canvases.

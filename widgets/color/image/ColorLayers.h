@@ -30,8 +30,8 @@ std::vector<StrokeMark> strokeMarks(const colortool::Samples& samples, const col
 /// The edges between the area's pixels and others, in image coordinates.
 QVector<QLineF> outlineOf(const colortool::PixelArea& area);
 
-/// How sure a table is of each pixel, by ColorTable::cellOf: from black (sure) over red to yellow (another
-/// class is as likely).
+/// The certainty of a table in each pixel, by ColorTable::cellOf: from black (sure) over red to yellow (a
+/// second class is as likely).
 QImage marginImage(const robotlink::ImageView& image, std::span<const std::uint8_t> margins);
 /// The pixels whose classes differ, in the colors of `now` (magenta where it has no class). All others are a
 /// dark gray version of `image`, darker still where they have no class.

@@ -23,7 +23,7 @@ class ColorBench;
 class ConfusionPanel;
 class LabeledFolder;
 
-/// How good the table is, always up to date: on the left by cross-validation over the user's strokes, on the
+/// The quality of the table, always current: on the left by cross-validation over the user's strokes, on the
 /// right over images whose classes are known, from a folder or from the simulator.
 ///
 /// Registered as "color-quality". GUI thread.
@@ -94,7 +94,7 @@ class ColorQualityView final : public View {
   ConfusionPanel* strokes_ = nullptr;
   ConfusionPanel* labeled_ = nullptr;
   QLabel* state_ = nullptr;
-  /// Why there are no labeled images.
+  /// The reason why there are no labeled images.
   QString problem_;
 };
 

@@ -25,7 +25,7 @@ using colortool::TrainingOption;
 
 constexpr int kSliderSteps = 400;
 
-/// How a numeric option is shown.
+/// The texts of a numeric option.
 struct NumberText {
   const char* option;
   const char* title;

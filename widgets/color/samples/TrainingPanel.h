@@ -19,7 +19,7 @@ namespace widgets {
 
 class ColorBench;
 
-/// How the table is trained: the method, its options, and what is done before and after training. Changes
+/// Edits how the table is trained: method, options, and what is done before and after training. Changes
 /// apply at once; dragging a slider is one step of the history. GUI thread.
 class TrainingPanel final : public QWidget {
   Q_OBJECT

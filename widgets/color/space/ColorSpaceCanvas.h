@@ -10,7 +10,7 @@
 
 namespace widgets {
 
-/// How a lasso changes the selection.
+/// The way in which a lasso changes the selection.
 enum class SelectionChange : std::uint8_t { kReplace, kAdd, kTakeAway };
 
 /// Shows pictures of a color space, and turns mouse and keys into turns of the space and selections in it. It

@@ -35,7 +35,7 @@ class ColorSpaceView final : public PictureView {
   void restoreState(const QJsonObject& state) override;
 
  private:
-  /// How soon a change must be shown: what the user did at once, images of a camera ten times a second.
+  /// The urgency of showing a change: the user's changes at once, images of a camera ten times a second.
   enum class Due : std::uint8_t { kNothing, kSoon, kNow };
 
   void createActions();

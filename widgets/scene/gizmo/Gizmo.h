@@ -69,9 +69,9 @@ class GizmoDrag {
   static constexpr double kSnapLength = 0.1, kSnapAngle = robotlink::radians(15);
 
  private:
-  /// How far the object is moved, in the gizmo's axes, m.
+  /// The movement of the object, in the gizmo's axes, m.
   robotlink::Vector3 shift(const QPointF& at, bool isSnapping) const;
-  /// How far it is turned about the handle's axis, rad.
+  /// The turn of the object about the handle's axis, rad.
   double angle(const QPointF& at, bool isSnapping) const;
   /// The point of the handle's axis or plane that is under a place; unset: there is none.
   std::optional<robotlink::Vector3> onHandle(const QPointF& at) const;

@@ -9,7 +9,7 @@
 
 namespace widgets {
 
-/// How fast a hand moves, from the places where it was in the last tenth of a second. A plain value.
+/// The speed of a hand, from the places where it was in the last tenth of a second. A plain value.
 class HandSpeed {
  public:
   /// `time`: ms; must not decrease.

@@ -40,7 +40,7 @@ class RenderThread {
   void request(std::shared_ptr<const SceneFrame> frame) { worker_.post(std::move(frame)); }
   /// The newest picture that was not taken yet.
   std::optional<Picture> take() { return worker_.take(); }
-  /// Why there will never be a picture, because the renderer could not be created; empty: it could, or has
+  /// Says why there will never be a picture, since the renderer could not be created; empty: it could, or has
   /// not been tried.
   std::string error() const;
   /// The name of the renderer; empty until it was created.

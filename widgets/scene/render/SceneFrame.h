@@ -17,7 +17,7 @@
 
 namespace widgets {
 
-/// How the surfaces of a body are drawn.
+/// The way in which the surfaces of a body are drawn.
 enum class Surface : std::uint8_t {
   /// Lit, smooth where its triangles meet at small angles.
   kShaded,

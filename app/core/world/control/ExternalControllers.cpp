@@ -22,7 +22,7 @@ using robotlink::failure;
 using robotlink::Result;
 using simcore::Port;
 
-/// So many events wait for a controller that gets inputs rarely.
+/// The maximum number of events that wait for a controller that gets inputs rarely.
 constexpr std::size_t kMaxUntoldEvents = 1000;
 constexpr std::size_t kMaxName = 60;
 

@@ -62,7 +62,7 @@ class ExternalControllers {
   std::vector<std::string> names() const;
   /// For SimulatedWorld::setCommands().
   PortCommands& commands() { return commands_; }
-  /// Until when the next step has to wait for answers; unset if for none.
+  /// The time until which the next step has to wait for answers; unset if for none.
   std::optional<RealTime> waitsUntil() const;
   /// Call this before each step: gives up those who are late. Returns a sentence for each of them.
   std::vector<std::string> beforeStep(RealTime now, simcore::Simulation& simulation);

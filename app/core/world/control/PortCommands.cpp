@@ -12,7 +12,7 @@ namespace {
 
 using simcore::Port;
 
-/// So many actuators are named in an error at most.
+/// The maximum number of actuators named in an error.
 constexpr std::size_t kMaxNamed = 20;
 
 std::vector<std::string> commandable(const simcore::Simulation& simulation) {

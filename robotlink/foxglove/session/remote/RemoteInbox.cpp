@@ -12,7 +12,7 @@
 namespace robotlink::websocket {
 namespace {
 
-/// Beside the contents: the package, and its place in the queue.
+/// The memory in addition to the contents: the package, and its place in the queue.
 constexpr std::size_t kArrivalBytes = 256;
 
 /// The name of the stream is not known here; tables are latched by their type.

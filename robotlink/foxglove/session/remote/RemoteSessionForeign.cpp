@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is special about foreign servers: channels that are not decoded or heavy, and nodes.
+// The special handling of foreign servers: channels that are not decoded or heavy, and nodes.
 #include <algorithm>
 
 #include "robotcontrol/Debugging.pb.h"
@@ -13,7 +13,7 @@ namespace {
 
 using robotcontrol::KeyTable;
 
-/// How often it is looked for channels that are not decoded, and how many of them a text names.
+/// The interval of checks for channels that are not decoded, and how many of them a text names.
 constexpr Duration kLookAtChannels = std::chrono::seconds(1);
 constexpr std::size_t kMaxNamed = 20;
 constexpr std::size_t kMaxNoted = 10'000;
