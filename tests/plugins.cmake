@@ -71,7 +71,7 @@ run(1 "${prefix}/bin/robotctl" scene check "${patrol}" --seconds 1)
 expect("there is no controller 'patrol'")
 expect("patrol.sdf:12")
 
-# A controller elsewhere, in C++.
+# A remote controller, in C++.
 run(0 ${CMAKE_COMMAND} -S "${prefix}/share/robotcontrol/examples/controllers" -B "${WORK_DIR}/controllers" -DCMAKE_PREFIX_PATH=${prefix}
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} ${flags})
 run(0 ${CMAKE_COMMAND} --build "${WORK_DIR}/controllers")

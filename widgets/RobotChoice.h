@@ -11,7 +11,7 @@ class Session;
 
 namespace widgets {
 
-/// Shows in a combo box how robots elsewhere are connected: behind the names of those that are not, and in
+/// Shows in a combo box how remote robots are connected: behind the names of those that are not, and in
 /// the tooltips of all. The data of entries are names of robots; other entries stay as they are.
 void showConnections(QComboBox& robots, const robotlink::Session& session);
 

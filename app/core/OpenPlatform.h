@@ -70,7 +70,7 @@ class OpenPlatform {
   /// simulation.
   void setLayout(const std::filesystem::path& file, const std::string& name = {});
 
-  /// Connects robots whose programs run elsewhere, see RemoteRobots::connect().
+  /// Connects robots that run remotely, see RemoteRobots::connect().
   robotlink::Result<void> connectRemote(const std::string& url, const std::string& token);
   /// Also gives up a body whose program was to run here, or runs here, and that asks for something.
   robotlink::Result<void> disconnectRemote(const std::string& url);
@@ -162,7 +162,7 @@ class OpenPlatform {
   /// Tells the session of the robots of the platform and of those elsewhere.
   void listRobots();
   void followRemote();
-  /// Passes a request of the session to the recording, the platform, or a robot elsewhere.
+  /// Passes a request of the session to the recording, the platform, or a remote robot.
   void take(const robotcontrol::Request& request);
   /// Calls the handler of onErrors().
   void report(const robotlink::Errors& errors);

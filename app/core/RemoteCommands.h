@@ -7,7 +7,7 @@ namespace app {
 
 class OpenPlatform;
 
-/// Attaches the commands that connect robots elsewhere, and offer the session to others. `open` must outlive
+/// Attaches the commands that connect remote robots, and offer the session to others. `open` must outlive
 /// the table.
 void addRemoteCommands(robotlink::CommandTable& commands, OpenPlatform& open);
 

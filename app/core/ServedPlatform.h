@@ -34,7 +34,7 @@ struct ServeOptions {
   std::filesystem::path resources = {};
   /// The conditions under which clients may connect.
   AccessOptions access = {};
-  /// Not null: the robots are only bodies, and programs elsewhere command them by this (REMOTE_BODY.md).
+  /// Not null: the robots are only bodies, and remote programs command them by this (REMOTE_BODY.md).
   std::shared_ptr<BodyInbox> bodies = nullptr;
   /// Gets what goes wrong with the robots' programs, and prints it; null: only clients see it.
   std::shared_ptr<ProgramTroubles> troubles = nullptr;

@@ -35,7 +35,7 @@ class Opening {
     const auto now = std::chrono::steady_clock::now();
     if (workbench.loading() || !opened_) opened_ = now;
     if (workbench.loading()) return true;
-    // Programs of robots elsewhere are not waited for, and bodies have none here.
+    // Programs of remote robots are not waited for, and bodies have none here.
     const LoadedPlatform* loaded = workbench.loaded();
     if (loaded == nullptr || loaded->robots.empty() || loaded->areBodies) return false;
     return !robotlink::areTasksKnown(workbench.session()) &&

@@ -37,7 +37,7 @@ namespace {
 using app::kDone, app::kFailed, app::kUsage;
 
 struct Arguments {
-  /// Files, or an address, and URLs of robots elsewhere, as they were given.
+  /// Files, or an address, and URLs of remote robots, as they were given.
   std::vector<std::string> sources;
   /// The files or the address to open, and the URLs of remote robots.
   std::vector<std::string> files, servers;
@@ -63,7 +63,7 @@ std::string helpOnFiles() {
     help += std::string(help.empty() ? "" : "; or ") + adapter.sources;
   help.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(help.front())));
   return help +
-         "; or robots whose programs run elsewhere (ws://HOST[:PORT]), beside what else is opened; the field "
+         "; or robots that run remotely (ws://HOST[:PORT]), beside what else is opened; the field "
          "of "
          "2002 if nothing is given";
 }
@@ -96,10 +96,9 @@ void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.sources, helpOnFiles());
   app.add_option("--token", arguments.token, "What the robots at these URLs ask for");
-  app.add_option(
-         "--program", arguments.program,
-         "With a robot elsewhere: whether its program runs there, or here, where only its body is there "
-         "(robotctl platform)")
+  app.add_option("--program", arguments.program,
+                 "With a remote robot: whether its program runs there, or here, where only its body is there "
+                 "(robotctl platform)")
       ->check(CLI::IsMember({"there", "here"}))
       ->capture_default_str();
   defineProgramOptions(app, arguments);

@@ -170,7 +170,7 @@
         <translation>Verbindet einen Pioneer über TCP oder eine serielle Leitung und führt sein Programm hier aus; er bleibt verbunden, bis etwas anderes geöffnet wird</translation>
     </message>
     <message>
-        <source>Connects robots whose programs run elsewhere, beside those that are open here</source>
+        <source>Connects robots that run remotely, beside those that are open here</source>
         <translation>Verbindet Roboter, deren Programme anderswo laufen, neben denen, die hier offen sind</translation>
     </message>
     <message>
@@ -222,7 +222,7 @@
         <translation>Scheitert mit dem, worin sich die jetzige Wahl von einer Voreinstellung unterscheidet</translation>
     </message>
     <message>
-        <source>Forgets the token that is remembered for a robot elsewhere</source>
+        <source>Forgets the token that is remembered for a remote robot</source>
         <translation>Vergisst das gemerkte Token eines entfernten Roboters</translation>
     </message>
     <message>
@@ -266,7 +266,7 @@
         <translation>Lässt den gewählten Roboter wieder die Bewegung aus seinen Dateien abspielen</translation>
     </message>
     <message>
-        <source>Limits what robots elsewhere send, for lines that are narrow or shared; it is remembered</source>
+        <source>Limits what remote robots send, for lines that are narrow or shared; it is remembered</source>
         <translation>Begrenzt, was entfernte Roboter senden, für schmale oder geteilte Leitungen; es wird gemerkt</translation>
     </message>
     <message>
@@ -414,7 +414,7 @@
         <translation>Startet die Programme der Roboter in einem anderen Prozesslayout neu, nach seinem Pfad oder dem Namen eines mitgelieferten</translation>
     </message>
     <message>
-        <source>Runs the program of a robot here whose body is elsewhere, where &apos;robotctl platform ... --listen&apos; runs</source>
+        <source>Runs the program of a robot here whose body is remote, where &apos;robotctl platform ... --listen&apos; runs</source>
         <translation>Führt hier das Programm eines Roboters aus, dessen Körper anderswo ist, wo &apos;robotctl platform ... --listen&apos; läuft</translation>
     </message>
     <message>
@@ -666,7 +666,7 @@
         <translation>Übernimmt den gewählten Roboter zur manuellen Steuerung oder gibt ihn zurück</translation>
     </message>
     <message>
-        <source>Trusts the certificate that a robot elsewhere shows, from now on, and connects it</source>
+        <source>Trusts the certificate that a remote robot shows, from now on, and connects it</source>
         <translation>Vertraut ab jetzt dem Zertifikat, das ein entfernter Roboter zeigt, und verbindet ihn</translation>
     </message>
     <message>
@@ -4416,7 +4416,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Hier</translation>
     </message>
     <message>
-        <source>No robot elsewhere is connected. Robot &gt; Connect… connects one.</source>
+        <source>No remote robot is connected. Robot &gt; Connect… connects one.</source>
         <translation>Kein entfernter Roboter ist verbunden. Roboter &gt; Verbinden… verbindet einen.</translation>
     </message>
     <message>
@@ -4579,7 +4579,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Mit Robotern verbinden</translation>
     </message>
     <message>
-        <source>Robots whose programs run elsewhere: there, robotctl sim or robotctl run was started with --listen, or somebody chose Robot &gt; Offer this session. They are shown beside those that are open here. Where only robotctl platform was started, the program runs here, in place of what is open. Those that announce themselves are listed; a click takes their address.</source>
+        <source>Robots that run remotely: there, robotctl sim or robotctl run was started with --listen, or somebody chose Robot &gt; Offer this session. They are shown beside those that are open here. Where only robotctl platform was started, the program runs here, in place of what is open. Those that announce themselves are listed; a click takes their address.</source>
         <translation>Roboter, deren Programme anderswo laufen: dort wurde robotctl sim oder robotctl run mit --listen gestartet, oder jemand hat Roboter &gt; Diese Sitzung anbieten gewählt. Sie werden neben denen gezeigt, die hier offen sind. Wo nur robotctl platform gestartet wurde, läuft das Programm hier, anstelle dessen, was offen ist. Roboter, die sich ankündigen, sind aufgelistet; ein Klick übernimmt ihre Adresse.</translation>
     </message>
     <message>
@@ -4869,7 +4869,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Auf&amp;zeichnungen beim Roboter…</translation>
     </message>
     <message>
-        <source>Begins, fetches, opens and deletes recordings in the storage of robots elsewhere</source>
+        <source>Begins, fetches, opens and deletes recordings in the storage of remote robots</source>
         <translation>Startet, holt, öffnet und löscht Aufzeichnungen im Speicher entfernter Roboter</translation>
     </message>
     <message>
@@ -15752,7 +15752,7 @@ rad/s</translation>
         <translation>Sein Anteil an dem, was von allen Datenströmen aufbewahrt wird</translation>
     </message>
     <message>
-        <source>Of robots elsewhere: messages replaced by newer ones because the line is narrow or a lower rate was chosen (thinned), and lost ones</source>
+        <source>Of remote robots: messages replaced by newer ones because the line is narrow or a lower rate was chosen (thinned), and lost ones</source>
         <translation>Von Robotern anderswo: Nachrichten, die durch neuere ersetzt wurden, weil die Leitung schmal ist oder eine niedrigere Rate gewählt wurde (ausgedünnt), und verlorene</translation>
     </message>
     <message>

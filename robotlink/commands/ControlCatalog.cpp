@@ -117,7 +117,7 @@ Rows parameterRows() {
        "Saves what was changed of the parameters to the files that the program reads at its start; their "
        "comments stay",
        {{"task", Type::kText, "only those of walking or walking/gait; all if it is left out", std::string()},
-        {"file", Type::kFile, "another .textproto file, for robots elsewhere", std::string()}}},
+        {"file", Type::kFile, "another .textproto file, for remote robots", std::string()}}},
       {"parameters.undo", "Undoes the last edit in the panel of parameters of the view Solutions"},
       {"parameters.redo", "Redoes what was undone there"},
       {"parameters.sweep",

@@ -56,7 +56,7 @@ inline constexpr char kPorts[] = "ports";              ///< PortReadings
 inline constexpr char kForces[] = "forces";            ///< WorldForces
 inline constexpr char kEvents[] = "events";            ///< ViewEvents
 inline constexpr char kControllers[] = "controllers";  ///< ControllerStates
-/// + name of a controller elsewhere: ControllerInputs
+/// + name of a remote controller: ControllerInputs
 inline constexpr char kControllerInputs[] = "sim/ports/";
 inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus
 inline constexpr char kGame[] = "game";              ///< GameStatus

@@ -52,7 +52,7 @@ void ManualSteering::follow() {
     tables_.clear();
     isStatusRequested_ = isCommanded_ = false;
   }
-  // The description of a robot elsewhere is known later than its name.
+  // The description of a remote robot is known later than its name.
   const auto known = context_.robots.find(robot);
   description_ = known == context_.robots.end() ? nullptr : known->second;
   const auto tables =

@@ -96,7 +96,7 @@ class ManualSteering final : public QObject {
   void claim();
   /// Requests that the robot's program publishes what it executes.
   void requestStatus();
-  /// Whether commands of this window are sent: to robots elsewhere, not before there was one.
+  /// Whether commands of this window are sent: to remote robots, not before there was one.
   bool isSteeredHere() const;
   /// Sends the commander's command with the timeline's newest time.
   void send();

@@ -57,7 +57,7 @@ void OwnModels::update(const ViewContext& context, const SceneState& scene,
     const auto* description = descriptionOf(context, belief.robot);
     if (description == nullptr || isInScene(scene, belief.robot)) continue;
     const auto pose = belief.drawingPose();
-    // A view that asks for a certain pose does not want to see the robot elsewhere.
+    // A view that asks for a certain pose does not want to see the remote robot.
     if (!pose && belief.isPlaced) continue;
     const Model* model = modelOf(context, description->name, belief.team);
     if (model == nullptr) continue;

@@ -189,7 +189,7 @@ QVariant StreamListModel::headerData(int section, Qt::Orientation orientation, i
       return tr("Its share of the memory for the history of all streams");
     case kLeftOut:
       return tr(
-          "Of robots elsewhere: messages replaced by newer ones because the line is narrow or a lower "
+          "Of remote robots: messages replaced by newer ones because the line is narrow or a lower "
           "rate was chosen (thinned), and lost ones");
     case kAskedBy:
       return tr("The views of this window that read it, and the clients of a link that subscribe to it");

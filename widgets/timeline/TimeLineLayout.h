@@ -66,7 +66,7 @@ struct TimeLineBand {
   double imageAspect = 4.0 / 3;
   /// Keyed by the times for which they were requested.
   std::map<robotlink::Instant, QImage> thumbnails;
-  /// Stretches in which nothing was received from a robot elsewhere; the band is that of the robot then, and
+  /// Stretches in which nothing was received from a remote robot; the band is that of the robot then, and
   /// has no log.
   std::vector<robotlink::LineGap> gaps;
   /// Only the last band has these; it is no log then.

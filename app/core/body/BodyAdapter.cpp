@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The adapter of bodies elsewhere, whose programs run here.
+// The adapter of remote bodies, whose programs run here.
 #include "app/core/body/BodyFeed.h"
 #include "app/core/body/BodyHeadless.h"
 #include "app/core/platform/PlatformAdapter.h"
@@ -26,7 +26,7 @@ PlatformForm bodyForm() {
   PlatformForm form{.name = "body",
                     .command = "remote.host",
                     .commandHelp =
-                        "Runs the program of a robot here whose body is elsewhere, where 'robotctl platform "
+                        "Runs the program of a robot here whose body is remote, where 'robotctl platform "
                         "... --listen' runs"};
   form.fields = {
       {.name = "url", .help = "ws://HOST[:PORT]", .noun = "URL", .isSource = true},
@@ -41,7 +41,7 @@ PlatformForm bodyForm() {
 
 const PlatformRegistration kBodyRegistration{
     {.name = BodyFeed::kAdapter,
-     .sources = "a body elsewhere whose program shall run here (ws://HOST[:PORT], with --program here)",
+     .sources = "a remote body whose program shall run here (ws://HOST[:PORT], with --program here)",
      .time = TimeKind::kReal,
      .opens = [](const std::string& source) { return robotlink::websocket::isServerUrl(source); },
      .order = 1,

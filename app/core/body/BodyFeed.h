@@ -13,7 +13,7 @@
 
 namespace app {
 
-/// A body elsewhere and the program that runs for it here. A plain value.
+/// A remote body and the program that runs for it here. A plain value.
 struct BodyOptions {
   /// "ws://HOST:PORT" or "wss://...".
   std::string url;
@@ -32,13 +32,13 @@ struct BodyOptions {
   robotlink::Duration patience = std::chrono::seconds(5);
 };
 
-/// A robot whose body is elsewhere, as its server says.
+/// A robot whose body is remote, as its server says.
 struct FoundBody {
   HostedRobot robot;
   robotcontrol::BodyOffer offer;
 };
 
-/// A robot whose body is elsewhere (`robotctl platform ... --listen`), while its program runs here in real
+/// A robot whose body is remote (`robotctl platform ... --listen`), while its program runs here in real
 /// time, each process in a thread of its own. Publishes to a session what robot and program send, and to the
 /// recorder what a log may contain; both must outlive it.
 ///

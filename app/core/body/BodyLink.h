@@ -23,7 +23,7 @@ class SetCamera;
 
 namespace app {
 
-/// The connection from a robot's program to its body elsewhere (REMOTE_BODY.md): it is made repeatedly
+/// The connection from a robot's program to its remote body (REMOTE_BODY.md): it is made repeatedly
 /// by itself. Of each sensor package the newest is kept until it is taken.
 ///
 /// One thread, but for engageStop(), which any thread may call.

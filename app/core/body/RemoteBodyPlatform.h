@@ -23,7 +23,7 @@ class Descriptor;
 
 namespace app {
 
-/// The platform of a robot whose body is elsewhere: sends the sensor readings that come over the link, and
+/// The platform of a robot whose body is remote: sends the sensor readings that come over the link, and
 /// the newest commands over it as one message, which says what readings they answer. Its time is the body's
 /// (BodyClock).
 ///

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// A preview of a program elsewhere; without effect once the program does not answer.
+/// A preview of a remote program; without effect once the program does not answer.
 class OwnPreview final : public ProgramPreview {
  public:
   /// Asks the program; null if it does not answer.

@@ -37,7 +37,7 @@ struct OwnProgramOptions {
   bool threads = false;
   /// With threads: whether the clock continues as real time does; otherwise only the steps advance it.
   bool inRealTime = false;
-  /// The texts of description and field, for robots of logs and bodies elsewhere; null: those of the files.
+  /// The texts of description and field, for robots of logs and remote bodies; null: those of the files.
   std::shared_ptr<const robotcontrol::ProgramSetup> texts = nullptr;
   /// The source of the process; null: it is started when the program is made. Not for several robots.
   std::shared_ptr<SpareChild> spare = nullptr;

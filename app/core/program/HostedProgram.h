@@ -106,7 +106,7 @@ class HostedProgram {
   virtual std::string refusal() const { return {}; }
   /// Only in lockstep, between steps.
   virtual std::unique_ptr<ProgramPreview> preview() = 0;
-  /// A program elsewhere begins to compute. Call this in lockstep before a step, when no more requests
+  /// A remote program begins to compute. Call this in lockstep before a step, when no more requests
   /// come, and with threads after a step.
   virtual void startStep() {}
   /// The name of one of its processes that decides what the robot does and has stopped, or cannot be reached,

@@ -70,7 +70,7 @@ class ProgramExecutor {
   ExecutorKind kind() const { return options_.kind; }
   /// Adds a robot before start(): its platform and its processes, in the order of their execution. All must
   /// outlive this object. Processes that wait for others with a patience of their own are not guarded; those
-  /// that stand for a program elsewhere are executed by step() itself, also where others have threads.
+  /// that stand for a remote program are executed by step() itself, also where others have threads.
   enum class Guard : std::uint8_t { kNo, kYes, kStandIn };
   void add(robotlink::Platform& platform, const std::vector<robotlink::Process*>& processes,
            Guard guard = Guard::kYes);

@@ -158,7 +158,7 @@ Result<void> RemoteRobots::steer(const std::string& robot, bool giveUp) {
     });
     return {};
   }
-  return robotlink::failure("steering.none", robot + " is no robot elsewhere", {}, {robot});
+  return robotlink::failure("steering.none", robot + " is no remote robot", {}, {robot});
 }
 
 Result<void> RemoteRobots::rememberToken(const std::string& url) {
@@ -224,7 +224,7 @@ KnownRobot RemoteRobots::known(const std::string& robot) const {
   return found == described_.end() ? KnownRobot() : found->second.known;
 }
 
-/// Robots elsewhere that were connected before and have such a name are reconnected, under another one:
+/// Remote robots that were connected before and have such a name are reconnected, under another one:
 /// else STOP, and everything else, would reach one of the two.
 void RemoteRobots::setPlatform(std::optional<std::set<std::string>> robots) {
   platform_ = std::move(robots);

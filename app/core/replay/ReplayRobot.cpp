@@ -288,7 +288,7 @@ Errors ReplayRobot::makeProgramOfPlan(Start& start) {
     all.insert(chosen.begin(), chosen.end());
     program.recordPackages(all);
   }
-  // The stand-in for a program elsewhere runs after all turns, which it gets together.
+  // The stand-in for a remote program runs after all turns, which it gets together.
   const bool isElsewhere = program.inside() == nullptr;
   made->processes.clear();
   for (const auto& process : start.setup.layout.processes) {

@@ -79,7 +79,7 @@ struct RunOptions {
   HostingChoices hosting = {};
   /// The options of running those in processes of their own.
   OwnProgram::Options own = {};
-  /// Makes what runs instead of programs, such as links to programs elsewhere; empty: programs.
+  /// Makes what runs instead of programs, such as links to remote programs; empty: programs.
   HostedProgram::Maker instead = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions;

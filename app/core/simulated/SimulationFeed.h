@@ -149,7 +149,7 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> whetherFree(const robotcontrol::Request& request);
   /// Runs programs again for a moment.
   void runAgain();
-  /// Connects ports and controllers elsewhere with the world of the run, which may have been exchanged.
+  /// Connects ports and remote controllers with the world of the run, which may have been exchanged.
   void useWorld();
   /// A step's part that concerns controllers, before it and after it.
   void beforeControl(Clock::time_point real);

@@ -27,7 +27,7 @@ class SimulatedWorld;
 /// last command. Used by one thread, that of the world, which must outlive it.
 class WorldPorts {
  public:
-  /// `external` are the controllers elsewhere, and must outlive it; null: there are none. `before` is what
+  /// `external` are the remote controllers, and must outlive it; null: there are none. `before` is what
   /// was read of another world; what is missing here is read again as soon as it is there again.
   explicit WorldPorts(SimulatedWorld& world, const ExternalControllers* external = nullptr,
                       const WorldPorts* before = nullptr);

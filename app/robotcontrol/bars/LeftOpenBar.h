@@ -14,7 +14,7 @@ struct LoadedPlatform;
 class Workbench;
 
 /// After a workbench that did not end properly (a crash, a lost session), offers to open again what it had
-/// open: the platform with its layout, and the connections to robots elsewhere. Hidden unless there is
+/// open: the platform with its layout, and the connections to remote robots. Hidden unless there is
 /// something to offer. GUI thread; the workbench must outlive its use.
 class LeftOpenBar final : public QWidget {
   Q_OBJECT

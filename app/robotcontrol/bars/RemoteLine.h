@@ -14,7 +14,7 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// The part of the status bar about links: how each connection to robots elsewhere is, whether this session
+/// The part of the status bar about links: how each connection to remote robots is, whether this session
 /// is offered to others, and who steers the selected robot. A click on one of the first opens its dialog; a
 /// click on the last takes the steering over, or gives it up. GUI thread; workbench and actions
 /// must outlive its use.

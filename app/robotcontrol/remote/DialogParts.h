@@ -13,7 +13,7 @@ class QLabel;
 class QPushButton;
 class QTreeWidget;
 
-// The parts that dialogs about robots elsewhere have in common. All are children of the parent that is passed
+// The parts that dialogs about remote robots have in common. All are children of the parent that is passed
 // in. GUI thread.
 namespace app {
 

@@ -97,7 +97,7 @@ void RecordingsDialog::createList() {
 
 void RecordingsDialog::showHint() {
   const bool isEmpty = isListed_ && list_->topLevelItemCount() == 0;
-  hint_->setHint(robot_->count() == 0 ? tr("No robot elsewhere is connected. Robot > Connect… connects one.")
+  hint_->setHint(robot_->count() == 0 ? tr("No remote robot is connected. Robot > Connect… connects one.")
                  : isEmpty ? tr("The robot has no recordings yet. Start recording makes one, in its own "
                                 "storage.")
                            : QString());

@@ -26,7 +26,7 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// The recordings in the storage of robots elsewhere: begin and end one, fetch, open and delete them. A fetch
+/// The recordings in the storage of remote robots: begin and end one, fetch, open and delete them. A fetch
 /// survives cuts of the line, and continues where it was after it was canceled. Not modal; its owner calls
 /// tick() in each tick of the session. GUI thread; workbench and actions must outlive it.
 class RecordingsDialog final : public QDialog {

@@ -55,7 +55,7 @@ RemoteDialog::RemoteDialog(robotlink::CommandTable& commands, const RemoteRobots
   setWindowTitle(tr("Connect to robots"));
   setWindowIcon(widgets::icon("connect"));
   auto* layout = new QVBoxLayout(this);
-  auto* what = new QLabel(tr("Robots whose programs run elsewhere: there, robotctl sim or robotctl run was "
+  auto* what = new QLabel(tr("Robots that run remotely: there, robotctl sim or robotctl run was "
                              "started with --listen, or somebody chose Robot > Offer this session. They are "
                              "shown beside those that are open here. Where only robotctl platform was "
                              "started, the program runs here, in place of what is open. Those that announce "

@@ -25,7 +25,7 @@ namespace app {
 class FoundRobots;
 class RemoteRobots;
 
-/// Connects robots whose programs run elsewhere, and shows the connections with their states. Not modal; it
+/// Connects robots that run remotely, and shows the connections with their states. Not modal; it
 /// closes itself when the robot that the user asked for is there; its owner calls tick() in each tick of the
 /// session. GUI thread; commands and robots must outlive it.
 class RemoteDialog final : public QDialog {
@@ -47,7 +47,7 @@ class RemoteDialog final : public QDialog {
   void setRecent(const QList<Recent>& servers);
   /// Shows the states of the connections.
   void tick();
-  /// Says which body elsewhere has its program here, and its robot; empty: none. It is remembered.
+  /// Says which remote body has its program here, and its robot; empty: none. It is remembered.
   void showHosted(const QString& url, const QString& robot);
   /// Shows why a body that the user asked for could not be opened.
   void failHosted(const QString& reason);

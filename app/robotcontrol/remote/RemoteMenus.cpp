@@ -52,8 +52,7 @@ void RemoteMenus::addRobots(QMenu& menu) {
 void RemoteMenus::addRecordings(QMenu& menu) {
   QAction* recordings = menu.addAction(tr("&Recordings at the robot…"), this, [this] { show(*recordings_); });
   recordings->setObjectName(QStringLiteral("remote.recordings"));
-  recordings->setToolTip(
-      tr("Begins, fetches, opens and deletes recordings in the storage of robots elsewhere"));
+  recordings->setToolTip(tr("Begins, fetches, opens and deletes recordings in the storage of remote robots"));
 }
 
 void RemoteMenus::fillAgain() {

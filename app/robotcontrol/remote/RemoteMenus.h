@@ -17,7 +17,7 @@ class RemoteQuestions;
 class RobotsDialog;
 class Workbench;
 
-/// The entries of menus for robots elsewhere, with their dialogs: connecting such robots, their recordings,
+/// The entries of menus for remote robots, with their dialogs: connecting such robots, their recordings,
 /// and offering this session to others. GUI thread; belongs to the window; workbench and actions must outlive
 /// it.
 class RemoteMenus final : public QObject {
@@ -53,7 +53,7 @@ class RemoteMenus final : public QObject {
   void followHosted();
   /// Lists the servers that were connected last.
   void fillAgain();
-  /// Runs the program of a body elsewhere here.
+  /// Runs the program of a remote body here.
   void host(const std::string& url);
 
   Workbench& workbench_;

@@ -9,7 +9,7 @@ class QLineEdit;
 
 namespace app {
 
-/// Asks for the token of a robot elsewhere that refused the one that it was shown, or demands one. GUI
+/// Asks for the token of a remote robot that refused the one that it was shown, or demands one. GUI
 /// thread.
 class TokenDialog final : public QDialog {
   Q_OBJECT

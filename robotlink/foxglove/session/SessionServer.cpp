@@ -125,7 +125,7 @@ void SessionServer::pass(const StreamMessage& message) {
   notice(message);
 }
 
-/// A channel keeps its type, but another layout, or a robot elsewhere, may publish something else on a path.
+/// A channel keeps its type, but another layout, or a remote robot, may publish something else on a path.
 /// A publisher that alternates does not keep clients busy with it.
 bool SessionServer::removeOutdated(const std::string& path) {
   const Instant now = server_->clock().now();
@@ -247,7 +247,7 @@ void SessionServer::notice(const StreamMessage& message) {
 
 void SessionServer::noticeTable(const std::string& robot, const std::string& stream, const Message& value) {
   Robot& known = robots_[robot];
-  // A robot elsewhere may publish anything on these paths.
+  // A remote robot may publish anything on these paths.
   if (const auto* keys = dynamic_cast<const KeyTable*>(&value); keys && stream == streams::kKeys) {
     known.keys = *keys;
     keys_.setTable(robot, known.keys);
@@ -437,7 +437,7 @@ void SessionServer::publishSteering(const std::string& robot, const Steering::St
 
 void SessionServer::publishSubscribers() {
   for (auto& [name, robot] : robots_) {
-    // For a robot elsewhere, this session is one of those who ask.
+    // For a remote robot, this session is one of those who ask.
     if (name.empty() || isElsewhere(name) || !keys_.takeChanged(name)) continue;
     auto subscribers = keys_.clientsByKey(name);
     if (subscribers == robot.subscribers) continue;

@@ -17,7 +17,7 @@ using BodyObjection = websocket::ServerObjection::Kind;
 constexpr char kBody[] = "wss://10.0.0.7:8765", kOtherBody[] = "wss://10.0.0.8:8765";
 constexpr char kServer[] = "10.0.0.7:8765", kFingerprint[] = "SHA256:ab";
 
-/// What a body elsewhere objects to, and what the user answers. What is remembered is in a folder.
+/// What a remote body objects to, and what the user answers. What is remembered is in a folder.
 class BodyQuestionTest : public testing::Test {
  protected:
   BodyQuestionTest() { ::setenv("XDG_STATE_HOME", state_.path().c_str(), 1); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene with controllers in the workbench: what they show, keys for them, and controllers elsewhere.
+// A scene with controllers in the workbench: what they show, keys for them, and remote controllers.
 #include <gmock/gmock.h>
 #include <unistd.h>
 

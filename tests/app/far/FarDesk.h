@@ -10,7 +10,7 @@
 
 namespace app::test {
 
-/// The desk of somebody who works with a robot elsewhere by mouse and keyboard. Functions that wait return
+/// The desk of somebody who works with a remote robot by mouse and keyboard. Functions that wait return
 /// false, or what is missing, if it does not come.
 class FarDesk : public RemoteDesk {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs here for bodies elsewhere, in processes of their own: in real time, with threads.
+// Programs here for remote bodies, in processes of their own: in real time, with threads.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -28,7 +28,7 @@ class PlatformPortsTest : public testing::Test {
     };
   }
 
-  /// What stands for the platform elsewhere; `turns` as those of OwnProgramOptions.
+  /// What stands for the remote platform; `turns` as those of OwnProgramOptions.
   std::unique_ptr<MirrorPlatform> mirror(const std::map<std::string, std::string>& turns = {}) {
     robotcontrol::WireSetup setup;
     ports_.describeTo(setup, turns);

@@ -77,7 +77,7 @@ TEST(HeadlessRun, whatNothingRunsIsRefusedWithAllThatCouldBe) {
   EXPECT_EQ(
       refusalOf({.platform = "sim:x.sdf"}),
       "--platform is echo:WORD, or a log file or log:FILE,log:FILE..., or a robot's address: tcp://HOST:PORT "
-      "or serial://DEVICE?baud=RATE, or a camera: camera:///dev/video0, or a body elsewhere: ws://HOST:PORT; "
+      "or serial://DEVICE?baud=RATE, or a camera: camera:///dev/video0, or a remote body: ws://HOST:PORT; "
       "'robotctl sim' runs simulated robots");
 }
 

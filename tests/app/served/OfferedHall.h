@@ -18,7 +18,7 @@
 
 namespace app::test {
 
-/// A simulated robot elsewhere: its program runs in threads of its own and is offered to others, as by
+/// A remote simulated robot: its program runs in threads of its own and is offered to others, as by
 /// `robotctl sim --listen`. The line to it can be cut.
 class OfferedHall {
  public:

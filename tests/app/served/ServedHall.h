@@ -16,7 +16,7 @@
 
 namespace app::test {
 
-/// A simulated robot elsewhere, as `robotctl sim --listen` serves it, with all its services; or another
+/// A remote simulated robot, as `robotctl sim --listen` serves it, with all its services; or another
 /// platform. The constructor throws the reason if it cannot be served.
 class ServedHall {
  public:

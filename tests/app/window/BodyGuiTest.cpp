@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Program: here" in Connect…: the program of a robot whose body is elsewhere, also over an encrypted line.
+// "Program: here" in Connect…: the program of a robot whose body is remote, also over an encrypted line.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
@@ -23,7 +23,7 @@ namespace {
 
 namespace websocket = robotlink::websocket;
 
-/// The body of a simulated robot elsewhere.
+/// The body of a remote simulated robot.
 class BodyHall {
  public:
   explicit BodyHall(ServeOptions options = {}) : options_(std::move(options)) { start(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recordings in the storage of a robot elsewhere, as a person handles them.
+// Recordings in the storage of a remote robot, as a person handles them.
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>

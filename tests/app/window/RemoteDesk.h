@@ -10,7 +10,7 @@
 
 namespace app::test {
 
-/// A desk at which a robot elsewhere is connected.
+/// A desk at which a remote robot is connected.
 class RemoteDesk : public EmptyDesk {
  public:
   using EmptyDesk::EmptyDesk;

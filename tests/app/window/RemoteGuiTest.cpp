@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Robots whose programs run elsewhere in the workbench, and a session that is offered to others: what a
+// Robots that run remotely in the workbench, and a session that is offered to others: what a
 // person does, over a line of this machine that is cut and found again.
 #include <QComboBox>
 #include <QDialog>

@@ -51,7 +51,7 @@ struct CommandedRobot : Bench {
     return std::any_of(requests.begin(), requests.end(),
                        [](const auto& request) { return request.has_motion(); });
   }
-  /// As a robot elsewhere says who steers it; an empty name: nobody.
+  /// As a remote robot says who steers it; an empty name: nobody.
   void showSteering(const std::string& who, bool own) {
     robotcontrol::SteeringStatus status;
     status.set_who(who);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person is asked about robots elsewhere that encrypt and demand tokens.
+// What a person is asked about remote robots that encrypt and demand tokens.
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
