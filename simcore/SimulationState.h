@@ -54,7 +54,7 @@ class TouchCount {
 
  private:
   static constexpr std::uint64_t kMoment = 25;
-  /// Since the last touch, if there was one.
+  /// The steps since the last touch, if there was one.
   std::uint64_t stepsSince_ = kMoment, count_ = 0, steps_ = 0;
 };
 

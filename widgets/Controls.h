@@ -62,7 +62,7 @@ QToolButton* makeMenuButton(QWidget* parent, const ControlText& text, QMenu* men
 QHBoxLayout* makeToolRow(QWidget* parent, int margin = 2);
 /// Appends a flat button for each action.
 void addButtons(QHBoxLayout* row, std::initializer_list<QAction*> actions);
-/// Gives a widget a layout in which its parts lie one below the other.
+/// Gives a widget a layout in which its parts are stacked vertically.
 QVBoxLayout* makeColumn(QWidget* widget, const QMargins& margins = {}, int spacing = 0);
 /// A part of a splitter, and which share of the room it gets, compared with the others.
 struct SplitterPart {

@@ -5,7 +5,7 @@
 
 class QHeaderView;
 
-// Saving and restoring how the user arranged the columns of a table.
+// Functions that save and restore how the user arranged the columns of a table.
 namespace widgets {
 
 /// The columns of a table as the user arranged them: their order, widths and how they are sorted, as JSON.

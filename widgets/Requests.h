@@ -11,8 +11,8 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/Session.h"
 
-// Sending requests from a view. Include this in sources only, since it exposes protobuf. Only in the GUI
-// thread.
+// Functions that send requests from a view. Include this in sources only, since it exposes protobuf. GUI
+// thread only.
 namespace widgets {
 
 /// Sends a request to a robot. `onResult` is called in the GUI thread with whether the request was accepted

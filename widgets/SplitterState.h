@@ -5,7 +5,7 @@
 
 class QSplitter;
 
-// Saving and restoring how the user divided a view.
+// Functions that save and restore how the user divided a view.
 namespace widgets {
 
 /// The sizes of a splitter's parts, as text.

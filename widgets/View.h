@@ -133,7 +133,7 @@ class View : public QWidget {
   /// Entries are restored in the order in which they were added.
   void keep(const char* name, Save save, Restore restore);
   /// Adds the state of a control, which must live as long as the view. Where a state has no such entry the
-  /// control gets what it has now.
+  /// control keeps its present one.
   void keep(const char* name, QAction* toggle);
   void keep(const char* name, QLineEdit* text);
   /// Keeps the index of the entry, which must mean the same in all versions.

@@ -14,8 +14,8 @@ namespace app {
 
 class OpenPlatform;
 
-/// Steps what is shown to where a value changes: in open logs, which are read in a thread without being
-/// played, or in what is kept of live robots. One step at a time; a newer one replaces it. All functions in
+/// Steps the shown instant to where a value changes: in open logs, which are read in a thread without being
+/// played, or in the history of live robots. One step at a time; a newer one replaces it. All functions in
 /// the thread of the platform's owner.
 class ChangeSteps {
  public:

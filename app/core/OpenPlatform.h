@@ -159,7 +159,7 @@ class OpenPlatform {
   void goOnIn(const FileTexts& texts, bool mustFit, std::function<void(const robotlink::Errors&)> refused);
   /// Applies a result from the platform's thread.
   void apply(Outcome outcome);
-  /// Tells the session of the robots of the platform and of those elsewhere.
+  /// Tells the session of the robots of the platform and of remote ones.
   void listRobots();
   void followRemote();
   /// Passes a request of the session to the recording, the platform, or a remote robot.

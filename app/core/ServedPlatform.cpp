@@ -92,7 +92,7 @@ void noteTrouble(ProgramTroubles& troubles, const robotlink::StreamMessage& mess
   if (isStop) troubles.note(robot, text->message());
 }
 
-/// Passes on, once each, which controllers were switched off; those elsewhere that are late are only named.
+/// Passes on, once each, which controllers were switched off; remote ones that are late are only named.
 void noteControllers(const std::shared_ptr<ProgramTroubles>& troubles, std::set<std::string>& noted,
                      const robotlink::StreamMessage& message) {
   const auto* states = dynamic_cast<const robotcontrol::ControllerStates*>(message.value.get());

@@ -128,7 +128,7 @@ MainWindow::~MainWindow() {
   workbench_.session().setRefusalHandler({});
   delete export_;        // it has a view, too
   docks_->destroyAll();  // views use the context, which is destroyed before child widgets
-  // The focus changes once more when the window is hidden by the destructor of QWidget.
+  // The focus changes again when the window is hidden by the destructor of QWidget.
   disconnect(qApp, nullptr, this, nullptr);
 }
 

@@ -62,8 +62,8 @@ class WindowKeys;
 class Workbench;
 struct LoadedPlatform;
 
-/// Between two ticks of the window, about 30 Hz; less while a view is exported, which should not take longer
-/// than it must.
+/// The time between two ticks, about 30 Hz; less while a view is exported, which should not take
+/// longer than it must.
 inline constexpr int kWindowTickMs = 33, kExportingTickMs = 2;
 
 /// The main window of the workbench: docks with views, toolbars, menus, status line, and the 30 Hz tick that
@@ -274,7 +274,7 @@ class MainWindow : public QMainWindow {
   void showAbout();
   /// Called when the workbench has loaded another platform.
   void onLoaded();
-  /// Updates what views know of the robots, of the platform and elsewhere, and the title.
+  /// Updates what views know of local and remote robots, and the title.
   void showRobots();
   /// Shows for a moment what the platform that ran before reported about its end.
   void showEnded(const std::vector<std::string>& reported);

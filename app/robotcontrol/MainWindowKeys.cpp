@@ -63,7 +63,7 @@ void MainWindow::createKeys() {
   const auto step = [this, &scene](robotlink::Result<void> (widgets::SceneEdits::*act)()) {
     const auto done = (scene.*act)();
     if (done) return;
-    // After what the key says itself.
+    // The reason follows what the key says itself.
     const QString reason = QString::fromStdString(done.error().describe());
     QMetaObject::invokeMethod(
         this, [this, reason] { statusBar()->showMessage(reason, kDoneShownMs); }, Qt::QueuedConnection);

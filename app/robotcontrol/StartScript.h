@@ -43,8 +43,8 @@ class StartScript : public QObject {
   void timerEvent(QTimerEvent* event) override;
 
  private:
-  /// Whether robots at the addresses of the command line are still to come, which commands may name. They are
-  /// waited for only for a while.
+  /// Whether robots at the addresses of the command line, which commands may name, are not connected yet. The
+  /// wait for them is limited.
   bool awaitsRobots() const;
   /// Begins the next line once the previous one is done. Returns false if there are no more.
   bool beginNext();

@@ -296,7 +296,7 @@ int run(const Arguments& arguments) {
   return status;
 }
 
-/// Says why the program cannot begin: who started it from a desktop does not see what it prints.
+/// Says why the program cannot begin: a user who started it from a desktop does not see its output.
 int refuse(const std::string& why, char** argv) {
   std::cerr << "robotcontrol: " << why << "\n";
   if (::isatty(STDERR_FILENO) == 1 || std::getenv("QT_QPA_PLATFORM") != nullptr || !hasDisplay())

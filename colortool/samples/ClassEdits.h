@@ -19,7 +19,7 @@ std::size_t strokesOf(const Samples& samples, int colorClass);
 /// Returns a name that no class has, such as "class 9".
 std::string freeClassName(const ColorClasses& classes);
 
-/// After the others. Fails on a name that cannot be or is taken, and if there are ColorClasses::kMax.
+/// Adds a class at the end. Fails on a name that cannot be or is taken, and if there are ColorClasses::kMax.
 robotlink::Result<Samples> withNewClass(Samples samples, NamedColor added);
 /// Fails on an invalid name, and on one that another class has.
 robotlink::Result<Samples> withRenamedClass(Samples samples, int colorClass, const std::string& name);

@@ -32,9 +32,9 @@ class TableDifference {
   /// The changes of one class, in cells.
   struct OfClass {
     std::uint64_t before = 0, after = 0;
-    /// From other classes, none included.
+    /// Cells that the class gained from other classes, none included.
     std::uint64_t gained = 0;
-    /// To other classes, none included.
+    /// Cells that the class lost to other classes, none included.
     std::uint64_t lost = 0;
     bool operator==(const OfClass&) const = default;
   };

@@ -75,7 +75,7 @@ struct CameraPlace {
   /// Whether the robot moved steadily enough for the pose to be reliable.
   bool valid = true;
 };
-/// Also empty if the rotation matrix is invalid.
+/// Returns an empty value also if the rotation matrix is invalid.
 std::optional<CameraPlace> readCameraMatrix(std::span<const std::uint8_t> payload);
 
 /// Image size and fields of view. The defaults are those of the NAO in logs of 2009.

@@ -31,7 +31,7 @@ Result<std::shared_ptr<CompressedImage>> compressed(
     return robotlink::failure("image.raw",
                               "an image of encoding '" + image.encoding() +
                                   "' cannot be coded: size, step and encoding do not fit its data, or the "
-                                  "encoding is none of yuyv, rgb8 and mono8",
+                                  "encoding is not yuyv, rgb8 or mono8",
                               {}, {image.encoding()});
   auto data = encode(view);
   if (!data) return tl::unexpected(std::move(data.error()));

@@ -14,7 +14,7 @@ namespace logplayer {
 class FrameSource {
  public:
   struct Frame {
-    /// Since the first frame.
+    /// The time since the first frame.
     robotlink::Duration time{};
     /// A foxglove.RawImage or foxglove.CompressedImage, with this time as its timestamp.
     robotlink::PackagePtr image = {};

@@ -31,7 +31,7 @@ class VideoFrames final : public FrameSource {
 
   std::filesystem::path file_;
   std::unique_ptr<VideoReader> reader_;
-  /// How many were read.
+  /// The number of frames that were read.
   std::uint64_t count_ = 0;
   bool ended_ = false;
 };

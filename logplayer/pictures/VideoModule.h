@@ -19,7 +19,7 @@ class VideoReader {
     int step = 0;
     /// Bytes B G R, top row first; they belong to the reader and are valid until its next call.
     const std::uint8_t* data = nullptr;
-    /// Since the first frame, seconds; never decreases.
+    /// The time since the first frame, seconds; never decreases.
     double time = 0;
   };
 

@@ -19,7 +19,7 @@ namespace logplayer {
 ///
 /// A full disk is reported once, and nothing further is added; data that was written can still be read. If
 /// the disk is too slow, added messages are lost until half of the waiting ones were written: this is noted
-/// reported once, and leaves a hole. Messages that are valid at the begin of a hole are not lost.
+/// once, and leaves a hole. Messages that are valid at the begin of a hole are not lost.
 class ScratchLog final : public robotlink::HistoryArchive {
  public:
   struct Options {

@@ -34,7 +34,7 @@ class Computation {
 using MakeComputation =
     std::function<robotlink::Result<std::unique_ptr<Computation>>(const std::shared_ptr<LogFile>& log)>;
 
-/// How streams are searched that a log lacks.
+/// The way in which streams that a log lacks are searched.
 struct ComputedStreams {
   /// Called if an expression names such streams; empty: only what is in the log can be searched.
   MakeComputation make = {};

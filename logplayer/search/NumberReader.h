@@ -47,7 +47,7 @@ class NumberReader {
     std::map<LogNumber, Points> points = {};
     /// The texts of values that have some, by their numbers, each once and kMaxTexts at most.
     std::map<LogNumber, Texts> texts = {};
-    /// All points of these have been taken now.
+    /// The numbers all of whose points have been taken now.
     std::vector<LogNumber> complete = {};
     /// Why some have no points.
     std::map<LogNumber, robotlink::Error> problems = {};
@@ -77,7 +77,7 @@ class NumberReader {
     std::uint64_t id = 0;
     /// Empty if the field is no path.
     std::optional<robotlink::FieldPath> path = {};
-    /// All that is earlier was read.
+    /// The time before which everything was read.
     robotlink::Instant reached = robotlink::Instant::min();
     bool isComplete = false;
     Points waiting = {};

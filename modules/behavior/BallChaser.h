@@ -48,7 +48,7 @@ class BallChaser {
     kLookAbout,
     /// Turns on the spot for a whole turn.
     kTurn,
-    /// Walks ahead for a while to search elsewhere.
+    /// Walks ahead for a while to search in other places.
     kWander,
     /// Walks to a position behind the ball.
     kApproach,
@@ -87,12 +87,12 @@ class BallChaser {
     double alignDistance = 0.32;
     /// Angle between ball and goal, rad.
     double alignTolerance = 0.35;
-    /// After this time it kicks in any direction, s.
+    /// The time after which it kicks in any direction, s.
     double alignTime = 8;
     /// The position of the ball for a kick, m.
     double kickX = 0.155, kickY = 0.0;
     double kickToleranceX = 0.02, kickToleranceY = 0.03;
-    /// After this time it approaches again, s.
+    /// The time after which it approaches again, s.
     double positionTime = 8;
     /// Seconds.
     double kickTimeout = 5;

@@ -105,14 +105,14 @@ class OptionMachine {
   struct Control {
     /// States in which options stay while they are active, by the option's name. Unknown names are ignored.
     std::map<std::string, std::string> forced = {};
-    /// No transition is taken, except those that `steps` grants.
+    /// Whether no transition is taken, except those that `steps` grants.
     bool hold = false;
     /// Each increase grants one transition while it holds.
     std::uint32_t steps = 0;
   };
 
-  /// Reads the states of Control::forced from a text: "playing=goalie, strike=kick"; what is none of these
-  /// pairs is skipped.
+  /// Reads the states of Control::forced from a text: "playing=goalie, strike=kick"; anything else
+  /// is skipped.
   static std::map<std::string, std::string> forcedStates(const std::string& text);
   /// Returns the problem with such a text for this machine, as a sentence that lists valid names; empty if it
   /// is valid.

@@ -64,7 +64,7 @@ Pose2 TeamPlaces::kickOff(int number, bool isGoalie) const {
 
 Pose2 TeamPlaces::goalie(const Vector2& ball) const {
   const double x = -goalX_ + options_.goalieDistance;
-  // On the line from the ball to the middle of the goal, so that both corners are as far.
+  // The place is on the line from the ball to the middle of the goal, so that both corners are as far.
   const Vector2 way = ball - ownGoal();
   const double y = way.x() > 0.05 ? way.y() * options_.goalieDistance / way.x() : 10 * way.y();
   const double limit = 0.5 * goalWidth_ - 0.08;

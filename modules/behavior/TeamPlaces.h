@@ -42,14 +42,14 @@ class TeamPlaces {
   /// The pose of a player at the kick-off, looking at the opponent's goal. The goalie of several players has
   /// the place nearest to its goal.
   robotlink::Pose2 kickOff(int number, bool isGoalie) const;
-  /// Between ball and goal, near the goal line.
+  /// The place between ball and goal, near the goal line.
   robotlink::Pose2 goalie(const robotlink::Vector2& ball) const;
-  /// Between ball and goal, outside of the penalty area.
+  /// The place between ball and goal, outside of the penalty area.
   robotlink::Pose2 defender(const robotlink::Vector2& ball) const;
   /// Next to and behind the ball, on the side of the field that is wider; next to and before it near the own
   /// goal, and before the opponents' goal while the ball is in a corner there.
   robotlink::Pose2 supporter(const robotlink::Vector2& ball) const;
-  /// Before the own penalty area, far enough from it for cleared balls to arrive.
+  /// The place before the own penalty area, far enough from it for cleared balls to arrive.
   robotlink::Pose2 beforeArea(const robotlink::Vector2& ball) const;
 
   /// The point of the opponent's goal to which a ball is played: the middle of the widest gap between robots

@@ -69,7 +69,7 @@ const robotlink::ParameterTable<WindowOptions> kDynamicWindowTable{
     {WindowFields::kWayWeightFieldNumber, &WindowOptions::wayWeight, kAtLeastZero},
     {WindowFields::kRoomWeightFieldNumber, &WindowOptions::roomWeight, kAtLeastZero}};
 
-/// After this time a request has expired, s.
+/// The time after which a request has expired, s.
 constexpr double kRequestOutdated = 1.0;
 
 /// Has the behavior's request and the robot's limits, and sends requests that the robot can follow.

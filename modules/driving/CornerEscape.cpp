@@ -5,7 +5,7 @@ namespace modules {
 
 namespace {
 
-// Requested rotation, rad/s, and possible speed, m/s, below which there is none.
+// The requested rotation, rad/s, and the possible speed, m/s, below which there is none.
 constexpr double kWantsTurn = 0.1, kDrivesSpeed = 0.04;
 // The time of turning without success before it tries the other side, s.
 constexpr double kOtherSideAfter = 12;

@@ -8,7 +8,7 @@ namespace modules {
 
 /// The part of obstacle avoidance for when there is no way ahead, or no room for a requested turn: turns on
 /// the spot to the side with more room and keeps to that side until there is a way; if it cannot turn, it
-/// moves backwards or creeps ahead. Not thread-safe.
+/// moves backward or creeps ahead. Not thread-safe.
 class CornerEscape {
  public:
   struct Options {

@@ -49,7 +49,7 @@ DriveVelocity DynamicWindow::best(const AvoidanceSituation& situation, const Cle
   const double faster = limits.acceleration * options_.window;
   const double sharper = limits.rotationAcceleration * options_.window;
   const double desired = situation.desired.forward;
-  // Never faster than requested, and backwards only if requested.
+  // Never faster than requested, and backward only if requested.
   const double most = std::max(0.0, desired), least = std::min(0.0, desired);
   const double low = std::clamp(situation.now.forward - 2 * faster, least, most);
   const double high = std::clamp(situation.now.forward + faster, least, most);
@@ -77,7 +77,7 @@ DriveVelocity DynamicWindow::decide(const AvoidanceSituation& situation) {
   if (situation.desired.forward > CornerEscape::kWantsSpeed) {
     chosen_ = best(situation, clearance, view);
   } else {
-    // Turning on the spot and moving backwards are executed as requested, as far as that is safe.
+    // Turning on the spot and moving backward are executed as requested, as far as that is safe.
     candidates_.clear();
     chosen_ = clearance.limited(situation.desired, situation.limits, options_.latency);
   }

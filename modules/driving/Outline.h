@@ -22,7 +22,7 @@ struct Outline {
   double radius() const { return std::hypot(halfLength, halfWidth); }
 };
 
-/// A velocity in the robot's frame: forwards and counterclockwise.
+/// A velocity in the robot's frame: forward and counterclockwise.
 struct DriveVelocity {
   /// Meters per second.
   double forward = 0;

@@ -63,7 +63,7 @@ DriveVelocity VectorField::decide(const AvoidanceSituation& situation) {
   const Clearance clearance(options_.outline, {kHardMargin, 3.0}, situation.points);
   view_ = PolarView(situation.points, options_.outline.halfWidth + options_.margin, options_.reach);
   DriveVelocity wanted = situation.desired;
-  // Only motion ahead is steered; turning on the spot and moving backwards are executed as requested.
+  // Only motion ahead is steered; turning on the spot and moving backward are executed as requested.
   if (wanted.forward > CornerEscape::kWantsSpeed)
     wanted = steered(wanted, situation.limits);
   else

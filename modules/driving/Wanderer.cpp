@@ -39,7 +39,7 @@ std::uint64_t squareOf(const Vector2& place) {
 
 void Wanderer::visit(const Vector2& place, double time) {
   if (visits_.size() >= kMaxSquares) visits_.clear();
-  // Longer gaps were spent elsewhere.
+  // Longer gaps were spent in other places.
   const double spent = std::clamp(time - visitedAt_, 0.0, 0.5);
   visitedAt_ = time;
   visits_[squareOf(place)] += spent;

@@ -12,7 +12,7 @@ namespace {
 
 /// The distance by which the map grows beyond a place, m.
 constexpr double kRoom = 4;
-/// No building is larger, m.
+/// The maximum size of a building, m.
 constexpr double kFarthest = 1e4;
 
 }  // namespace

@@ -71,7 +71,7 @@ class BallFilter {
     double deviationPerMeter = 0.06;
     /// Percepts farther away than this many standard deviations are outliers.
     double gate = 4;
-    /// After this many outliers that agree, the filter starts again there.
+    /// The number of agreeing outliers after which the filter starts again there.
     int outliersToRestart = 3;
   };
   explicit BallFilter(const Options& options) : options_(options) {}

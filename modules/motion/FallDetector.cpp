@@ -32,7 +32,7 @@ void FallDetector::update(const robotlink::Vector3& acceleration, robotlink::Dur
 FallDetector::Side FallDetector::side() const {
   const robotlink::Vector3 direction = up();
   if (direction.z() > kUprightCosine) return Side::kNone;
-  // The axis that points upwards most determines the side that is down.
+  // The axis that points upward most determines the side that is down.
   if (-direction.z() > std::abs(direction.x()) && -direction.z() > std::abs(direction.y()))
     return Side::kBack;
   if (std::abs(direction.x()) > std::abs(direction.y()))

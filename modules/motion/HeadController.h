@@ -34,7 +34,7 @@ struct HeadParameters {
   double bodyPitch = 0.046;
   /// Meters.
   double ballRadius = 0.042;
-  // Tilt is positive upwards.
+  // Tilt is positive upward.
   double aheadTilt = robotlink::radians(-12);
   /// The sweep that sees the far field.
   double searchFarTilt = robotlink::radians(-14);

@@ -11,7 +11,7 @@
 
 namespace modules {
 
-/// Angles of the head's joints, rad: tilt and mouth are positive upwards, pan is positive to the left, roll
+/// Angles of the head's joints, rad: tilt and mouth are positive upward, pan is positive to the left, roll
 /// as in the robot's description.
 struct HeadAngles {
   double tilt = 0, pan = 0, roll = 0, mouth = 0;

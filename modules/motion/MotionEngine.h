@@ -41,7 +41,7 @@ class MotionEngine {
  public:
   struct Options {
     bool getUpByItself = true;
-    /// From the end of a motion to the stand, s.
+    /// The time from the end of a motion to the stand, s.
     double blendTime = 0.5;
     /// Fraction of the head joints' maximal speed.
     double headSpeedShare = 0.9;

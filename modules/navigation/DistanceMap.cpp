@@ -12,7 +12,7 @@ using robotlink::Vector2;
 
 namespace {
 
-// More than the square of any distance in cells, and far below the limit of float.
+// A value above the square of any distance in cells, and far below the limit of float.
 constexpr float kNoWall = 1e12F;
 
 /// The lower envelope of parabolas: squared distances along one line of cells. `from` and `to` have the same

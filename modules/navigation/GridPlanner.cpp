@@ -128,7 +128,7 @@ std::vector<float> GridPlanner::waveOf(const std::vector<float>& costs) const {
     const int column = static_cast<int>(cell) % frame_.width, row = static_cast<int>(cell) / frame_.width;
     for (const auto& step : kSteps) {
       if (!free(column + step[0], row + step[1])) continue;
-      // Not diagonally across corners.
+      // Diagonal steps across corners are not allowed.
       if (!free(column + step[0], row) || !free(column, row + step[1])) continue;
       const std::size_t next = frame_.index(column + step[0], row + step[1]);
       const double way = frame_.cell * std::hypot(step[0], step[1]);

@@ -61,7 +61,7 @@ class GridPlanner {
     /// Its cost relative to that of the farthest place, 0 at the goal to 1.
     double share = 0;
   };
-  /// At most `most` places that the wave has reached, evenly spread; for drawings.
+  /// Returns at most `most` places that the wave has reached, evenly spread; for drawings.
   std::vector<WavePoint> wave(std::size_t most) const;
 
  private:
@@ -88,9 +88,9 @@ class GridPlanner {
   std::vector<robotlink::Vector2> straightened(const std::vector<robotlink::Vector2>& points) const;
 
   Options options_;
-  /// Without forbidden lines and areas, to tell whether those or walls are in the way.
+  /// The map without forbidden lines and areas, to tell whether those or walls are in the way.
   DistanceMap walls_;
-  /// With them.
+  /// The map with them.
   DistanceMap obstacles_;
   GridFrame frame_;
   /// The cost of a meter by cell according to the map; infinite where the robot cannot be. costs_: with

@@ -10,7 +10,7 @@
 
 namespace modules {
 
-/// How well the end of a laser ray is explained by the map, depending on its distance from the nearest wall
+/// The likelihood of the end of a laser ray on the map, by its distance from the nearest wall
 /// (the likelihood field of Thrun, Burgard and Fox, Probabilistic Robotics, 6.4). One byte per cell, so that
 /// the field of a large building stays in the processor's cache. Reading is thread-safe.
 class LikelihoodField {

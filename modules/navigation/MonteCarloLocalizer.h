@@ -97,7 +97,7 @@ class MonteCarloLocalizer {
   std::vector<Particle> particles_, drawn_;
   /// The motion since the last evaluated measurement, m and rad.
   double way_ = 0, turn_ = 0;
-  /// No measurement has been evaluated yet.
+  /// Whether no measurement has been evaluated yet.
   bool first_ = true;
   double fit_ = 0;
   /// Consecutive measurements that fit badly.

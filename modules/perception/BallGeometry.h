@@ -14,7 +14,7 @@ struct BallObservation {
   robotlink::Vector2 centerInImage = robotlink::Vector2::Zero();
   /// Pixels.
   double radiusInImage = 0;
-  /// On the ground, m.
+  /// The position on the ground, m.
   robotlink::Vector2 positionInRobot = robotlink::Vector2::Zero();
   /// From 0 to 1.
   double confidence = 0;

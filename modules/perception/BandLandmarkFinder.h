@@ -25,7 +25,7 @@ class BandLandmarkFinder {
       : landmarks_(std::move(landmarks)), options_(options), geometry_(field, options.geometry) {}
 
   const std::vector<FieldLandmark>& landmarks() const { return landmarks_; }
-  /// At most one observation per landmark, in the order of landmarks().
+  /// Returns at most one observation per landmark, in the order of landmarks().
   std::vector<LandmarkObservation> find(std::span<const colortool::Region> regions,
                                         const CameraView& view) const;
 

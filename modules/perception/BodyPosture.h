@@ -21,7 +21,7 @@ struct BodyTilt {
   bool operator==(const BodyTilt&) const = default;
 };
 
-/// Angles of the head, rad; positive are tilt upwards, pan to the left and roll to the right (left side up).
+/// Angles of the head, rad; positive are tilt upward, pan to the left and roll to the right (left side up).
 struct NeckAngles {
   double tilt = 0, pan = 0, roll = 0;
 };

@@ -15,7 +15,7 @@ namespace modules {
 class BodyTiltFilter {
  public:
   struct Options {
-    /// After which time the accelerometer has mostly replaced the legs, s.
+    /// The time after which the accelerometer has mostly replaced the legs, s.
     double timeConstant = 6;
     /// Accelerations whose length is farther from gravity, as a fraction of it, are ignored.
     double maximumJolt = 0.12;

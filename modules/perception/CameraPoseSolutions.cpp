@@ -288,7 +288,7 @@ class MountedCameraPose final : public CameraPoseEstimator {
     const Eigen::Matrix3d rotation = camera_.inRobot.rotation();
     robotlink::Vector3 position = camera_.inRobot.translation();
     if (parameters_.has_height()) position.z() = parameters_.height();
-    // Rotation = Rz(pan) Ry(tilt) Rx(roll), with a tilt downwards.
+    // Rotation = Rz(pan) Ry(tilt) Rx(roll), with a tilt downward.
     const double pan = std::atan2(rotation(1, 0), rotation(0, 0));
     const double tilt = parameters_.has_tilt() ? parameters_.tilt() : std::asin(-rotation(2, 0));
     const double roll =

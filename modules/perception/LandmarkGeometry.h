@@ -22,7 +22,7 @@ struct LandmarkObservation {
   std::size_t landmark = 0;
   /// From the robot's x-axis, counterclockwise, rad.
   double bearing = 0;
-  /// On the ground, from the robot's origin, m.
+  /// The distance on the ground, from the robot's origin, m.
   double distance = 0;
   ImageBox box;
   /// From 0 to 1.

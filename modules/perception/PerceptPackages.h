@@ -40,7 +40,7 @@ void readRegions(const robotcontrol::ColorRegions& from, std::string_view classN
 /// The table with the class numbers of `classes`, matched by name; classes of other names become "none".
 colortool::ColorTable colorTable(const robotcontrol::ColorTable& from,
                                  const colortool::ColorClasses& classes);
-/// No correction if its values are not finite.
+/// Converts a color correction; there is none if its values are not finite.
 colortool::ColorCorrection colorCorrection(const robotcontrol::ColorCorrection& from);
 
 colortool::LightingRange lightingRange(const robotcontrol::Lighting& from);

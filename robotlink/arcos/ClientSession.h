@@ -53,19 +53,19 @@ class ClientSession {
     Duration syncTimeout = std::chrono::seconds(1);
     /// Unanswered SYNCs in a row before the line is given up.
     int syncTries = 5;
-    /// After a CLOSE to an old connection, before SYNC0.
+    /// The pause after a CLOSE to an old connection, before SYNC0.
     Duration closePause = std::chrono::milliseconds(300);
-    /// From the handshake to OPEN.
+    /// The delay from the handshake to OPEN.
     Duration openDelay = std::chrono::milliseconds(100);
-    /// Between requests for the configuration while there is no reply.
+    /// The interval of requests for the configuration while there is no reply.
     Duration configInterval = std::chrono::milliseconds(200);
-    /// After this time the connection counts as open without a configuration.
+    /// The time after which the connection counts as open without a configuration.
     Duration configTimeout = std::chrono::seconds(1);
     /// For the first standard information.
     Duration openTimeout = std::chrono::seconds(3);
     /// Silence on our side before a PULSE is sent; keeps the robot's watchdog from stopping it.
     Duration pulseInterval = std::chrono::milliseconds(500);
-    /// Without any packet, or without standard information, before the connection counts as lost.
+    /// The time without any packet, or without standard information, until the connection counts as lost.
     Duration linkTimeout = std::chrono::seconds(8);
     /// Interval of requests for the configuration that measure the round trip; 0 means never.
     Duration roundTripInterval = std::chrono::seconds(10);
@@ -91,7 +91,7 @@ class ClientSession {
     std::uint64_t connections = 0;
     /// How often an established connection was lost.
     std::uint64_t losses = 0;
-    /// From the last answered CONFIG to its reply; 0 if there was none.
+    /// The time from the last answered CONFIG to its reply; 0 if there was none.
     Duration roundTrip{};
     /// Longest time between two standard informations in the last 5 s.
     Duration longestGap{};

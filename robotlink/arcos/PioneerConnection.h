@@ -114,7 +114,7 @@ class PioneerConnection final : private PioneerClient::Listener {
   Duration silence_{};
   /// Goal of the latest command that ends by itself.
   std::optional<MotionGoal> goal_;
-  /// How it ended; empty while it is on its way.
+  /// How the motion ended; empty while it is in progress.
   std::optional<MotionEnd> ended_;
   /// The last error for users; empty if there is none.
   std::string problem_;

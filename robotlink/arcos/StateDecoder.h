@@ -44,7 +44,7 @@ class StateDecoder {
   };
   /// The counts of the last packet, before unwrapping.
   std::optional<Counts> last_;
-  /// Until then a position near the origin counts as the reset.
+  /// The time until which a position near the origin counts as the reset.
   std::optional<Instant> resetUntil_;
 };
 

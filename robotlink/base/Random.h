@@ -46,7 +46,7 @@ class Random {
  private:
   /// Seed and stream, mixed.
   std::uint64_t seed_;
-  /// How many numbers were drawn; the whole state beside the seed.
+  /// How many numbers were drawn; with the seed, the whole state.
   std::uint64_t count_ = 0;
 };
 

@@ -13,7 +13,7 @@ class Session;
 /// A command of a plug-in, with what it does. It is in the palette, the console, scripts and
 /// `robotctl commands` as all others.
 struct RegisteredCommand {
-  /// Without a handler.
+  /// The declaration, without a handler.
   CommandTable::Command declaration;
   /// Called in the GUI's thread with values of the declared types. Exceptions are reported as failures.
   std::function<Result<void>(Session& session, const CommandTable::Values& values)> run;

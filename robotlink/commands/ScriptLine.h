@@ -34,7 +34,7 @@ struct ScriptLine {
   std::string text = {};
   /// The value of a variable.
   std::string value = {};
-  /// How long is waited, at most for kWaitUntil.
+  /// The duration of a wait; for kWaitUntil the longest one.
   double seconds = 0;
   /// The position of `text` in the line, in bytes from 1.
   int column = 1;

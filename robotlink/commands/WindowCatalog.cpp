@@ -106,7 +106,7 @@ Rows pictureRows() {
        "there",
        {{"view", Type::kText, "image, field, scene or radar; the second one is image#2"},
         {"drawing", Type::kText, "its name, as in the list"},
-        {"on", Type::kBool, "off hides it; the robot goes on drawing it", true}}},
+        {"on", Type::kBool, "off hides it; the robot continues to draw it", true}}},
       {"view.pose",
        "Chooses at which pose of a robot a view places its drawings",
        {{"view", Type::kText, "field or scene; the second one is field#2"},

@@ -28,7 +28,7 @@ struct FieldDescription {
   /// A colored pole beside the field that robots localize by: a base and two colored bands.
   struct Beacon {
     std::string name;
-    /// On the ground.
+    /// The position on the ground.
     Vector2 position = Vector2::Zero();
     std::string topColor;
     std::string bottomColor;

@@ -14,7 +14,7 @@ struct FieldEdge {
   Vector2 start = Vector2::Zero();
   Vector2 end = Vector2::Zero();
 
-  /// From -pi/2 to pi/2, rad.
+  /// The direction of the edge, from -pi/2 to pi/2, rad.
   double direction() const;
   /// The point of the edge that is nearest to a point.
   Vector2 nearest(const Vector2& point) const;

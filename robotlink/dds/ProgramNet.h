@@ -27,7 +27,7 @@ class ProgramNet final : public ProgramLinks {
     /// The program as the layout names it.
     std::string program;
   };
-  /// How it takes part; the functions may be empty.
+  /// The behavior of the program in the network; the functions may be empty.
   struct Behavior {
     /// Computes the fingerprints of types; by default fingerprintOf().
     std::function<std::uint64_t(const google::protobuf::Descriptor& type)> fingerprint = {};

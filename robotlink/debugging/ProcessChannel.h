@@ -46,7 +46,7 @@ class ProcessChannel {
   std::string process_;
   Receiver<robotcontrol::DebugQueue> queue_;
   Sender<robotcontrol::RequestQueue> requests_;
-  /// Not yet confirmed by the process.
+  /// The requests that the process has not confirmed yet.
   std::deque<robotcontrol::Request> pending_;
   /// Number of the last confirmed request; requests count from 1.
   std::uint64_t done_ = 0;

@@ -20,7 +20,7 @@ struct SolutionDescription;
 /// (resources/parameters/<robot>; it may be missing), overridden by recorded values.
 struct ParameterSource {
   std::filesystem::path folder = {};
-  /// From a log; values of unknown solutions are ignored.
+  /// The values from a log; those of unknown solutions are ignored.
   std::vector<robotcontrol::ParameterValues> recorded = {};
 };
 

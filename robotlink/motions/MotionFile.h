@@ -79,7 +79,7 @@ struct MotionFile {
 
   /// Only for error messages.
   std::string path;
-  /// From the header line motion_id.
+  /// The name in the header line motion_id.
   std::string name;
   /// The joint of each column. Empty: the joints given to the reader, or merely counted.
   std::vector<std::string> joints;

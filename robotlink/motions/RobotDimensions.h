@@ -34,11 +34,11 @@ struct RobotDimensions {
   double hipY = 0.0592;
   /// How much farther out the paws are than the shoulders (0.5 mm in the drawing, 0 in the model).
   double pawOffset = 0;
-  /// From J1 downwards to J3 with all angles at 0.
+  /// The distance from J1 downwards to J3 with all angles at 0.
   double kneeDown = 0.0640;
   /// The same, away from the body's center.
   double kneeAway = 0.0128;
-  /// From J3 to the center of the paw's sphere.
+  /// The distance from J3 to the center of the paw's sphere.
   double foreShank = 0.05699;
   double hindShank = 0.06457;
   /// The angle of that line to the downward direction with J3 at 0.
@@ -48,9 +48,9 @@ struct RobotDimensions {
   /// The tilt axis.
   double neckX = 0.0750;
   double neckZ = 0.0500;
-  /// From the tilt axis to the intersection of pan and roll.
+  /// The distance from the tilt axis to the intersection of pan and roll.
   double neckLength = 0.0480;
-  /// From the pan axis to the lens.
+  /// The distance from the pan axis to the lens.
   double cameraX = 0.0666;
 };
 

@@ -28,9 +28,9 @@ class InProcessLink final : public Link {
   EndOwner& receiver_;
   // Protects inbox_, pending_ and closed_. Held while a process is woken, so that close() waits for that.
   std::mutex mutex_;
-  /// Delivered and not yet taken.
+  /// The package that was delivered and not yet taken.
   PackagePtr inbox_;
-  /// Offered while inbox_ was full; replaced by newer packages.
+  /// The package that was offered while inbox_ was full; replaced by newer packages.
   PackagePtr pending_;
   // The atomics mirror the state for readers without the lock.
   std::atomic<bool> closed_{false};

@@ -77,7 +77,7 @@ std::uint64_t AnyReceiver::missed() const {
 std::string AnyReceiver::waitsFor() const {
   const std::lock_guard lock(mutex_);
   const std::string what = "package " + package_;
-  if (!link_) return what + ", which nobody sends";
+  if (!link_) return what + ", which no process sends";
   const char* state = taken() > 0 ? ", which has stopped" : ", which does not run";
   return what + " of " + peer_ + (link_->closed() ? state : "");
 }

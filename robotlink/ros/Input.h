@@ -13,7 +13,7 @@
 
 namespace robotlink::ros {
 
-/// How values follow each other.
+/// The encoding of a sequence of values.
 struct Encoding {
   /// Whether numbers are big-endian.
   bool isBigEndian = false;

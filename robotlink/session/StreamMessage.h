@@ -12,7 +12,7 @@ namespace robotlink {
 /// A message of a stream. Its value is immutable and shared: history, views and recorders never copy it.
 struct StreamMessage {
   std::string path;  ///< "red1/camera/image"
-  /// In the time of the robot's platform.
+  /// The time, by the clock of the robot's platform.
   Instant time;
   PackagePtr value;
   /// The process that sent it; empty if it was not one of a robot's processes.

@@ -32,7 +32,7 @@ class Timeline {
  private:
   bool live_ = true;
   Instant newest_;
-  /// Shown while not live.
+  /// The instant that is shown while not live.
   Instant chosen_;
   Instant origin_;
 };

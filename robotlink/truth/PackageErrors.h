@@ -12,7 +12,7 @@ namespace robotlink {
 /// The errors of a solution's packages in comparison with the truth.
 struct PackageErrors : ErrorCounts {
   std::map<std::string, ErrorQuantity> quantities;
-  /// From the reading that a package is based on until it was published, s of the platform's time.
+  /// The time from the reading that a package is based on until it was published, s of the platform's time.
   ErrorSamples latency;
   /// The events in progress, by name.
   std::map<std::string, EventErrors> events;

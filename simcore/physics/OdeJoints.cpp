@@ -25,7 +25,7 @@ bool isStiffServo(const JointDescription& joint) {
 
 /// How far the stops of a joint are beyond the range in which its servo turns it, rad and m. ODE lets a motor
 /// at a stop exert all of its torque, however little it needs, so that the joint would leap off the stop and
-/// fall back for ever; within the stops it is a motor that keeps its speed.
+/// fall back forever; within the stops it is a motor that keeps its speed.
 double beyondServo(const JointDescription& joint) {
   constexpr double kTurn = 0.01, kWay = 0.001;
   if (!isStiffServo(joint)) return 0;

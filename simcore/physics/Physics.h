@@ -78,7 +78,7 @@ class Physics {
   struct SideState {
     /// Travel and speed of the rims, m and m/s.
     double travel = 0, speed = 0;
-    /// At the force limit, hardly turning for at least 0.1 s.
+    /// Whether it is at the force limit, hardly turning for at least 0.1 s.
     bool blocked = false;
   };
   SideState sideState(std::size_t side) const;
@@ -175,7 +175,7 @@ class Physics {
     /// A unit vector toward the first.
     Vector3 normal = Vector3::Zero();
     double depth = 0;
-    /// On the first, N.
+    /// The force on the first, N.
     Vector3 force = Vector3::Zero();
   };
   std::vector<Contact> contacts() const;

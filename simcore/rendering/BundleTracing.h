@@ -24,7 +24,7 @@ struct BundleTarget {
   /// The instance of each geometry of the tree.
   const std::vector<std::int32_t>* instances = nullptr;
   const robotlink::Pose3 *treeInWorld = nullptr, *bundleInWorld = nullptr;
-  /// From the bundle's frame to that of the tree, after prepare().
+  /// The rotation from the bundle's frame to that of the tree, after prepare().
   Eigen::Matrix3f rotation;
   Eigen::Vector3f origin;
   bool isPrepared = false;

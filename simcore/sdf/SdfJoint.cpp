@@ -249,7 +249,7 @@ class JointOrder {
     std::vector<JointDescription> ordered;
     for (auto first = joints_.begin(); first != joints_.end();) {
       takeReady(ordered);
-      // All that is left hangs on a cycle: cut it at its first joint.
+      // All joints that are left depend on a cycle: cut it at its first joint.
       first = std::find_if(first, joints_.end(), [&](const JointDescription& joint) {
         return !joint.closesCycle && !isTaken_[indexOf(joint)];
       });

@@ -184,7 +184,7 @@ class UrdfChecker {
     return {};
   }
 
-  /// All links hang on one.
+  /// Checks that all links depend on one root.
   void checkTree(const XMLElement& robot) {
     std::vector<std::string> roots;
     for (const auto& [link, parent] : parentOf_) {

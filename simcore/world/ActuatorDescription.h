@@ -26,7 +26,7 @@ struct MotorControl {
   /// Gains of a position servo; its torque is p * error + i * integral of the error - d * speed, limited to
   /// the motor's. N m/rad, N m/(rad s), N m s/rad (for slides N/m, ...). All 0: as stiff as the motor allows.
   double p = 0, i = 0, d = 0;
-  /// From a command until it counts, s, 0 to 1.
+  /// The delay from a command until it counts, s, 0 to 1.
   double delay = 0;
   bool usesGains() const { return p != 0 || i != 0 || d != 0; }
   bool operator==(const MotorControl&) const = default;

@@ -29,7 +29,7 @@ struct CameraSensor {
   /// Index in RenderScene::bodies.
   int body = 0;
   Pose3 cameraInBody = Pose3::Identity();
-  /// Between images.
+  /// The time between images.
   robotlink::Duration period{};
   /// Standard deviation of each channel in gray values; to be applied only if the simulation's options ask
   /// for noise.

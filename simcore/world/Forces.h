@@ -17,7 +17,7 @@ struct ContactForce {
   robotlink::Vector3 normal = robotlink::Vector3::Zero();
   /// How far they overlap, m.
   double depth = 0;
-  /// On the first, friction included.
+  /// The force on the first, friction included.
   robotlink::Vector3 force = robotlink::Vector3::Zero();
 };
 
@@ -27,7 +27,7 @@ struct JointForce {
   std::string joint;
   robotlink::Vector3 anchor = robotlink::Vector3::Zero();
   robotlink::Vector3 force = robotlink::Vector3::Zero();
-  /// About the anchor.
+  /// The torque about the anchor.
   robotlink::Vector3 torque = robotlink::Vector3::Zero();
 };
 

@@ -47,7 +47,7 @@ struct ImageSensor {
   PortInfo info;
   ImageGeometry geometry;
   SensorErrors errors;
-  /// Between images; 0: on demand.
+  /// The time between images; 0: on demand.
   robotlink::Duration period{};
   /// Index in RenderScene::bodies.
   int body = 0;

@@ -32,7 +32,7 @@ struct RangeSensor {
   double openingAngle = 0;
   /// Sonar only: rad; with pi / 2 every surface gives an echo.
   double mostIncidence = robotlink::kPi / 2;
-  /// Between measurements; 0: on demand.
+  /// The time between measurements; 0: on demand.
   robotlink::Duration period{};
   /// Index in RenderScene::bodies.
   int body = 0;

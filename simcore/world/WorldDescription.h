@@ -44,7 +44,7 @@ struct CollisionDescription {
   Shape shape;
   /// Coulomb's friction coefficient; of two touching solids the smaller one counts.
   double friction = 1;
-  /// From 0 (no bounce) to 1.
+  /// The restitution, from 0 (no bounce) to 1.
   double restitution = 0;
 };
 
@@ -71,7 +71,7 @@ struct LinkDescription {
   double mass = 0;
   /// In the link's frame.
   Vector3 centerOfMass = Vector3::Zero();
-  /// About the center of mass, in the axes of the link, kg m^2.
+  /// The inertia about the center of mass, in the axes of the link, kg m^2.
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
   /// Fraction of the velocity lost per second.
   double linearDamping = 0, angularDamping = 0;
@@ -140,7 +140,7 @@ struct DriveDescription {
   double track = 0;
   /// Speed of the rims, m/s.
   double maximumSpeed = 0;
-  /// At the rim of each wheel, N.
+  /// The maximum force at the rim of each wheel, N.
   double maximumForce = 0;
   /// Resistance at the rim of each wheel without power, N.
   double idleForce = 0;
@@ -164,7 +164,7 @@ struct ModelDescription {
   std::string layout;
   /// The field that it shows (resources/fields/<field>.yaml); empty if it is not a field.
   std::string field;
-  /// Never moves.
+  /// Whether it never moves.
   bool isStatic = false;
   /// Whether its contacts with robots are counted.
   bool isBall = false;

@@ -19,8 +19,8 @@ class BoardViews {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Whether a view shows the board elsewhere than all others, so that it adds something: its corners are in
-  /// the mean at least a twentieth of the image's width away.
+  /// Whether a view shows the board at another place than all others, so that it adds something: its corners
+  /// are on average at least a twentieth of the image's width away.
   bool isNew(const Corners& corners) const;
   /// Adds a view; one of another board or size of image starts over.
   void add(Corners corners, const robotlink::Chessboard& board, int width, int height);

@@ -30,8 +30,8 @@ class StreamSelector;
 
 /// Calibrates the camera of a stream of images: its lens by several views of a chessboard, its place by a
 /// board on the ground or by marks of the field that are clicked. The results become parameters of the
-/// robot's solution of camera-pose. Boards are looked for, and cameras computed, in threads of the view. And
-/// it changes the settings of the camera, such as its exposure, while it takes images.
+/// robot's solution of camera-pose. Boards are looked for, and cameras computed, in threads of the view. It
+/// also changes the settings of the camera, such as its exposure, while it takes images.
 ///
 /// Registered as "camera". GUI thread.
 class CalibrationView final : public PictureView {

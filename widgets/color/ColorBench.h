@@ -171,7 +171,7 @@ class ColorBench final : public QObject {
   void settled();
 
  private:
-  /// After each change of the document.
+  /// Emitted after each change of the document.
   void changed();
   /// Renumbers the reference to the classes of the samples.
   void numberReference();

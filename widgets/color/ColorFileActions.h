@@ -38,7 +38,7 @@ class ColorFileActions final : public QObject {
   void merge();
   void exportTable();
   void importReference();
-  /// Does something with the file that was chosen.
+  /// A function that uses the file that was chosen.
   using Use = std::function<robotlink::Result<void>(const std::filesystem::path&)>;
   /// Asks for a file to read and passes it to `use`; does nothing if the dialog is canceled.
   void read(const QString& title, const QString& filter, const Use& use);

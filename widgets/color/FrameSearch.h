@@ -24,7 +24,7 @@ namespace widgets {
 
 /// An image with suspicious pixels.
 struct SuspiciousFrame {
-  /// On the session's timeline.
+  /// The time on the session's timeline.
   robotlink::Instant time;
   /// Score and pixel counts.
   colortool::Suspicion found;

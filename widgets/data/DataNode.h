@@ -18,7 +18,7 @@ namespace widgets {
 /// they are painted. Repeated fields with more than kRange elements are divided into ranges.
 struct DataNode {
   enum class Kind : std::uint8_t { kSession, kRobot, kStream, kField, kRange, kElement };
-  /// Most elements that are listed in one place.
+  /// The maximum number of elements listed in one place.
   static constexpr int kRange = 1000;
 
   DataNode() = default;

@@ -31,7 +31,7 @@ class ImageThumbnails {
   std::uint64_t ticks_ = 0;
 };
 
-/// The image in a message in its full size; null if it is none.
+/// The image in a message in its full size; null if it is not an image.
 QImage imageOf(const google::protobuf::Message& message);
 
 }  // namespace widgets

@@ -21,7 +21,7 @@ using robotcontrol::Request;
 constexpr int kMaxDepth = 4;
 constexpr std::size_t kMaxRequestText = 1U << 20U;  // bytes
 
-/// Whether a text can stand for all that a message holds.
+/// Whether a text can represent all that a message holds.
 bool hasOnlyText(const google::protobuf::Descriptor& type, int depth) {
   for (int i = 0; i < type.field_count(); ++i) {
     const FieldDescriptor& field = *type.field(i);

@@ -10,7 +10,7 @@
 
 namespace widgets {
 
-/// Paints a radar and what the robot's program drew relative to itself; wheel and keys zoom. It knows no
+/// Paints a radar and what the robot's program drew relative to itself; wheel and keys zoom. It has no
 /// session. Object name "radarCanvas". GUI thread.
 class RadarCanvas final : public QWidget {
   Q_OBJECT

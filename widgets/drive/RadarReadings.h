@@ -16,7 +16,7 @@ struct RobotDescription;
 namespace widgets {
 
 /// The surroundings of a robot on wheels at an instant, by its sonars, laser and bumpers. Coordinates are in
-/// the robot's frame at that instant (x forwards, y to the left), in meters and radians. A plain value.
+/// the robot's frame at that instant (x forward, y to the left), in meters and radians. A plain value.
 struct RadarReadings {
   /// A reading of a sonar.
   struct Echo {
@@ -26,7 +26,7 @@ struct RadarReadings {
     robotlink::Pose2 sensorInRobot;
     /// m, along the sonar's x axis.
     double range = 0;
-    /// No echo up to the maximum range.
+    /// Whether there is no echo up to the maximum range.
     bool nothing = false;
     /// The newest reading of this sonar.
     bool newest = false;

@@ -25,7 +25,7 @@ class ExportClock {
   ExportClock(const ExportClock&) = delete;
   ExportClock& operator=(const ExportClock&) = delete;
 
-  /// Asks for an instant, which should not be before the last one: logs are slow backwards.
+  /// Asks for an instant, which should not be before the last one: logs are slow when played backward.
   void show(robotlink::Instant time);
   /// Whether the views show it when they are ticked next.
   bool hasArrived() const;

@@ -21,7 +21,7 @@ using robotlink::Result;
 
 namespace {
 
-/// Whether this is the name of one of its images; "field-2-00001.png" is none of "field".
+/// Whether this is the name of one of its images; "field-2-00001.png" is not one of "field".
 bool isImageOf(const ExportPlan& plan, std::string_view name) {
   const std::string begin = plan.name + "-";
   constexpr std::string_view kEnd = ".png";

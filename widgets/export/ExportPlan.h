@@ -24,7 +24,7 @@ struct ExportPlan {
   enum class Kind : std::uint8_t { kVideo, kImages };
   static constexpr double kMinRate = 0.1, kMaxRate = 240;
   static constexpr int kMinSide = 16, kMaxSide = 8192;
-  /// More would take days, and file managers give up.
+  /// The maximum number of frames; more would take days, and file managers cannot handle them.
   static constexpr std::int64_t kMaxFrames = 200'000;
 
   Kind kind = Kind::kVideo;

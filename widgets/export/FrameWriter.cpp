@@ -95,7 +95,7 @@ void FrameWriter::take() {
 }
 
 bool FrameWriter::tryWrite(const QImage& picture) {
-  // Not before the last result was taken, so that none is lost.
+  // The last result must be taken first, so that none is lost.
   take();
   return worker_.postIfFree({picture});
 }

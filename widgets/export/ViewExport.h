@@ -75,7 +75,7 @@ class ViewExport final : public QObject {
   /// Null: nothing is exported.
   std::unique_ptr<Run> run_;
   std::optional<Outcome> outcome_;
-  /// Not yet taken by working().
+  /// The failure that working() has not returned yet.
   std::optional<robotlink::Error> failure_;
 };
 

@@ -26,7 +26,7 @@ class MapGround;
 class MeasureTool;
 
 /// Paints the field or the map of a building from above, with drawings and figures, and turns the mouse into
-/// zooming, panning, dragging of figures and choosing of goals. It knows no session: the view sets what is
+/// zooming, panning, dragging of figures and choosing of goals. It has no session: the view sets what is
 /// shown and applies what the signals say. Coordinates in signals are meters in the field's frame. Object
 /// name "fieldCanvas". GUI thread.
 class FieldCanvas final : public QWidget {

@@ -306,7 +306,7 @@ FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
   for (RobotBelief& belief : figures.robots) {
     if (std::ranges::find(chosen, belief.robot) != chosen.end()) continue;
     belief.ball.reset();
-    // Other real robots still stand somewhere, so their estimates are shown as well.
+    // Other real robots are still somewhere, so their estimates are shown as well.
     if (belief.truth) belief.estimate.reset();
   }
   figures.onMap = canvas_->map() != nullptr;

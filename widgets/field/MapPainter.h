@@ -14,7 +14,7 @@ namespace robotcontrol {
 class GroundMap;
 }
 
-// Painting of the map of a building from above, and its cached picture. Coordinates of maps are meters in the
+// Paints the map of a building from above, with a cached picture. Coordinates of maps are meters in the
 // field's frame.
 namespace widgets {
 

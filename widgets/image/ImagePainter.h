@@ -21,7 +21,7 @@ struct ImagePicture {
   QImage pixels;
   /// A drawing that belongs to the image.
   struct Drawing {
-    /// Must outlive the picture.
+    /// The annotations; they must outlive the picture.
     const foxglove::ImageAnnotations* annotations = nullptr;
     /// Whether it belongs to an earlier image; painted faded.
     bool old = false;

@@ -39,7 +39,7 @@ void LogModel::setShown(robotlink::Instant time) {
 void LogModel::removePublished(robotlink::Instant after) {
   const auto begin = std::ranges::upper_bound(entries_, after, {}, &LogEntry::time) - entries_.begin();
   for (int end = rowCount(); end > begin;) {
-    // Rows that go, and stand together.
+    // The rows to remove are contiguous.
     int first = end;
     while (first > begin && !entry(first - 1).logged) --first;
     if (first < end) {

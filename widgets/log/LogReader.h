@@ -38,7 +38,7 @@ class LogReader final : public LogReading {
   /// The thumbnails that are requested.
   struct Wanted {
     std::string stream;
-    /// Most urgent first.
+    /// The instants, the most urgent first.
     std::vector<robotlink::Instant> times;
     /// Pixels.
     int height = 0;

@@ -13,7 +13,7 @@ using Why = MissingValues::Why;
 std::vector<MissingValues> missingValues(robotlink::Session& session, const std::vector<std::string>& streams,
                                          std::pair<double, double> times,
                                          const std::optional<std::pair<double, double>>& unread) {
-  // Less is the rounding of times.
+  // Smaller differences are due to the rounding of times.
   constexpr double kLeast = 0.01;
   const auto* archive = session.history().archive();
   const auto archived = archive != nullptr ? archive->stretch() : std::nullopt;

@@ -78,7 +78,7 @@ void TimeMarks::startOver(robotlink::Session& session) {
   auto& store = session.store();
   decltype(listed_) listed;
   for (const auto& log : logs_.logs()) listed.emplace_back(log->overview->texts, log->offset);
-  // A generation begins at 0; here 0 is none.
+  // A generation begins at 0; here 0 means none.
   const std::uint64_t generation = store.generation() + 1;
   if (listed == listed_ && generation == generation_) return;
   listed_ = std::move(listed);

@@ -26,7 +26,7 @@ namespace widgets {
 class TimeMarks final : public QObject {
   Q_OBJECT
  public:
-  /// More are not marked: the first ones of logs, the newest ones of robots.
+  /// The maximum number of marks: the first ones of logs, the newest ones of robots.
   static constexpr std::size_t kMaxMarks = 10'000;
 
   /// The marks of a window, created on the first call.
@@ -48,7 +48,7 @@ class TimeMarks final : public QObject {
 
  private:
   explicit TimeMarks(OpenLogs& logs) : QObject(&logs), logs_(logs) {}
-  /// Forgets all texts if what they are from is another.
+  /// Forgets all texts if their source is another one.
   void startOver(robotlink::Session& session);
   void takeLogs();
   void takeSession(robotlink::Session& session);

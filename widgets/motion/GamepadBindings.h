@@ -51,7 +51,7 @@ struct GamepadBindings {
     Use use = Use::kNothing;
     /// The share of the deflection that does nothing, 0 to kMaxDeadZone; beyond it begins at 0.
     double deadZone = 0.15;
-    /// The value of full deflection, -kMaxScale to kMaxScale; negative: the other way round.
+    /// The value of full deflection, -kMaxScale to kMaxScale; negative: reversed.
     double scale = 1;
     bool operator==(const Axis&) const = default;
   };

@@ -55,7 +55,7 @@ std::optional<Speed> measuredSpeed(const robotlink::StreamStore& store, const st
     const auto& message = *at;
     const auto pose = poseOf(message, robot);
     if (!pose) continue;
-    // A robot that was placed elsewhere has not driven there.
+    // A robot that was placed in another pose has not driven there.
     if (before && isPlaced(*pose, *before, beforeTime - message.time)) break;
     if (!after) {
       after = pose;

@@ -15,7 +15,7 @@ namespace widgets {
 
 /// The speed of a robot in its own frame.
 struct Speed {
-  /// m/s, forwards.
+  /// The forward speed, m/s.
   double x = 0;
   /// m/s, to the left.
   double y = 0;

@@ -15,7 +15,7 @@ class RemoteMotion;
 
 namespace widgets {
 
-/// Deflection of the sticks, each axis from -1 to 1: forwards, to the left, counterclockwise.
+/// Deflection of the sticks, each axis from -1 to 1: forward, to the left, counterclockwise.
 struct WalkAxes {
   double forward = 0;
   double left = 0;

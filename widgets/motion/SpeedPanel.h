@@ -45,7 +45,7 @@ class SpeedPanel final : public QGroupBox {
   void createLimits();
   void showRow(Row row, const std::optional<Speed>& speed);
 
-  /// Indexed by Row; columns are x (forwards), y (left) and rotation.
+  /// The cells by Row; columns are x (forward), y (left) and rotation.
   std::array<std::array<QLabel*, 3>, kRows> cells_{};
   /// Header of the column y.
   QLabel* sideways_ = nullptr;

@@ -10,7 +10,7 @@
 
 namespace widgets {
 
-/// A pad for walking: press and drag for a direction (up is forwards), or hold W/A/S/D or the arrow keys, Q
+/// A pad for walking: press and drag for a direction (up is forward), or hold W/A/S/D or the arrow keys, Q
 /// and E to turn; Shift halves the speed. Robots on wheels cannot move sideways: for them left and right
 /// turn. All axes return to zero when button or keys are released, the focus leaves, or the pad is hidden.
 /// The pad paints the commanded vector (filled) and the measured one (outlined). It sends nothing; MotionView

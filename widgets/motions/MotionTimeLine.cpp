@@ -160,7 +160,7 @@ void MotionTimeLine::paintCurves(QPainter& painter) const {
       const auto index = static_cast<std::size_t>(column);
       if (index >= key.joints.size() || key.joints[index].kind != JointValue::Kind::kAngle) continue;
       const double end = placeOf(endOf(frame)), begin = placeOf(endOf(frame) - key.duration);
-      // Without interpolation it jumps, and then holds.
+      // Without interpolation, the angle jumps, and then holds.
       if (key.interpolation == 0) curve << QPointF(begin, level(key.joints[index].angle));
       curve << QPointF(end, level(key.joints[index].angle));
     }

@@ -34,7 +34,7 @@ class SceneTreeModel;
 class ActuatorPanel final : public QWidget {
   Q_OBJECT
  public:
-  /// More actuators than these are not shown.
+  /// The maximum number of actuators shown.
   static constexpr std::size_t kMax = 40;
 
   /// Both must outlive it.

@@ -29,7 +29,7 @@ class EmptyHint;
 class ColumnsView final : public View {
   Q_OBJECT
  public:
-  /// More values of a list are left out.
+  /// The maximum number of values of a list; further ones are left out.
   static constexpr int kMaxValues = 2000;
 
   explicit ColumnsView(ViewContext& context, QWidget* parent = nullptr);

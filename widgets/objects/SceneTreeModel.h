@@ -46,7 +46,7 @@ class SceneTreeModel final : public QAbstractItemModel {
   QModelIndex indexOf(const std::string& path) const;
   /// The actuators among an object and all that are below it.
   std::vector<const robotcontrol::WorldObject*> actuatorsOf(const QModelIndex& index) const;
-  /// The values of a sensor, or what became of an actuator's last command; null: not known.
+  /// The values of a sensor, or the outcome of an actuator's last command; null: not known.
   const robotcontrol::PortReading* reading(const std::string& port) const;
   /// The values at which an actuator is held; null: it is not.
   const robotcontrol::PortReading* held(const std::string& port) const;

@@ -66,7 +66,7 @@ SceneTreeView::SceneTreeView(ViewContext& context, QWidget* parent)
       "unfolded",
       [this] {
         QJsonArray paths;
-        // Without a scene, what was unfolded before is kept.
+        // Without a scene, the objects that were unfolded before are kept.
         for (const std::string& path : objects_ ? unfolded() : wanted_)
           paths.append(QString::fromStdString(path));
         return QJsonValue(paths);

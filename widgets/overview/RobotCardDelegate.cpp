@@ -146,7 +146,7 @@ QSize RobotCardDelegate::sizeFor(int cards, QSize room, const QFontMetrics& font
       best = size;
     }
   }
-  // No higher than its image and texts need.
+  // A card is no higher than its image and texts need.
   const int needed = kCardLines * lineHeight(font) + 2 * (kCardMargin + kCardPadding) +
                      static_cast<int>(best.width() / kCardAspect);
   return {best.width(), std::min(best.height(), needed)};

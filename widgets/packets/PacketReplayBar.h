@@ -15,7 +15,7 @@ class QProgressBar;
 namespace widgets {
 
 /// Sends the packets of a recorded client to the connected robot again, at their times or one by one, with
-/// progress and a button to stop. It knows no session: packets to be sent are a signal. GUI thread.
+/// progress and a button to stop. It has no session: packets to be sent are a signal. GUI thread.
 class PacketReplayBar final : public QWidget {
   Q_OBJECT
  public:

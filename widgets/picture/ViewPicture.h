@@ -8,7 +8,7 @@ class QImage;
 class QPainter;
 class QWidget;
 
-// Saving and copying the pictures that views show. GUI thread.
+// Functions that save and copy the pictures that views show. GUI thread.
 namespace widgets {
 
 /// Returns a picture as large as the widget in device pixels, black where `paint` paints nothing.

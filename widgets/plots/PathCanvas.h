@@ -19,7 +19,7 @@ class CurveModel;
 class PathCanvas final : public QWidget {
   Q_OBJECT
  public:
-  /// More points of a path are not drawn, but every n-th of them.
+  /// If a path has more points, only every n-th of them is drawn.
   static constexpr std::size_t kMaxPoints = 20'000;
 
   /// `curves` must outlive the canvas.

@@ -15,7 +15,7 @@ struct PlotChoice {
   PlotSource source;
   /// The reason why it is not published now, as a sentence; empty: it is.
   QString missing = {};
-  /// Whether it can be plotted; else its stream is known, but not yet what it holds.
+  /// Whether it can be plotted; else its stream is known, but its contents are not yet.
   bool isPlottable = true;
 };
 

@@ -27,7 +27,7 @@ struct PlotSource {
   std::string type = {};
   /// The filter of the values, as robotlink::PointFilter parses it; empty: none.
   std::string filter = {};
-  /// "sqrt(red1/models/ball.position.x^2)", see robotlink/expressions/EXPRESSIONS.md; empty: it is no
+  /// "sqrt(red1/models/ball.position.x^2)", see robotlink/expressions/EXPRESSIONS.md; empty: it is not an
   /// expression.
   std::string expression = {};
   /// The text() of the source that it is drawn over, instead of time; empty: over time.

@@ -20,7 +20,7 @@ class StateStrip final : public QCPGraph {
   /// The states of one source: of the session, or of a log.
   struct Part {
     std::shared_ptr<const robotlink::Series> series;
-    /// In rows, downwards.
+    /// The position in rows, downward.
     double top = 0, bottom = 1;
     bool operator==(const Part&) const = default;
   };

@@ -24,7 +24,7 @@ namespace widgets {
 class ForceMarkers {
  public:
   static constexpr double kMetersPerNewton = 0.01, kMaxArrow = 1;
-  /// More contacts and joints are not shown.
+  /// The maximum number of contacts and joints shown.
   static constexpr int kMaxForces = 5000;
 
   /// Call this in each tick in which they are shown. `revision` differs when `isShown` may.

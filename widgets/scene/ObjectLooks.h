@@ -14,7 +14,7 @@ class SceneObjects;
 
 /// The look of an object in a view, as far as the user has chosen.
 struct ObjectLook {
-  /// Unset: as what it belongs to, and finally as the view.
+  /// Unset: as its parent, and finally as the view.
   std::optional<bool> isShown = {};
   std::optional<Surface> surface = {};
   /// From kMinOpacity to 1.
@@ -28,7 +28,7 @@ struct ObjectLook {
 /// way, or seen through. Of an object and all that it belongs to the nearest choice counts. GUI thread.
 class ObjectLooks {
  public:
-  /// More choices are not kept; the oldest by path are dropped.
+  /// The maximum number of choices that are kept; the oldest by path are dropped.
   static constexpr std::size_t kMaxLooks = 2000;
 
   bool empty() const { return looks_.empty(); }
@@ -38,7 +38,7 @@ class ObjectLooks {
   void show(const std::string& path, const SceneObjects& objects);
   /// Shows everything again; surfaces and opacities stay.
   void showAll();
-  /// Unset: as what it belongs to.
+  /// Unset: as its parent.
   void setSurface(const std::string& path, std::optional<Surface> surface);
   /// 1: not seen through. Clamped.
   void setOpacity(const std::string& path, float opacity);

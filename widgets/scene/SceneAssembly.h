@@ -84,7 +84,7 @@ struct SceneHit {
 std::optional<SceneHit> firstHit(const std::vector<SceneBody>& bodies, const Ray& ray);
 
 /// Whether a model is the surroundings of the others, as a field or a room is: it cannot be moved, and it is
-/// wide in all directions, compared with what moves. A wall, however long, is none. Takes as long as
+/// wide in all directions, compared with what moves. A wall, however long, is not. Takes as long as
 /// firstHit().
 bool isSurroundings(const std::string& model, const std::vector<SceneBody>& bodies);
 

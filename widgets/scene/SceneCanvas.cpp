@@ -25,7 +25,7 @@ constexpr double kGroundHeight = 0.01;  // m; hits below are on the ground, or o
 constexpr double kSceneTurnStep = robotlink::radians(15);
 
 /// Whether a key may be meant for the scene. Those of the window stay what they are: Escape, with which
-/// robots are stopped, those of functions, and all with Ctrl or Alt. Those that only modify others are none.
+/// robots are stopped, function keys, and all with Ctrl or Alt. Modifiers alone are not.
 bool isSent(const QKeyEvent& event) {
   const bool isModifier = event.key() >= Qt::Key_Shift && event.key() <= Qt::Key_ScrollLock;
   const bool isOfWindow = isModifier || event.key() == Qt::Key_Escape ||

@@ -16,7 +16,7 @@
 
 namespace widgets {
 
-/// Shows pictures of a scene, and turns mouse and keys into movements of the camera and of models. It knows
+/// Shows pictures of a scene, and turns mouse and keys into movements of the camera and of models. It has
 /// no session: the view sets what is shown and applies what the signals say. Pictures are drawn by a
 /// RenderThread whenever something changed. Object name "sceneCanvas". GUI thread.
 ///

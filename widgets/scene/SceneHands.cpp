@@ -27,7 +27,7 @@ namespace {
 using robotlink::Pose3;
 
 constexpr int kHandNoticeTicks = 150;
-/// Beside what it is copied from, m.
+/// The distance of a copy from its original, m.
 constexpr double kCopyShift = 0.5;
 
 /// Slower than this (m/s) what is let go of is placed, not thrown.
@@ -124,7 +124,7 @@ void SceneHands::connectSignals() {
   connect(properties_, &QAction::triggered, this, [this] { run("view.show", "scene-properties"); });
   connect(showPalette_, &QAction::triggered, this, [this] {
     palette_->fill(sceneBench(context_));
-    // At the edge of what it is for; window managers put it anywhere.
+    // The palette opens at the edge of its canvas; window managers would put it anywhere.
     if (!palette_->isVisible()) palette_->move(canvas_.mapToGlobal(QPoint(8, 8)));
     palette_->show();
     palette_->raise();

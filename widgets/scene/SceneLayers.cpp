@@ -34,7 +34,7 @@ void SceneLayers::add(const Sources& sources, VisibleScene& contents) {
 void SceneLayers::addSolids(const Sources& sources, VisibleScene& contents) {
   const auto* stream = sources.session.store().find(robotlink::streams::kSolids);
   if (stream == nullptr || stream->messages.empty()) return;
-  // Edges over other shapes stand out in the color of the message; as surfaces it would glare.
+  // Edges over other shapes are highlighted by the color of the message; as surfaces it would glare.
   const bool areEdges = sources.modes.shows(SceneLayer::kVisuals);
   auto solids = sources.assembly.solids(stream->messages.back().value, sources.scene,
                                         areEdges ? nullptr : &sources.palette);

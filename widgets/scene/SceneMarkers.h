@@ -25,7 +25,7 @@ using ObjectFilter = std::function<bool(const std::string& path)>;
 /// the mass of the model. Shapes are made once and shared. GUI thread.
 class SceneMarkers {
  public:
-  /// More objects get no markers.
+  /// The maximum number of objects with markers.
   static constexpr std::size_t kMaxMarkers = 3000;
 
   /// An arrow along the axis about which a joint turns or along which it slides, a sphere for balls, a box

@@ -55,7 +55,7 @@ class SceneBench final : public QObject {
   /// The texts that are not saved, by path; new ones without a path are left out.
   std::map<std::filesystem::path, std::string> unsavedTexts() const;
 
-  /// Opens a text that is not saved; `path`: where it is to be, or `name`: what it is called without one.
+  /// Opens a text that is not saved; `path`: where it is to be, or `name`: its name without one.
   SceneFile& startAnew(const QString& text, const std::filesystem::path& path, const QString& name = {});
   /// Closes a file; unsaved changes are lost.
   void close(SceneFile& file);
@@ -67,7 +67,7 @@ class SceneBench final : public QObject {
   bool hasUnsaved() const;
   /// Saves all changed files that have a path; fails at the first that cannot be saved.
   robotlink::Result<void> saveAll();
-  /// Saves the current file and lets the simulation continue in it, or opens it if it is none of its files.
+  /// Saves the current file and lets the simulation continue in it, or opens it if it is another one.
   robotlink::Result<void> run();
 
   /// Goes to an object of the running scene, "red1/head/camera", by way of the files that are included. With

@@ -11,7 +11,7 @@
 
 namespace widgets {
 
-/// Something that may be written at a place of a scene file.
+/// A text that may be written at a place of a scene file.
 struct SceneProposal {
   /// The text in the list.
   QString shown;

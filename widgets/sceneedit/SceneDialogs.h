@@ -8,7 +8,7 @@ namespace widgets {
 class SceneBench;
 class SceneFile;
 
-// Dialogs about scene files. Each returns whether it was done; what fails is reported by the bench.
+// Dialogs about scene files. Each returns whether it was done; failures are reported by the bench.
 
 /// Asks for the properties of a new room, and opens its text in the editor.
 bool newScene(SceneBench& bench, QWidget* parent);

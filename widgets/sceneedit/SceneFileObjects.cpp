@@ -167,7 +167,7 @@ QString withElements(const QString& text, const QString& xml, int* position) {
     if (around == nullptr && found != elements.end()) around = &*found;
   }
   if (around == nullptr) return text;
-  // Before the blanks that the closing tag has before it.
+  // The text is inserted before the blanks that precede the closing tag.
   int at = around->closeBegin;
   while (at > around->openEnd && (text[at - 1] == QLatin1Char(' ') || text[at - 1] == QLatin1Char('\t')))
     --at;

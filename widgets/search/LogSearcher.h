@@ -25,7 +25,7 @@ class LogSearcher {
  public:
   struct Log {
     std::filesystem::path path;
-    /// Is added to the times of hits.
+    /// The offset that is added to the times of hits.
     robotlink::Duration offset{0};
     /// The names of its robots in the session, in the log's order.
     std::vector<std::string> robots;
@@ -44,7 +44,7 @@ class LogSearcher {
     /// messages contain: a regular expression (RE2), in any case of letters.
     std::string wanted;
     bool isTexts = false;
-    /// Is searched in place of logs if it is set.
+    /// The history that is searched in place of logs if it is set.
     std::optional<History> history = {};
     /// Computes the streams of conditions that a log lacks, in the thread of the search; may be empty.
     logplayer::MakeComputation computation = {};
@@ -53,7 +53,7 @@ class LogSearcher {
     /// The index of the log; 0 for a history.
     std::size_t log = 0;
     std::string robot;
-    /// On the timeline. Equal for texts; unset `until`: to the end of the log.
+    /// The start of the hit, on the timeline. Equal for texts; unset `until`: to the end of the log.
     robotlink::Instant from;
     std::optional<robotlink::Instant> until;
     /// The text, if it is one, and its level, as in foxglove.Log.

@@ -212,7 +212,7 @@ QVariant valueAt(const Message& root, const FieldPath& path) {
 
 bool setValueAt(Message& root, const FieldPath& path, const QVariant& value) {
   if (isMessage(path) || !exists(root, path)) return false;
-  // On a copy: a value that is refused must not leave messages on its way that were unset.
+  // A copy is changed, since a refused value must not leave messages on its way that were unset.
   const std::unique_ptr<Message> changed(root.New());
   changed->CopyFrom(root);
   if (!storeValue(mutableMessageAt(*changed, path, path.size() - 1), path.back(), value)) return false;

@@ -13,13 +13,13 @@ namespace robotlink {
 class Session;
 }
 
-// Saving the parameters of a solution to a text file. Only in the GUI's thread.
+// Functions that save the parameters of a solution to a text file. Only in the GUI's thread.
 namespace widgets {
 
 class ParameterModel;
 
 /// The file on this computer that a robot's program has read these parameters from. Fails if there is none:
-/// the program runs elsewhere, or does not say which one it is.
+/// the program runs remotely, or does not say which one it is.
 robotlink::Result<std::filesystem::path> parameterFileHere(const robotlink::Session& session,
                                                            const std::string& robot,
                                                            const robotcontrol::ParameterValues& values);

@@ -42,7 +42,7 @@ double ParameterSweep::Row::deviation() const {
   return count > 1 ? std::sqrt(squares / static_cast<double>(count - 1)) : 0;
 }
 
-/// After Welford, "Note on a method for calculating corrected sums of squares and products", 1962.
+/// Implements Welford, "Note on a method for calculating corrected sums of squares and products", 1962.
 void ParameterSweep::Row::add(double figure) {
   minimum = count == 0 ? figure : std::min(minimum, figure);
   maximum = count == 0 ? figure : std::max(maximum, figure);

@@ -16,7 +16,7 @@ namespace widgets {
 class ParameterEdits;
 
 /// Sets a parameter of the selected robot to one value after the other and measures a figure at each of them.
-/// The parameter gets its former value at the end. GUI thread; what it is made with must outlive it.
+/// The parameter gets its former value at the end. GUI thread; its arguments must outlive it.
 class ParameterSweep final : public QObject {
   Q_OBJECT
  public:

@@ -26,7 +26,7 @@ void removeExact(google::protobuf::RepeatedPtrField<std::string>& patterns, cons
   }
 }
 
-/// Without its include patterns, if that selects the same streams.
+/// Returns the selection without its include patterns, if that selects the same streams.
 Selection shortened(const Selection& selection, const std::vector<std::string>& known,
                     const StreamPicker::Contains& contains) {
   Selection shorter = selection;

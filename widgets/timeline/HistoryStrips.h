@@ -34,7 +34,7 @@ class HistoryStrips {
     /// Sorted by time; null: the robot publishes no texts.
     std::shared_ptr<const std::vector<LogEntry>> said = {};
   };
-  /// More are dropped: all images, the oldest texts.
+  /// The maximum numbers of images and texts; beyond them all images, or the oldest texts, are dropped.
   static constexpr std::size_t kMaxThumbnails = 600, kMaxSaid = 5000;
   /// Once in this many ticks, a limited number of images and of files with texts is begun.
   static constexpr int kEvery = 6;

@@ -69,7 +69,7 @@ struct TimeLineBand {
   /// Stretches in which nothing was received from a remote robot; the band is that of the robot then, and
   /// has no log.
   std::vector<robotlink::LineGap> gaps;
-  /// Only the last band has these; it is no log then.
+  /// Only the last band has these; it is not a log then.
   std::vector<TimeLineTrack> tracks = {};
 };
 
@@ -116,7 +116,7 @@ struct TimeLineLayout {
     /// Gutter included.
     QRectF rect;
   };
-  /// Without the gutter.
+  /// The ruler without the gutter.
   QRectF ruler;
   /// The visible part of the bands, gutter included.
   QRectF body;

@@ -32,7 +32,7 @@ double widthOf(const GanttLook& look, double seconds) {
   return seconds * 1e9 / look.scale.nsPerPixel;
 }
 
-/// Returns the duration of the tasks before one of them, s; the entry of the whole frame is none of them.
+/// Returns the duration of the tasks before one of them, s, without the entry of the whole frame.
 double secondsBefore(const GanttFrame& frame, int task) {
   double before = 0;
   for (int i = 0; i < task; ++i) {

@@ -36,7 +36,7 @@ void addEstimates(RobotBelief& belief, const robotlink::StreamStore& store, robo
 }
 
 QColor colorByNumber(const std::string& robot) {
-  // None that could be taken for a team's.
+  // None of these colors can be mistaken for a team's.
   static constexpr QRgb kColors[] = {0xffe39a16, 0xff17a2a4, 0xff2e9e4f, 0xff8e4fc6,
                                      0xffc7448f, 0xff8a6b3d, 0xff97a82a, 0xff5f7186};
   const std::size_t digits = robot.find_last_not_of("0123456789") + 1;

@@ -24,7 +24,7 @@ namespace widgets {
 
 /// Messages of other programs as figures in the world: laser scans, clouds of points, poses, odometry, paths
 /// and maps of cells (as ROS or Foxglove have them), frames as their axes, and scenes, into which markers of
-/// ROS are converted. What our own programs publish has views of its own, and is none of these. GUI thread.
+/// ROS are converted. Messages of our own programs have views of their own, and are not included. GUI thread.
 class StreamFigures {
  public:
   /// Whether a stream has figures, by its type, and unless its path is that of one of our own.

@@ -94,7 +94,7 @@ LinkLimits BodyFeed::limits() const {
 Errors BodyFeed::findBody() {
   auto connection = linkOptions(options_.url, options_.token, options_.isTrusted);
   if (!connection) return {connection.error()};
-  // Without a token that may be in it, since users see it.
+  // The URL has no token that may be in the address, since users see it.
   options_.url = url_ = toString(connection->url);
   BodyLink::Options linking;
   linking.connection = std::move(*connection);

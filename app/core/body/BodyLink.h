@@ -108,7 +108,7 @@ class BodyLink {
   std::optional<robotlink::Duration> roundTrip_;
   std::map<std::string, robotcontrol::BodyOffer> offers_;
   std::map<std::string, robotlink::PackagePtr> setups_;
-  /// Does not change once it is set.
+  /// The body; does not change once it is set.
   std::optional<Body> body_;
   bool isOther_ = false;
   std::set<std::string> packages_;

@@ -135,7 +135,7 @@ struct BodyProgram::Implementation {
   std::optional<Instant> basedOn;
   bool isStoppedThere = false;
   std::uint64_t frame = 0;
-  /// The sender of the newest command, and what became of the commands of this sender.
+  /// The sender of the newest command, and the counts of its commands that were obeyed and late.
   std::uint64_t commander = 0, obeyed = 0, late = 0;
   /// Whether commands were late or missing, and are not trusted again yet; and since when they arrive
   /// in time.

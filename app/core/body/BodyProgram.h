@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// Stands in for the program of a robot that is only a body, because its program runs elsewhere
+/// Stands in for the program of a robot that is only a body, because its program runs remotely
 /// (REMOTE_BODY.md). In each frame it publishes what the platform has sent, and gives the platform the newest
 /// commands from the BodyInbox.
 ///
@@ -18,7 +18,7 @@ namespace app {
 class BodyProgram final : public HostedProgram {
  public:
   struct Options {
-    /// Not null.
+    /// The inbox; not null.
     std::shared_ptr<BodyInbox> inbox;
     robotlink::Duration watchdog = std::chrono::milliseconds(500);
     /// The time between two frames; 0: one in each step, for lockstep.
@@ -31,7 +31,7 @@ class BodyProgram final : public HostedProgram {
   std::vector<robotcontrol::ParameterValues> parameters() const override { return {}; }
   void recordPackages(const std::set<std::string>&) override {}
   void setKeys(const std::map<std::string, robotcontrol::KeyMode>&) override {}
-  /// Without processes.
+  /// A layout without processes.
   const robotlink::Layout& layout() const override;
   std::vector<std::string> yieldedPackages() const override { return {}; }
   const std::vector<robotlink::Process*>& processes() const override;

@@ -3,7 +3,7 @@
 
 namespace app {
 
-// The streams of a robot that is only a body: its program runs elsewhere (REMOTE_BODY.md). Sensor readings
+// The streams of a robot that is only a body: its program runs remotely (REMOTE_BODY.md). Sensor readings
 // have the names of their packages.
 inline constexpr char kBodyOffer[] = "body/offer";        ///< BodyOffer
 inline constexpr char kBodyState[] = "body/state";        ///< BodyState

@@ -28,7 +28,7 @@ namespace app {
 /// (BodyClock).
 ///
 /// The owner lets it run a few hundred frames a second. While the line is cut, the program continues with
-/// what it knows, and the body's watchdog lets the robot stand. `link` and `clock` must outlive it; `local`
+/// what it knows, and the body's watchdog stops the robot. `link` and `clock` must outlive it; `local`
 /// is real time.
 class RemoteBodyPlatform final : public robotlink::Platform {
  public:
@@ -40,7 +40,7 @@ class RemoteBodyPlatform final : public robotlink::Platform {
 
   /// Processes what was received, and sends commands.
   void actuate() override;
-  /// At once; repeated until the body has accepted it. Any thread.
+  /// Sends the request at once, and repeats it until the body has accepted it. Any thread.
   void engageStop(bool engaged) override;
   /// Whether it is engaged, here or at the body.
   bool stopEngaged() const override { return stopWanted_.load() || stoppedThere_.load(); }

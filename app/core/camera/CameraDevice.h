@@ -50,7 +50,7 @@ class CameraDevice {
   /// The driver's name of the camera.
   const std::string& title() const { return title_; }
   const Mode& mode() const { return mode_; }
-  /// With their values at the last refresh().
+  /// The controls with their values at the last refresh().
   const std::vector<Control>& controls() const { return controls_; }
   /// Asks for the values of all controls, of which the camera may change some by itself.
   void refresh();

@@ -12,7 +12,7 @@ namespace app {
 inline constexpr char kCameraAdapter[] = "camera";
 
 /// A camera of this computer, "camera:///dev/video0", with the robot program that sees its images. Its name
-/// is "camera". An address that is none is refused when its platform is made. The calls must outlive it.
+/// is "camera". An invalid address is refused when its platform is made. The calls must outlive it.
 RealRobotOptions cameraOptions(std::string url, VideoCalls& calls = systemVideoCalls());
 
 }  // namespace app

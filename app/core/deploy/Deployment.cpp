@@ -101,7 +101,7 @@ std::string folderName(fs::path folder) {
 
 /// A robot's answer to deploy/list.
 struct RobotFileList {
-  /// The checksums of what it has, by path.
+  /// The checksums of its files, by path.
   std::map<std::string, std::string> digests;
   /// The files that its program has not read yet; and the layout in which it runs, empty if unknown.
   std::set<std::string> waiting;

@@ -52,7 +52,7 @@ class FoulWatch {
 
   /// Resets all durations, for this many robots.
   void restart(std::size_t robots);
-  /// Forgets what has lasted of one robot, which was put elsewhere.
+  /// Forgets what has lasted of one robot, which was put in another place.
   void forget(std::size_t robot);
   /// Looks at all robots that play. Returns the fouls that are penalized now, each once.
   std::vector<Foul> look(const std::vector<Robot>& robots, const std::optional<robotlink::Vector2>& ball,

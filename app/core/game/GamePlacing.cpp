@@ -32,7 +32,7 @@ Pose2 GamePlacing::kickOffPlace(const GamePlayer& player, int direction, bool ki
   const auto& places = kicks ? rules_.kicking : rules_.waiting;
   if (player.isGoalie()) return turned(rules_.goalie, 0, direction);
   Vector2 place = places[player.fieldIndex % places.size()];
-  // More players than places stand behind them.
+  // Players for whom there are no places stand behind the others.
   place.x() -= 0.4 * static_cast<double>(player.fieldIndex / places.size());
   return turned(place, 0, direction);
 }

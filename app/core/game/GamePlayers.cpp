@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned kMaxPlayers = 1000;
 
-/// 0 if there is none, or no sensible one.
+/// The number in a name; 0 if there is none, or no sensible one.
 unsigned numberIn(const std::string& name) {
   const std::size_t last = name.find_last_not_of("0123456789");
   const std::string digits = last == std::string::npos ? name : name.substr(last + 1);

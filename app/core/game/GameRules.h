@@ -60,7 +60,7 @@ struct GameRules {
   /// The places to which a stuck ball may be put, in the field's frame for both teams.
   std::vector<robotlink::Vector2> drops;
 
-  /// Not empty.
+  /// The penalties; not empty.
   std::vector<Penalty> penalties;
   /// m/s, and m.
   double pushingSpeed = 0, pushingNearBall = 0;

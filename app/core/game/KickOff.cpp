@@ -117,7 +117,7 @@ std::optional<std::string> KickOff::whileWaiting(const Vector3& ball) {
   }
   if (simulation_.time() - *outSince_ < kPause) return std::nullopt;
   placeRobots();
-  // If a robot in the middle could not be put elsewhere, try again at the next step.
+  // If a robot in the middle could not be moved away, try again at the next step.
   if (!simulation_.placeModel(ball_, {})) return std::nullopt;
   outSince_.reset();
   return "Kick-off: the ball is in the middle again, and the robots are where they started.";

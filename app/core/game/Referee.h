@@ -66,7 +66,7 @@ class Referee final : public Umpire {
   const GameMachine& machine() const { return machine_; }
   bool isAutomatic() const { return isAutomatic_; }
   const std::vector<GamePlayer>& players() const { return players_; }
-  /// One for each player, by its index.
+  /// An entry for each player, by its index.
   const std::optional<Penalized>& penaltyOf(std::size_t player) const { return penalized_[player]; }
   const Tally& tallyOf(std::size_t player) const { return tallies_[player]; }
   /// The last thing that happened, as a sentence.
@@ -119,7 +119,7 @@ class Referee final : public Umpire {
   bool isAutomatic_ = true;
   std::string ball_;
   std::vector<GamePlayer> players_;
-  /// One for each player, by its index.
+  /// An entry for each player, by its index.
   std::vector<std::optional<Penalized>> penalized_;
   std::vector<Tally> tallies_;
   /// For how long each has been outside now.

@@ -35,7 +35,7 @@ struct CrashReport {
   /// The processes of which a report may say what they do; they must exist until the program ends.
   static void watch(const std::vector<robotlink::Process*>& processes);
   // With a thread for each process:
-  /// Call this in the thread of a process, which then is what a report of this thread is about.
+  /// Call this in the thread of a process; reports of this thread then are about that process.
   static void enterThread(const robotlink::Process& process);
   /// Makes the next requested reports be about the thread of this process; null: any.
   static void suspect(const robotlink::Process* process);

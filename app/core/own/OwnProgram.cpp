@@ -26,7 +26,7 @@ namespace {
 
 /// The number of requests that a debug process queues at most.
 constexpr std::size_t kMaxWaitingRequests = 1000;
-/// More than a debug process has in the longest step.
+/// A limit above the number of frames of a debug process in the longest step.
 constexpr std::uint64_t kMaxDebugFrames = 1000;
 /// The name of the stand-in for the program in the executor.
 constexpr char kExchange[] = "program";
@@ -81,7 +81,7 @@ struct OwnProgram::Implementation {
   // ---- What may go wrong
   void silent();
   void heard();
-  /// With threads: something does not return there, or it has if `what` is empty.
+  /// With threads: notes that something does not return there, or, if `what` is empty, that it has.
   void stuck(const std::string& what);
   void ended();
   /// The calls of what does not return, as far as they can be known.

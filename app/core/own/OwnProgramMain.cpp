@@ -67,7 +67,7 @@ int run(const std::string& robot) {
     // Threads of modules may never return, so the process exits without joining them.
     if (order.setup().threads()) ::_exit(0);
   }
-  // Not exit(): that would look as if the program had called it.
+  // exit() would look as if the program had called it.
   ::_exit(0);
 }
 

@@ -13,7 +13,7 @@
 
 namespace app {
 
-/// The links of a platform with a program that runs elsewhere: collects what the platform sends, and sends
+/// The links of a platform with a program in another process: collects what the platform sends, and sends
 /// what goes to it. The platform must outlive it. One thread at a time.
 class PlatformPorts {
  public:

@@ -16,7 +16,7 @@ namespace app {
 namespace {
 
 constexpr std::size_t kHeadBytes = 4;
-/// More than any package has; a longer one is nonsense.
+/// A limit above the size of any package; a longer one is invalid.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;
 
 std::size_t lengthIn(const std::string& head) {
@@ -57,7 +57,7 @@ ProgramLink::Outcome ProgramLink::wait(short events, Time end) const {
     const int ready = ::poll(&look, 1, static_cast<int>(std::clamp<std::int64_t>(left, 0, 3'600'000)));
     if (ready > 0) return Outcome::kDone;
     if (ready == 0 && std::chrono::steady_clock::now() >= end) return Outcome::kTimeout;
-    if (ready == 0) continue;  // poll() does not wait for ever
+    if (ready == 0) continue;  // poll() does not wait forever
     if (errno != EINTR) return Outcome::kEnded;
   }
 }

@@ -11,7 +11,7 @@ class Message;
 
 namespace app {
 
-/// One end of the connection between a robot's program in a process of its own and its host: messages, each
+/// An end of the connection between a robot's program in a process of its own and its host: messages, each
 /// behind its length in four bytes (little-endian), over a stream socket. Both ends are the same build, so a
 /// message that cannot be read is as bad as an end of the connection. One thread at a time.
 class ProgramLink {

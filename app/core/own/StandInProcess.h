@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// Stands for a process that runs elsewhere, for those who look at its name, its senders and its frames. Its
+/// Stands in for a process that runs elsewhere, for readers of its name, its senders and its frames. Its
 /// frames do what the owner wants.
 class StandInProcess final : public robotlink::Process {
  public:

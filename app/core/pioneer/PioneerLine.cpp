@@ -45,7 +45,7 @@ void PioneerLine::report(std::variant<Opened, Bytes, Lost> what) {
   if (std::holds_alternative<Bytes>(event.what)) {
     events_.push(std::move(event));
   } else {
-    // Each follows an open(), and the robot's driver would wait for it for ever.
+    // Each follows an open(), and the robot's driver would wait for it forever.
     events_.pushAlways(std::move(event));
   }
 }

@@ -11,7 +11,7 @@ namespace app {
 inline constexpr char kPioneerAdapter[] = "pioneer";
 
 /// A Pioneer at the other end of a line, by an address of PioneerAddress.h: "tcp://localhost:8101" or
-/// "serial:///dev/ttyUSB0?baud=9600". Its name is that of its kind: p3at1. An address that is none is refused
+/// "serial:///dev/ttyUSB0?baud=9600". Its name is that of its kind: p3at1. An invalid address is refused
 /// when its platform is made. `motorsOn`: whether the motors are switched on when the robot is connected.
 RealRobotOptions pioneerOptions(std::string url, bool motorsOn = false);
 

@@ -16,7 +16,7 @@ void Pace::restart(RealTime now, robotlink::Instant time) {
 }
 
 Pace::RealTime Pace::due(robotlink::Instant time) const {
-  if (speed_ <= 0) return start_;  // As fast as possible: it is always late.
+  if (speed_ <= 0) return start_;  // steps are always late when running as fast as possible
   const double seconds = robotlink::seconds(time - startTime_) / speed_;
   const std::chrono::duration<double> real(std::clamp(seconds, -kFarAway, kFarAway));
   return start_ + std::chrono::duration_cast<RealDuration>(real);

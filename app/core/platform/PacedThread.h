@@ -15,7 +15,7 @@ namespace app {
 /// these are due. Jobs take precedence, so a request of the user is applied between two steps.
 ///
 /// The functions of `Work` are called in this thread only; what they refer to must outlive this object.
-/// It is no robotlink::Worker, which keeps the newest job only and makes no steps by itself.
+/// It is not a robotlink::Worker, which keeps the newest job only and makes no steps by itself.
 class PacedThread {
  public:
   using Clock = std::chrono::steady_clock;

@@ -49,7 +49,7 @@ struct LoadedPlatform {
   std::filesystem::path layout;
   /// The layouts of robots that do not use the common one, by robot name.
   std::map<std::string, std::filesystem::path> otherLayouts = {};
-  /// Whether only the robots' bodies are here, whose programs run elsewhere; then there are no layouts.
+  /// Whether only the robots' bodies are here, whose programs run remotely; then there are no layouts.
   bool areBodies = false;
   /// The user's overrides that the programs cannot fulfill in this layout, as a sentence each.
   std::vector<std::string> lostChoices;
@@ -124,7 +124,7 @@ class PlatformFeed {
   /// Reads the file of what runs again, which was edited, and continues in it as far as that is possible.
   /// False: it has to be opened instead. Only simulations can do it. If it fails, everything continues as
   /// before. `texts` count instead of files, until it is loaded again. If it `mustFit`, it fails if something
-  /// would stand inside what is there now, which is put back otherwise.
+  /// would be inside of something that is there now, which is put back otherwise.
   virtual tl::expected<bool, robotlink::Errors> reload(FileTexts texts, bool mustFit);
   /// Whether describe() tells of other robots since this was called last, because a request was fulfilled.
   virtual bool takeDescriptionChange() { return false; }

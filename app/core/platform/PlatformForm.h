@@ -29,7 +29,7 @@ struct PlatformField {
     kText,
     kNumber,
     kFlag,
-    /// One of `items`; any other text, too, if `editable`.
+    /// A choice of `items`; any other text, too, if `editable`.
     kChoice,
     /// A file, which can be chosen in a dialog.
     kFile

@@ -22,7 +22,7 @@ class ProgramTroubles {
     std::string robot, text;
     bool operator==(const Trouble&) const = default;
   };
-  /// More are printed, but not kept.
+  /// The maximum number that is kept; further ones are only printed.
   static constexpr std::size_t kMaxTroubles = 1000;
 
   /// The stream must outlive it.

@@ -7,7 +7,7 @@ namespace app {
 
 class PublishGate;
 
-/// Listeners of a robot that publish all that they hear through a gate, which must outlive them.
+/// Returns listeners of a robot that publish all that they get through a gate, which must outlive them.
 RobotHost::Listeners listenersOf(PublishGate& gate);
 
 }  // namespace app

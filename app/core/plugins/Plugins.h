@@ -13,7 +13,7 @@ namespace app {
 struct PluginOptions {
   /// `--plugin FILE`, in this order.
   std::vector<std::filesystem::path> files;
-  /// Not with `--no-plugins`: those in the user's folder are loaded, too.
+  /// Whether those in the user's folder are loaded, too; false with `--no-plugins`.
   bool usesFolder = true;
 };
 

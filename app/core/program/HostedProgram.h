@@ -62,7 +62,7 @@ class HostedProgram {
   struct Parts {
     const HostedRobot& robot;
     robotlink::Platform& platform;
-    /// The file of the layout; empty if it comes from elsewhere.
+    /// The file of the layout; empty if it is from another source.
     const std::filesystem::path& file;
     robotlink::Layout layout;
     robotlink::ParameterSource parameters;
@@ -110,7 +110,7 @@ class HostedProgram {
   /// come, and with threads after a step.
   virtual void startStep() {}
   /// The name of one of its processes that decides what the robot does and has stopped, or cannot be reached,
-  /// so that the robot has to stand; empty: all run.
+  /// so that the robot has to stop; empty: all run.
   virtual std::string missingProcess() const { return {}; }
   /// The program's hosting: where it runs, and whether it does.
   virtual robotcontrol::HostingStatus hosting() const = 0;

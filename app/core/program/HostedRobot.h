@@ -25,7 +25,7 @@ struct HostedRobot {
   std::shared_ptr<const robotlink::RobotDescription> description = nullptr;
   /// Not null once a program was made; without a field, one that has no goals, lines and colors.
   std::shared_ptr<const robotlink::FieldDescription> field = nullptr;
-  /// The map by which it drives; null if it knows none.
+  /// The map by which it drives; null if it has none.
   std::shared_ptr<const robotlink::GroundMap> map = nullptr;
   /// The file of `field`; empty if there is none.
   std::filesystem::path fieldFile = {};

@@ -11,7 +11,7 @@ namespace app {
 struct LeftOverPrograms::LeftOver {
   std::vector<std::unique_ptr<robotlink::Platform>> platforms;
   std::vector<std::unique_ptr<HostedProgram>> programs;
-  /// After the programs that it executes.
+  /// Declared after the programs that it executes.
   std::unique_ptr<ProgramExecutor> executor;
 };
 

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// How long to wait for modules, in real time. While a STOP request cannot be fulfilled before the wait is
+/// The time to wait for modules, in real time. While a STOP request cannot be fulfilled before the wait is
 /// over, that is only a moment, and when all programs end, only a moment for all
 /// together. Any thread.
 class ModulePatience {

@@ -53,7 +53,7 @@ std::string textFor(const FieldDescriptor& field, const std::string& value) {
   return quoted + "\"";
 }
 
-/// Ignores what is printed elsewhere: that a text is wrong is the answer.
+/// Ignores messages that are printed elsewhere: the answer says that a text is wrong.
 class NoMessages final : public google::protobuf::io::ErrorCollector {
  public:
   void AddError(int, google::protobuf::io::ColumnNumber, const std::string&) override {}

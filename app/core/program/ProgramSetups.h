@@ -25,7 +25,7 @@ struct ProgramFiles {
   std::filesystem::path layout;
   /// The robot description.
   std::filesystem::path description;
-  /// Empty if the program knows no field.
+  /// Empty if the program has no field.
   std::filesystem::path field;
   /// The name of the executor, as returned by nameOf(ExecutorKind): "lockstep" or "threads".
   std::string executor;

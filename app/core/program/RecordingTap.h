@@ -49,7 +49,7 @@ class RecordingTap {
   // Only in the thread that steps the platforms:
   /// Before a step: requests the packages that the recorder wants, if that has changed.
   void askForPackages();
-  /// After a step: records what the platforms have sent in it as one frame each.
+  /// Call this after a step: records what the platforms have sent in it as one frame each.
   void endStep();
   /// Passes a request to the program of a robot, and records it. If it asks for packages, those that the
   /// recorder wants are added. Returns false if the program takes no requests now.

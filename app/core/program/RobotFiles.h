@@ -30,7 +30,7 @@ std::filesystem::path parameterFolder(const robotlink::RobotDescription& robot);
 std::filesystem::path presetFile(const std::string& robot);
 /// Returns resources/fields/<name>.yaml; an empty path for an empty name. Folders in the name are ignored.
 std::filesystem::path fieldFile(const std::string& name);
-/// Returns the shipped file of a field; empty if there is none. Reads all of them.
+/// Returns the shipped file of a field; empty if there is none. Reads all of the files.
 std::filesystem::path fieldFileOf(const robotlink::FieldDescription& field);
 
 /// Reads the description of a kind of robot.

@@ -170,7 +170,7 @@ void RobotHost::shutDown() {
   if (!platform_) return;
   const std::string took = timeTaken([this] { platform_->shutDown(); });
   reportPlatform();
-  // A platform that was not set up, since its program could not be run, is no news.
+  // A platform that was not set up, since its program could not be run, is not reported.
   if (std::exchange(platformIsSetUp_, false)) reportPlatform("The platform was shut down in " + took + ".");
 }
 

@@ -59,7 +59,7 @@ class RobotHost {
   struct Parts {
     /// Null if the robot keeps its platform.
     std::unique_ptr<robotlink::Platform> platform;
-    /// The file of the layout; empty if it comes from elsewhere.
+    /// The file of the layout; empty if it is from another source.
     std::filesystem::path file;
     robotlink::Layout layout;
     /// The robot's properties from then on; unset: as they are now.
@@ -154,7 +154,7 @@ class RobotHost {
   void keepReports(bool keeps) { keepsReports_ = keeps; }
   /// Passes on what was kept, unless the program does not return.
   void deliver();
-  /// Call this after each step: has the robot stand while a process that decides what it does is missing,
+  /// Call this after each step: stops the robot while a process that decides what it does is missing,
   /// and passes what the platform reports to the listener.
   void endStep();
   /// The results that the program will give in its next frames, each only once; null if there are none. Only

@@ -19,7 +19,7 @@ namespace app {
 
 /// The two sides of "TASK=SOLUTION"; unset if one of them is missing.
 std::optional<std::pair<std::string, std::string>> assignmentOf(const std::string& text);
-/// The solutions that such texts choose, by task. Fails if one of them is no such text.
+/// The solutions that such texts choose, by task. Fails if one of them is invalid.
 robotlink::Result<std::map<std::string, std::string>> solutionsOf(const std::vector<std::string>& texts);
 
 /// A solution that is chosen for a robot or a team.
@@ -29,11 +29,11 @@ struct SolutionChoice {
   std::string task, solution;
 };
 /// Parses the text of an option ("--solution"): "TASK=SOLUTION" or "NAME/TASK=SOLUTION". Fails if it is
-/// no such text.
+/// invalid.
 robotlink::Result<SolutionChoice> solutionChoiceOf(const std::string& text, const std::string& option);
 
-/// The solutions that such texts let run in the shadow of those that are used. Fails if one of them is no
-/// such text, or if there is no such solution.
+/// The solutions that such texts let run in shadow mode. Fails if one of them is
+/// invalid, or if there is no such solution.
 robotlink::Result<std::vector<robotlink::ShadowName>> shadowsOf(const std::vector<std::string>& texts);
 /// Fails if there is no such solution, with those that there are.
 robotlink::Result<void> checkShadow(const robotlink::ShadowName& shadow);

@@ -22,7 +22,7 @@ struct RealRobotOptions {
   std::string robot;
   /// The kind of robot, whose description is resources/robots/<kind>.yaml.
   std::string kind;
-  /// Makes its platform. Fails if the address is none; whether the robot can be reached does not matter.
+  /// Makes its platform. Fails if the address is invalid; whether the robot can be reached does not matter.
   std::function<Platform(const robotlink::Clock& clock, const std::string& robot,
                          const robotlink::RobotDescription& description)>
       platform;

@@ -33,7 +33,7 @@ class SpreadProgram;
 struct RealTimeOptions {
   /// The file of the process layout; empty: that of the kind of robot.
   std::filesystem::path layout = {};
-  /// The file of the map by which it drives; empty if it knows none.
+  /// The file of the map by which it drives; empty if it has none.
   std::filesystem::path map = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
@@ -43,7 +43,7 @@ struct RealTimeOptions {
   HostingChoices hosting = {};
   /// The options of running it there; always with threads, in real time.
   OwnProgram::Options own = {};
-  /// Makes what runs instead of a program, such as a link to one elsewhere; empty: a program.
+  /// Makes what runs instead of a program, such as a link to a remote one; empty: a program.
   HostedProgram::Maker instead = {};
   /// The program of the layout that this one is, if other programs run the other processes.
   SpreadOptions spread = {};
@@ -99,13 +99,13 @@ class RealTimeProgram {
   bool stopEngaged() const { return host_.platform()->stopEngaged(); }
   const std::string& name() const { return host_.name(); }
   const HostedRobot& robot() const { return host_.robot(); }
-  /// Null if the robot knows no map.
+  /// Null if the robot has no map.
   std::shared_ptr<const robotlink::GroundMap> map() const { return robot().map; }
   const robotlink::Clock& clock() const { return *clock_; }
   /// The file of the layout in which the program runs.
   std::filesystem::path layout() const;
   const HostingChoices& hosting() const { return options_.hosting; }
-  /// Whether only the robot's body is here, whose program runs elsewhere.
+  /// Whether only the robot's body is here, whose program runs remotely.
   bool isBody() const { return options_.instead != nullptr; }
   ProgramOverrides overrides() const { return host_.overrides(); }
   /// The overrides that the present program cannot fulfill, as a sentence each.

@@ -32,7 +32,7 @@ constexpr std::uint64_t kPieceBytes = 64U << 10U;
 constexpr std::size_t kPiecesUnderWay = 4;
 /// In seconds since 1970, as Instants can have them.
 constexpr double kMaxModified = 9e9;
-/// Before a call is repeated.
+/// The pause before a call is repeated.
 constexpr std::chrono::milliseconds kPause{200};
 
 bool isOfLine(const robotlink::Error& error) {

@@ -12,7 +12,7 @@ namespace app {
 
 /// The conditions under which clients may connect to offered robots. A plain value.
 struct AccessOptions {
-  /// No encryption and no tokens, also at addresses that others reach.
+  /// Whether encryption and tokens are off, also at addresses that others reach.
   bool isInsecure = false;
   /// Encryption and tokens at every address; otherwise at those that other machines reach.
   bool isSecure = false;

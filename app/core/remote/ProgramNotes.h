@@ -26,7 +26,7 @@ struct KnownRobot {
 };
 
 /// Publishes what the robots of a platform are, on their streams "program": their descriptions, their field,
-/// and the layout. Who watches the session from elsewhere knows it from these.
+/// and the layout. Remote clients of the session know it from these.
 void publishPrograms(robotlink::Session& session, const LoadedPlatform& platform);
 
 /// Reads what a robot is from its stream "program"; nothing if it cannot be read.

@@ -123,7 +123,7 @@ Result<void> RemoteRobots::disconnect(const std::string& url) {
   return {};
 }
 
-/// Foreign servers know nothing of these, and hear nothing as long as nothing is limited.
+/// Foreign servers do not support these, and get no message as long as nothing is limited.
 void RemoteRobots::applyLimits() {
   for (const auto& line : lines_) {
     const LinkLimits chosen = limits_.limits(line->url);
@@ -288,7 +288,7 @@ void RemoteRobots::findLeader() {
   leader_ = found == lines_.end() ? lines_.front().get() : found->get();
 }
 
-/// Texts about gaps stand among those of the robots, also in recordings.
+/// Texts about gaps are among those of the robots, also in recordings.
 void RemoteRobots::noteGaps(Line& line) {
   for (const auto& gap : line.client->gaps()) {
     if (!gap.to || (line.noted && gap.from <= *line.noted)) continue;

@@ -46,7 +46,7 @@ class RemoteRobots {
  public:
   /// A connection, as users see it.
   struct Connection {
-    /// Without a token.
+    /// The URL without a token.
     std::string url;
     robotlink::websocket::ConnectionState state;
     /// "connected, 12 ms, 1.3 MB/s, at most 2.0 MB/s".

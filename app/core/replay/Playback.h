@@ -33,7 +33,7 @@ class Playback {
     /// A step to the next instant, a jump back to the start of a loop, or a pause at the end.
     enum class What { kStep, kJump, kPause };
     What what = What::kPause;
-    /// Not before this.
+    /// The earliest time of the next step.
     RealTime due;
     /// The aim of a jump.
     robotlink::Instant to{};

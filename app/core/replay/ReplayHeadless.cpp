@@ -52,7 +52,7 @@ class HeadlessRecording {
  public:
   explicit HeadlessRecording(std::ostream& errors) : errors_(errors) {}
 
-  /// Without a file nothing is written.
+  /// Opens the file; without one, nothing is written.
   Result<void> open(const RecordOptions& record) {
     if (record.file.empty()) return {};
     logplayer::mcap::Writer::Options options;

@@ -49,7 +49,7 @@ struct ReplayChoices {
   ReplayHosting hosting = {};
 };
 
-/// One robot of a log: chooses what runs for it on the logged data, passes that data to the platform of its
+/// A robot of a log: chooses what runs for it on the logged data, passes that data to the platform of its
 /// host, and compares what is computed with what was logged. All times are those of the log, so that an
 /// offset on the timeline changes no bytes. One thread; listeners are called in it.
 class ReplayRobot {

@@ -34,7 +34,7 @@ struct BallTrials {
   };
   /// The simulation. Kick-offs are switched off.
   RunOptions run;
-  /// Called with what happens in the simulation; what they refer to must exist until modules have returned.
+  /// Called with the events of the simulation; what they refer to must exist until modules have returned.
   SimulatedRun::Listeners listeners = {};
   /// The seed of the first trial; each further one has the next number.
   std::uint64_t firstSeed = 1;

@@ -21,7 +21,7 @@ class RunEnd {
 
  private:
   std::shared_ptr<void> used_;
-  /// After what it uses.
+  /// The run; declared after what it uses.
   std::unique_ptr<SimulatedRun> run_;
 };
 

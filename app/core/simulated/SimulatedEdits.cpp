@@ -40,7 +40,7 @@ std::string withoutNumber(const std::string& name) {
   return last == std::string::npos ? name : name.substr(0, last + 1);
 }
 
-/// The places around a model where its copy could stand, the nearest first.
+/// The places around a model where its copy could be, the nearest first.
 std::vector<robotlink::Pose2> placesBeside(const robotlink::Pose2& pose, double radius) {
   constexpr int kRings = 4, kDirections = 8;
   std::vector<robotlink::Pose2> places;

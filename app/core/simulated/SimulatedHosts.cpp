@@ -136,7 +136,7 @@ Errors SimulatedRun::describeRobots() {
   auto hosts = newHosts(scene);
   if (!hosts) return hosts.error();
   robots_ = std::move(*hosts);
-  // Without a field in the scene, that of the first robot which knows one.
+  // Without a field in the scene, it is that of the first robot that has one.
   const auto knows =
       std::ranges::find_if(robots_, [](const auto& robot) { return !robot->robot().field->name.empty(); });
   if (knows != robots_.end()) {

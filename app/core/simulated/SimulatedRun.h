@@ -464,7 +464,7 @@ class SimulatedRun {
   std::unique_ptr<RecordingTap> tap_;
   std::vector<std::unique_ptr<RobotHost>> robots_;
   std::vector<std::string> lostChoices_;
-  /// Not null.
+  /// The solutions that were chosen; not null.
   const std::shared_ptr<ChosenSolutions> chosenSolutions_ = std::make_shared<ChosenSolutions>();
   /// The steps since the start, and the requests since then.
   std::uint64_t stepsMade_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SimulationFeed: controllers of the scene and elsewhere, events of views, and what controllers show.
+// SimulationFeed: local and remote controllers, events of views, and drawings of controllers.
 #include "app/core/simulated/SimulationFeed.h"
 #include "app/core/world/WorldObjects.h"
 #include "app/core/world/control/ControlMessages.h"

@@ -135,7 +135,7 @@ void OtherProgram::lookForStuck() {
     } else {
       stuck_.erase(process);
       running_->program->noteStuck(process->name(), {});
-      parts_.report(name + " has returned and goes on.");
+      parts_.report(name + " has returned and continues.");
     }
   }
 }

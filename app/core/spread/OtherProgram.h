@@ -51,7 +51,7 @@ class OtherProgram {
   /// arrives, since there is no time before, and checks whether their modules return. Returns whether they
   /// were started.
   bool look();
-  /// Runs it until `seconds` of real time have passed (0: for ever) or `interrupted` says so. Returns whether
+  /// Runs it until `seconds` of real time have passed (0: forever) or `interrupted` says so. Returns whether
   /// the program with the platform was found.
   bool run(double seconds, const std::function<bool()>& interrupted);
 

@@ -26,8 +26,8 @@ inline constexpr std::size_t kMaxTeamBytes = 1400;
 
 /// Fails if the message is too long.
 robotlink::Result<std::vector<std::uint8_t>> teamDatagram(const robotcontrol::TeamMessage& message);
-/// Fails if these are no such bytes, of another version, of another length than they say, or damaged; or if
-/// sender or team are missing, or a number is none.
+/// Fails if these bytes are not a datagram, are of another version, or damaged, or have a wrong length;
+/// or if sender or team are missing, or a number is invalid.
 robotlink::Result<std::shared_ptr<const robotcontrol::TeamMessage>> teamMessageIn(
     std::span<const std::uint8_t> datagram);
 

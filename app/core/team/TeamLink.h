@@ -21,7 +21,7 @@ namespace app {
 
 /// The link by which a robot hears its team over UDP. A plain value.
 struct TeamLinkOptions {
-  /// At which it hears; unset: it has no such link.
+  /// The port at which it receives; unset: it has no such link.
   std::optional<std::uint16_t> port = {};
   /// "HOST:PORT" of the others.
   std::vector<std::string> peers = {};

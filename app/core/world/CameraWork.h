@@ -124,7 +124,7 @@ class CameraWork {
   std::shared_ptr<const simcore::RenderScene> scene_;
   std::shared_ptr<Studio> studio_;
   std::atomic<std::uint64_t> begunAhead_{0};
-  /// At least one if there are cameras.
+  /// The lanes; at least one if there are cameras.
   std::vector<Lane> lanes_;
   std::vector<Camera> cameras_;
   Shot preview_;

@@ -37,7 +37,7 @@ class CommandActions : public QObject {
 
  private:
   robotlink::CommandTable& commands_;
-  /// May be empty.
+  /// The guard of commands; may be empty.
   std::function<bool(const QString& command)> guard_;
   /// The command that failed last; empty: none.
   QString failed_;

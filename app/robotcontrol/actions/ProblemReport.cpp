@@ -135,7 +135,7 @@ QString problemReport(Workbench& workbench, const widgets::CommandLog& log, cons
   report += section(QStringLiteral("Window"), verbatim(QString::fromUtf8(QJsonDocument(window).toJson())));
   const QString home = QDir::homePath();
   if (home.size() <= 1) return report;
-  // Not the beginning of another folder's name.
+  // The match must not be the beginning of another folder's name.
   const QRegularExpression whole(QRegularExpression::escape(home) + QStringLiteral("(?![\\w-])"),
                                  QRegularExpression::UseUnicodePropertiesOption);
   return report.replace(whole, QStringLiteral("~"));

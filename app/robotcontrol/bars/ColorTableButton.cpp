@@ -45,7 +45,7 @@ ColorTableButton::ColorTableButton(QWidget* parent) : QToolButton(parent) {
   setMenu(new QMenu(this));
 }
 
-/// With room for the menu's arrow, which Qt paints over the end of a text.
+/// Includes room for the menu's arrow, which Qt paints over the end of a text.
 QSize ColorTableButton::sizeHint() const {
   return QToolButton::sizeHint() +
          QSize(style()->pixelMetric(QStyle::PM_MenuButtonIndicator, nullptr, this), 0);

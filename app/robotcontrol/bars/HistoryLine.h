@@ -13,7 +13,7 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// Pausing what all views show while the robots continue, and looking back: the menu's actions, and a part of
+/// Pauses all views while the robots continue, and lets users look back: the menu's actions, and a part of
 /// the status bar that says whether what is shown is what happens now, or how far behind that it is. A click
 /// on it pauses, or returns to what happens now. Hidden while a log is open, which has a timeline of its
 /// own. GUI thread; workbench and actions must outlive its use.

@@ -23,7 +23,7 @@ using Phase = robotlink::websocket::ConnectionState::Phase;
 constexpr int kStateCharacters = 56, kMaxStateCharacters = 112;
 /// The number of characters that a button keeps of its text when the window gets narrower.
 constexpr int kMinCharacters = 6;
-/// More are shown as their number.
+/// Further connections are shown as their number.
 constexpr std::size_t kMaxConnections = 3;
 
 /// The robots of a connection, or where it leads.
@@ -171,7 +171,7 @@ void RemoteLine::showSteering() {
   const auto state = widgets::steeringState(workbench_.session(), robot);
   if (!state || state->who == Who::kNobody) return steering_->hide();
   const bool isOther = state->who == Who::kOther;
-  // Without the address, for which there is no room.
+  // The address is left out, since there is no room for it.
   const QString other = state->name.section(QStringLiteral(" at "), 0, 0);
   show(*steering_,
        isOther ? tr("%1 steers %2. Steer instead").arg(other, QString::fromStdString(robot)) : state->text,

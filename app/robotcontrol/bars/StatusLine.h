@@ -31,7 +31,7 @@ class StatusLine : public QObject {
   void showSimulation(const robotcontrol::SimulationStatus& status);
   /// Whether what is shown was sent over a line that is lost or ended now.
   bool isLost() const;
-  /// The state of the connection to a real robot, here or elsewhere, and for how long nothing was received.
+  /// The state of the connection to a real robot, local or remote, and for how long nothing was received.
   /// A robot with a base is only connected until that has sent something; others are running then.
   QString robotState(const robotcontrol::SimulationStatus& status);
   void showLog(const robotcontrol::ReplayStatus& status);

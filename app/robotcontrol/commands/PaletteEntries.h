@@ -16,7 +16,7 @@ class CommandTable;
 
 namespace app {
 
-/// Something that the palette offers.
+/// An entry that the palette offers.
 struct PaletteEntry {
   /// "View › Field", "robot.walk x y rotation" or, for an argument, what it can be.
   QString title;

@@ -43,7 +43,7 @@ void colorDropSigns(ads::CDockOverlayCross& cross) {
   cross.setIconColor(ads::CDockOverlayCross::ShadowColor, QColor(0, 0, 0, 64));
 }
 
-/// Is a dock perhaps dropped by an event? Windows that the window manager moves are dropped when they become
+/// Whether an event may drop a dock. Windows that the window manager moves are dropped when they become
 /// active again.
 bool mayDrop(const QObject* object, QEvent::Type event) {
   if (event == QEvent::ActivationChange)

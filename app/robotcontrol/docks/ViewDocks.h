@@ -91,7 +91,7 @@ class ViewDocks : public QObject {
   void placesWanted() const;
   /// The user wants to export a view, by the name of its dock.
   void exportWanted(const QString& name);
-  /// Not all views of a state were restored: a sentence for the user.
+  /// Emitted when not all views of a state were restored, with a sentence for the user.
   void leftOut(const QString& sentence);
 
  private:

@@ -59,7 +59,7 @@ void useNumbersWithPoints() {
   // Otherwise 1,5 would be read as 15.
   numbers.setNumberOptions(QLocale::RejectGroupSeparator);
   QLocale::setDefault(numbers);
-  // Qt has set this to the system's locale, in which also libraries that know nothing of Qt would read files.
+  // Qt has set this to the system's locale, in which libraries independent of Qt would read files, too.
   std::setlocale(LC_NUMERIC, "C");
 }
 

@@ -164,7 +164,7 @@ void PresetActions::captureNow(const std::vector<Preset::Part>& parts,
 
 Result<void> PresetActions::save(const std::string& name, const std::vector<Preset::Part>& parts) {
   const bool isFile = name.find('/') != std::string::npos;
-  // A name that is none fails at once.
+  // An invalid name fails at once.
   if (const auto known = presets_.load(name); !isFile && !known && known.error().id == "preset.name")
     return tl::unexpected(known.error());
   capture(parts, [guard = QPointer(this), name, isFile, parts](Result<Preset> now) {

@@ -11,7 +11,7 @@ PresetMenu::PresetMenu(CommandActions& actions, PresetActions& presets, QWidget*
     : QMenu(tr("Pr&esets"), window), actions_(actions), presets_(presets) {
   setObjectName(QStringLiteral("presetMenu"));
   connect(&presets_, &PresetActions::changed, this, &PresetMenu::fill);
-  // Another program, or the view of debug keys, may have saved some.
+  // Presets may have been saved by another program, or by the view of debug keys.
   connect(this, &QMenu::aboutToShow, this, &PresetMenu::fill);
   fill();
 }

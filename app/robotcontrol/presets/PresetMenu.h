@@ -9,7 +9,7 @@ class CommandActions;
 class PresetActions;
 
 /// The presets in the menu of the robot: each loads itself; the dialog saves, compares and removes them.
-/// GUI thread; what it is made with must outlive it.
+/// GUI thread; its arguments must outlive it.
 class PresetMenu final : public QMenu {
   Q_OBJECT
  public:

@@ -18,7 +18,7 @@ class ParameterSweep;
 namespace app {
 
 /// Sweeps a parameter and shows what was measured at each value as a table, which can be saved. The sweep
-/// continues when the dialog is closed. GUI thread; what it is made with must outlive it.
+/// continues when the dialog is closed. GUI thread; its arguments must outlive it.
 class SweepDialog final : public QDialog {
   Q_OBJECT
  public:

@@ -110,7 +110,7 @@ void FoundRobots::show(const RobotSearch::State& state, const std::function<bool
   for (int row = static_cast<int>(shown_.size()) - 1; row >= 0; --row) {
     const std::string url = shown_[static_cast<std::size_t>(row)].url();
     if (std::ranges::any_of(found, [&](const auto& one) { return urlOf(one.robots) == url; })) continue;
-    // No other one is picked in its place.
+    // Deselected, so that no other row is selected in its place.
     if (tree_->topLevelItem(row)->isSelected()) tree_->setCurrentItem(nullptr);
     delete tree_->takeTopLevelItem(row);
     shown_.erase(shown_.begin() + row);

@@ -35,7 +35,7 @@ class RemoteDialog final : public QDialog {
 
   /// A server that was connected.
   struct Recent {
-    /// Without a token.
+    /// The URL without a token.
     QString url;
     /// "red1, red2"
     QString robots;
@@ -72,7 +72,7 @@ class RemoteDialog final : public QDialog {
   /// Applies the limits that were entered to a connection that there is already.
   void changeLimits();
   bool isConnected(const std::string& url) const;
-  /// The URL that the user has entered, as connections have it; empty if it is none.
+  /// The URL that the user has entered, as connections have it; empty if it is invalid.
   std::string enteredUrl() const;
   /// Takes the address of robots that announce themselves.
   void take(const robotlink::dds::AnnouncedRobots& robots);

@@ -128,7 +128,7 @@ std::string shortened(const std::string& name) {
   constexpr std::size_t kMaxLetters = 20;
   if (name.size() <= kMaxLetters) return name;
   std::size_t end = kMaxLetters - 1;
-  // Not within a letter of several bytes.
+  // The text must not end within a multi-byte character.
   while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
   return name.substr(0, end) + "\u2026";
 }

@@ -32,9 +32,9 @@ struct Difference {
   std::string figure, unit, first, second;
   std::size_t subjects = 0;
   MeanInterval change;  ///< that of the second minus that of the first
-  /// The chance that there is none, corrected for the number of differences; see chanceOf().
+  /// The chance that there is no difference, corrected for the number of differences; see chanceOf().
   double chance = 1;
-  /// Whether the bounds exclude that there is none, and that is not by chance.
+  /// Whether the bounds exclude that there is no difference, and that is not by chance.
   bool isReal() const { return (change.low > 0 || change.high < 0) && chance <= kMaxChance; }
   static constexpr double kMaxChance = 0.05;
 };

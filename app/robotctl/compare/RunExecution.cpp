@@ -209,7 +209,7 @@ robotlink::Result<RunExecution::Results> RunExecution::execute(std::vector<Plann
   Results results;
   for (const PlannedRun& run : *failed) {
     results.missing.push_back(run.variant + ", " + run.subject);
-    // After a signal most of them never began.
+    // After a signal, most of them have not begun.
     if (Interrupt::noted()) continue;
     std::cerr << "no result: " << results.missing.back() << "; see " << files->texts(run).string() << "\n";
   }

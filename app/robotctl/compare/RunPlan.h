@@ -37,7 +37,7 @@ class RunFiles {
   bool isDone(const PlannedRun& run) const;
   /// Call this before it is started: removes an older result. Fails if it cannot be written.
   robotlink::Result<void> prepare(const PlannedRun& run) const;
-  /// Makes what it has written its result.
+  /// Makes the files that it has written its result.
   robotlink::Result<void> finish(const PlannedRun& run) const;
 
  private:

@@ -106,7 +106,7 @@ class Watch {
     if (arguments.asJpeg) limits.images = LinkLimits::Images::kJpeg;
     if (arguments.asPng) limits.images = LinkLimits::Images::kPng;
     if (arguments.asRaw) limits.images = LinkLimits::Images::kRaw;
-    // Foreign servers know nothing of these.
+    // Foreign servers do not support these.
     if (limits != LinkLimits()) apply(limits, client_);
   }
 
@@ -156,7 +156,7 @@ class Watch {
     return toString(client_.url()) + (robots.empty() ? "" : " (" + robots + ")") + ": " +
            robotlink::printable(client_.stateText()) + "\n";
   }
-  /// Says on stderr what became of the connection, once each time; a terminal shows it anyway.
+  /// Reports changes of the connection on stderr, once each time; a terminal shows them anyway.
   void reportState() {
     const ConnectionState state = client_.state();
     wasConnected_ |= state.isConnected();

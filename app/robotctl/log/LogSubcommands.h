@@ -43,7 +43,7 @@ struct TimeRangeOptions {
     /// a second time.
     std::shared_ptr<logplayer::LogFile> log;
   };
-  /// Interprets the range for a log. Fails with the error id "usage" if an end is none of these.
+  /// Interprets the range for a log. Fails with the error id "usage" if an end has none of these forms.
   robotlink::Result<Instants> of(const std::filesystem::path& log) const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `robotctl platform`: only the body of a robot; its program runs elsewhere.
+// `robotctl platform`: only the body of a robot; its program runs remotely.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>

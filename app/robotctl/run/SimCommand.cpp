@@ -66,7 +66,7 @@ struct SimArguments {
   std::string executor = "lockstep";
   std::vector<std::string> ownProcesses;
   std::uint64_t programMemory = 2048;                                        ///< MiB
-  double patience = std::chrono::duration<double>(kModulePatience).count();  ///< s; 0: for ever
+  double patience = std::chrono::duration<double>(kModulePatience).count();  ///< s; 0: forever
   double seconds = 10;
   bool noNoise = false;
   bool asJson = false;

@@ -32,7 +32,7 @@ struct FileIndex {
   Header header;
   std::map<std::uint16_t, Schema> schemas;
   std::map<std::uint16_t, Channel> channels;
-  /// From the summary, or counted by the scan.
+  /// The statistics from the summary, or counted by the scan.
   Statistics statistics;
   /// In the order of the file.
   std::vector<Section> sections;

@@ -97,7 +97,7 @@ void ParticleBall::remember(double time, const Vector2& place) {
 }
 
 void ParticleBall::summarize(const Pose2& robotInOdometry) {
-  // The middle is the median of each coordinate, which a minority elsewhere does not move much.
+  // The center is the median of each coordinate, which a minority elsewhere does not move much.
   std::vector<double> values(particles_.size());
   const auto median = [&](int axis) {
     std::ranges::transform(particles_, values.begin(), [&](const auto& p) { return p.position[axis]; });

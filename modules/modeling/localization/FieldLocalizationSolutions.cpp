@@ -55,7 +55,7 @@ class FieldLocalization : public SelfLocalization {
 
   void execute() override {
     if (!percepts_ || !percepts_.isNew()) return;
-    // Not in the constructor, because its maps take some milliseconds.
+    // The filter is not made in the constructor, because its maps take some milliseconds.
     if (!filter_) filter_.emplace(*field_, options());
     filter_->setOptions(options());
     filter_->update(frame());

@@ -100,7 +100,7 @@ void FieldMonteCarlo::choose(const Frame& frame) {
                        doubt * (options_.distanceDeviation * landmark.distance + 0.05) +
                            (landmark.isGoal ? kGoalDistanceBlur : 0)});
   }
-  // Evenly chosen points: neighbors in the list lie next to each other in the image.
+  // Evenly chosen points: neighbors in the list are next to each other in the image.
   points_.clear();
   const auto wanted = static_cast<std::size_t>(std::max(0, options_.linePoints));
   const std::size_t count = std::min(frame.lines.size(), wanted);

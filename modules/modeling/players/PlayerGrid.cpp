@@ -12,7 +12,7 @@ namespace {
 
 /// The distance by which the grid extends beyond the field, m.
 constexpr double kGridMargin = 0.2;
-/// Less evidence is none.
+/// The evidence below which there is none.
 constexpr double kNoEvidence = 0.005;
 
 }  // namespace

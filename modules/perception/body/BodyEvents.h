@@ -72,7 +72,7 @@ class ContactEvents {
 class JointErrorEvents {
  public:
   struct Options {
-    /// The least torque of the knees that bear the body, in the mean over legs and time, N m.
+    /// The least torque of the knees that bear the body, averaged over legs and time, N m.
     double load = 0.06;
     /// Over which time that is averaged, s.
     double loadTime = 0.5;

@@ -13,7 +13,7 @@ namespace modules {
 struct LinePoint {
   /// Pixels.
   robotlink::Vector2 inImage = robotlink::Vector2::Zero();
-  /// On the ground, m.
+  /// The position on the ground, m.
   robotlink::Vector2 inRobot = robotlink::Vector2::Zero();
   /// The direction of the edge in the robot's frame, from -pi/2 to pi/2, rad; NaN if the image does not show
   /// it.

@@ -24,7 +24,7 @@ struct Conversation {
   /// An event with its time.
   struct Event {
     Kind kind = Kind::kPacket;
-    /// Since the connection began; files have a resolution of 0.1 ms. 0 for a new connection.
+    /// The time since the connection began; files have a resolution of 0.1 ms. 0 for a new connection.
     Duration at{};
     /// The direction of a packet.
     Direction direction = Direction::kFromClient;

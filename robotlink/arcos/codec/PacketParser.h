@@ -22,7 +22,7 @@ struct DamagedBytes {
     kPartial,
   };
   Kind kind = Kind::kGarbage;
-  /// At most a few hundred; longer garbage is split.
+  /// The bytes, at most a few hundred; longer garbage is split.
   Bytes bytes;
   bool operator==(const DamagedBytes&) const = default;
 };

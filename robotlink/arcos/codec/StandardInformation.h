@@ -17,7 +17,7 @@ namespace robotlink::arcos {
 struct StandardInformation {
   /// A sonar's latest range.
   struct Sonar {
-    /// From 0.
+    /// The number of the sonar, from 0.
     std::uint8_t number = 0;
     std::uint16_t rangeMm = 0;
     bool operator==(const Sonar&) const = default;
@@ -48,7 +48,7 @@ struct StandardInformation {
   /// Temperatures up to this value mean that it is unknown.
   static constexpr std::int8_t kNoTemperature = -127;
 
-  /// From the packet's id.
+  /// Whether the robot moves, from the packet's id.
   bool moving = false;
   // Pose by odometry.
   std::int16_t xMm = 0;

@@ -13,9 +13,9 @@ struct GripperSensing {
   bool open = false, closed = false;
   // The lift is at its upper or lower end.
   bool liftUp = false, liftDown = false;
-  // Something presses on a paddle from inside.
+  // Whether something presses on a paddle from inside.
   bool leftPaddle = false, rightPaddle = false;
-  // Something is in a beam between the paddles.
+  // Whether something is in a beam between the paddles.
   bool outerBeam = false, innerBeam = false;
 };
 
@@ -59,7 +59,7 @@ class GripperControl {
   /// The lift's motion after the paddles have stopped, for storing and deploying.
   int liftNext_ = 0;
   bool grasps_ = false, carryValueNext_ = false;
-  /// Since both paddles are pressed; and how much longer the lift is raised for carrying, if it is.
+  /// How long both paddles have been pressed; and how much longer the lift is raised for carrying, if it is.
   Duration pressed_{}, carrying_{};
   std::uint8_t graspTime_ = 10;
 };

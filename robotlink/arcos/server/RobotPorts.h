@@ -55,7 +55,7 @@ class RobotPorts {
     /// The client's address, "127.0.0.1:50312"; empty if there is none.
     std::string client;
     PacketParser::Counters received;
-    /// From the present client.
+    /// The number of bytes from the present client.
     std::uint64_t receivedBytes = 0;
     std::uint64_t sentPackets = 0;
     /// Because the client did not read them in time.

@@ -48,7 +48,7 @@ struct ServerSettings {
   /// In arrays of eight.
   int sonars = 16;
   double sonarMaximum = RobotType{}.sonarMaximum;  ///< m; also the reading if there is no echo
-  /// All sonars are measured each cycle, rather than one of each array after the other.
+  /// Whether all sonars are measured each cycle, rather than one of each array after the other.
   bool allSonarsEachCycle = false;
   /// Empty if it has none.
   std::optional<Laser> laser = Laser{};

@@ -203,7 +203,7 @@ void SickSession::answered(const SickTelegram& telegram, Instant now) {
 }
 
 void SickSession::compareSetup(const SickTelegram& telegram, Instant now) {
-  if (telegram.data.size() < kSetupBytes) return restart("the laser is none that is known here");
+  if (telegram.data.size() < kSetupBytes) return restart("the laser is of an unknown type");
   setup_ = telegram.data;
   const bool fine = options_.unit == Unit::kMillimeters;
   setup_[kModeByte] = fine ? kUpTo32m : kUpTo80m;

@@ -8,8 +8,6 @@
 namespace robotlink {
 
 // Shared by the sources of ImageDrawing and SceneDrawing; not for other headers.
-
-// Shared by the sources of ImageDrawing and SceneDrawing; not for other headers.
 /// Whether all coordinates are finite.
 template <typename... Points>
 bool finite(const Points&... points) {

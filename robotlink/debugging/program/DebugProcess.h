@@ -90,7 +90,7 @@ class DebugProcess final : public Process {
                 robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const;
   /// The last package of a platform that no task reads; null if there is none.
   PackagePtr newest(const std::string& package) const;
-  /// Without its cells (ColorTableInUse.h); none: no task of the program uses one.
+  /// The color table in use, without its cells (ColorTableInUse.h); none: no task of the program uses one.
   std::optional<robotcontrol::ColorTable> colorTableInUse() const;
   /// The key-frame motions, with `more` among them; none: no task of the program plays any.
   std::optional<robotcontrol::MotionTable> motions(const std::vector<robotcontrol::MotionText>& more) const;

@@ -68,7 +68,7 @@ std::vector<std::string> OtherPrograms::update() {
       program.generation = program.table->generation();
     } else if (!running && program.running) {
       news.push_back("Program " + program.name +
-                     " does not run any more, or its machine cannot be reached. The others go on" +
+                     " does not run any more, or its machine cannot be reached. The others continue" +
                      (isCommanding(program) ? ", but the robot stands until it is back" : "") +
                      "; start it again.");
     }
@@ -85,7 +85,7 @@ std::string OtherPrograms::followStuck(const Program& program, Seat& seat) {
   const bool isStuck = row != nullptr && row->state().starts_with(kDoesNotReturn);
   if (seat.isStuck.exchange(isStuck) == isStuck || row == nullptr) return {};
   const std::string who = "Process " + row->name() + " of program " + program.name;
-  if (!isStuck) return who + " has returned and goes on.";
+  if (!isStuck) return who + " has returned and continues.";
   return who + " " + row->state() + "." +
          (seat.isCommanding ? " The robot stands until it returns or its program is started again." : "");
 }

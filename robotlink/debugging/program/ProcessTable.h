@@ -7,7 +7,7 @@ namespace robotlink {
 
 class Process;
 
-/// How the state of a process begins whose task does not return; that task follows.
+/// The begin of the state of a process whose task does not return; that task follows.
 inline constexpr char kDoesNotReturn[] = "does not return from ";
 
 /// Describes a process's state and its senders and receivers, but not its tasks, which it does not know. Any

@@ -25,7 +25,7 @@ class SentMotions {
 
   /// Connected if a task plays motions.
   const AnySender& sender() const { return sender_; }
-  /// Why the program cannot play the motion beside the others, with the lines of its errors; empty: it can.
+  /// Why the program cannot play the motion with the others, with the lines of its errors; empty: it can.
   std::string whyNot(const robotcontrol::MotionText& motion) const;
   /// Replaces or adds a motion, or takes one back whose text is empty, and sends the package.
   void set(const robotcontrol::MotionText& motion, Instant now);

@@ -48,27 +48,27 @@ class Client {
 
   // The user's side. Requests hold until they are taken back, whatever the connection does.
 
-  /// All channels of a topic, also those that will be advertised later.
+  /// Subscribes to all channels of these topics, also those that will be advertised later.
   void subscribe(const std::set<std::string>& topics);
   void unsubscribe(const std::set<std::string>& topics);
-  /// Updates of all parameters; their values come first.
+  /// Subscribes to updates of all parameters, whose values come first.
   void subscribeParameters(bool wanted);
   void subscribeGraph(bool wanted);
-  /// Bytes a second that the server may send; 0 without limit. For servers that know `link/budget`.
+  /// Sets the bytes a second that the server may send; 0 without limit. For servers that know `link/budget`.
   void setBudget(double bytesPerSecond);
   /// How many messages a second the server may send of each topic, if the latest one counts; topics that are
   /// not named are sent whole. For servers that know `link/rates`.
   void setRates(std::map<std::string, double> messagesPerSecond);
-  /// A channel of this client; a topic has one at most. publish() sends nothing unless it is connected.
+  /// Advertises a channel; a topic has one at most. publish() sends nothing unless it is connected.
   void advertise(ClientChannel channel);
   void unadvertise(const std::string& topic);
-  /// A message that waits is replaced by a newer one of its topic. Returns false if nothing was sent.
+  /// Publishes a message, which replaces a waiting one of its topic. Returns false if nothing was sent.
   bool publish(const std::string& topic, std::string payload);
 
   // Requests that are made once.
 
   void call(Call call, AnswerHandler handler);
-  /// The new values come as parameters; if the server objects, as a status.
+  /// Sets parameters. The new values come as parameters; if the server objects, as a status.
   void setParameters(std::vector<Parameter> parameters);
   void getParameters(std::vector<std::string> names);
 
@@ -89,17 +89,17 @@ class Client {
   /// `wake` is called from any thread when there is something to send again after next() found nothing; it
   /// must not block or call the client. Empty: the link has ended.
   void setWake(std::function<void()> wake);
-  /// A connection is open; the server will say hello.
+  /// Call this when a connection is open; the server will say hello.
   void opened();
-  /// A whole message. An error is a reason to end the connection.
+  /// Takes a whole message. An error is a reason to end the connection.
   Result<void> received(FrameKind kind, std::string_view bytes);
   /// Returns the frame to send next.
   std::optional<Frame> next();
-  /// Ends what waits too long. Call it several times a second.
+  /// Ends requests that wait too long. Call it several times a second.
   void tick();
   /// Ends the connection with the next message that comes, as an error of received() would.
   void end(const std::string& reason);
-  /// The connection is lost, or could not be made.
+  /// Call this when the connection is lost, or could not be made.
   void lost();
   /// Sets the link's part of the state; this object has the rest.
   void setLink(ConnectionState::Phase phase, Instant since, std::string reason,
@@ -124,7 +124,7 @@ class Client {
     std::uint32_t service = 0, id = 0;
     std::size_t offset = 0;
   };
-  /// Holds for as long as the client.
+  /// The requests that hold as long as the client.
   struct Wishes {
     std::set<std::string> topics;
     bool parameters = false, graph = false;
@@ -133,7 +133,7 @@ class Client {
     std::map<std::string, ClientChannel> channels;
     std::uint32_t nextChannel = 1;
   };
-  /// Ends with the connection.
+  /// The state that ends with the connection.
   struct Conversation {
     bool isOpen = false;
     /// Whether the server has said hello.

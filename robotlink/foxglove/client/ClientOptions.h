@@ -21,9 +21,9 @@ struct ClientLimits {
 /// The handlers of a server's messages. All are called in the link's thread, one at a time, without a lock:
 /// they may call the client. They should be quick; while one runs nothing is read, and the server sends less.
 struct ClientHandlers {
-  /// After each connection, first. A server with another session id than before was restarted.
+  /// Called first after each connection. A server with another session id than before was restarted.
   std::function<void(const ServerInfo&)> connected = {};
-  /// The connection is lost; channels and services are gone without being removed one by one.
+  /// Called when the connection is lost; channels and services are gone without being removed one by one.
   std::function<void()> disconnected = {};
   std::function<void(const std::vector<Channel>&)> channelsAdded = {}, channelsRemoved = {};
   std::function<void(const std::vector<Service>&)> servicesAdded = {};

@@ -40,9 +40,9 @@ struct ConnectionState {
   std::string reason = {};
   /// How long the newest sign of life that was answered took, there and back.
   std::optional<Duration> roundTrip = {};
-  /// Received, over the last second.
+  /// The bytes received over the last second.
   double bytesPerSecond = 0;
-  /// Received since the beginning.
+  /// The messages and bytes received since the beginning.
   std::uint64_t messages = 0, bytes = 0;
   /// The server's counts for this connection: messages replaced by newer ones, and messages lost. Unset if it
   /// does not count.
@@ -53,7 +53,7 @@ struct ConnectionState {
   std::string serverName = {};
   /// Whether it takes what this client publishes; not from clients that may only watch.
   bool takesMessages = false;
-  /// While it is refused, and tries again.
+  /// The server's objection while it refuses this client, which tries again.
   ServerObjection objection = {};
 
   bool isConnected() const { return phase == Phase::kConnected; }

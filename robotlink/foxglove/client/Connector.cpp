@@ -122,8 +122,8 @@ class ServerConnection : public std::enable_shared_from_this<ServerConnection> {
   void onUpgraded(error_code error);
   void read() { socket_.async_read_some(buffer_, kClientReadBytes, handler(&ServerConnection::onRead)); }
   void onRead(error_code error, std::size_t bytes);
-  /// Whether the system holds as much as it may that has not been sent. It takes more than
-  /// TCP_NOTSENT_LOWAT if it can be added to a segment that waits, until somebody waits for it.
+  /// Whether the system holds as much unsent data as it may. It accepts more than
+  /// TCP_NOTSENT_LOWAT if that can be added to a waiting segment, until writability is waited for.
   bool isFull();
   void onRoom(error_code error);
   void onSent(error_code error, std::size_t);

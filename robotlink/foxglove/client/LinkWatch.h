@@ -24,7 +24,7 @@ class LinkWatch {
              firstStepTime = std::chrono::seconds(5);
     /// Time for finding the address of a name, which the system may have to ask for several times.
     Duration lookupTime = std::chrono::seconds(30);
-    /// Between two tries, and after a refusal.
+    /// The time between two attempts, and after a refusal.
     Duration retryTime = std::chrono::milliseconds(200), refusedTime = std::chrono::seconds(5);
   };
   enum class Action {
@@ -45,15 +45,15 @@ class LinkWatch {
 
   /// Returns the action to take now. Call it several times a second.
   Action next(Instant now);
-  /// The address is known, and TCP begins to connect.
+  /// Call this when the address is known, and TCP begins to connect.
   void addressFound(Instant now);
-  /// A step of connecting is done: TCP is connected, encryption is agreed on, the handshake is answered.
+  /// Call this after a step: TCP is connected, encryption is agreed on, the handshake is answered.
   void stepDone(Instant now);
-  /// The server has said hello.
+  /// Call this when the server has said hello.
   void greeted(Instant now);
   /// Call this when any byte was received.
   void heard(Instant now) { heardAt_ = now; }
-  /// Connecting failed, or the connection ended.
+  /// Call this when connecting failed, or the connection ended.
   void failed(Failure failure, const std::string& reason, Instant now);
 
   ConnectionState::Phase phase() const { return phase_; }

@@ -7,7 +7,7 @@
 
 namespace robotlink::websocket {
 
-/// With padding, as RFC 4648 has it.
+/// Returns base64 with padding, as in RFC 4648.
 std::string toBase64(std::string_view bytes);
 /// Returns nothing if the text is not base64 with padding.
 std::optional<std::string> fromBase64(std::string_view text);

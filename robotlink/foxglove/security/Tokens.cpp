@@ -57,7 +57,7 @@ Result<Tokens> parseTokens(std::string_view text, const std::string& file) {
   }
   if (tokens.control.empty() && tokens.watch.empty())
     return wrong("there is no token: add a line 'control TOKEN', or remove the file so that one is made");
-  if (tokens.control == tokens.watch) return wrong("both tokens are the same: nobody could only watch");
+  if (tokens.control == tokens.watch) return wrong("both tokens are the same: no client could only watch");
   return tokens;
 }
 

@@ -23,7 +23,7 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
-  /// With the port that was chosen.
+  /// The address with the port that was chosen.
   const ListenAddress& address() const { return address_; }
 
  private:

@@ -12,7 +12,7 @@
 
 namespace robotlink::websocket {
 
-/// How a Listener listens. A plain value.
+/// The options of a Listener. A plain value.
 struct ListenerOptions {
   ListenAddress address = {"127.0.0.1", kDefaultPort};
   Admission::Options admission = {};
@@ -29,7 +29,7 @@ struct ListenerOptions {
   Duration messageTime = std::chrono::seconds(120);
   /// The silence after which a client is asked for a sign of life, and the one after which it is given up.
   Duration pingInterval = std::chrono::seconds(5), idleTime = std::chrono::seconds(30);
-  /// How long a client that is told to go may take.
+  /// How long a client that is asked to close its connection may take.
   Duration closeTime = std::chrono::seconds(2);
   /// Between the answer to the handshake and the first message. Some clients lose messages that come
   /// together with that answer.

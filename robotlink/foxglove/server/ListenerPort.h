@@ -26,7 +26,7 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
 
   virtual void start() = 0;
-  /// Looks at the times.
+  /// Checks the time limits.
   virtual void tick(Instant now) = 0;
   /// Says goodbye without waiting for anything, when the port's thread has ended.
   virtual void leave() = 0;
@@ -100,7 +100,7 @@ class ListenerPort {
   ListenerAcceptor acceptor_{context};
   asio::steady_timer timer_{context};
   bool isTicking_ = false, isAccepting_ = false;
-  /// Since `reportsSince_`.
+  /// The number of reports since `reportsSince_`.
   std::size_t reports_ = 0;
   Instant reportsSince_;
   std::set<ConnectionPtr> connections_;

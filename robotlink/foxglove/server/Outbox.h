@@ -69,7 +69,7 @@ class Outbox {
 
   explicit Outbox(const Limits& limits) : limits_(limits) {}
 
-  /// In bytes a second, 0 without limit: what all messages together may take on average.
+  /// The average rate of all messages together, in bytes a second, 0 without limit.
   Allowance& budget() { return budget_; }
 
   /// How often a message of a stream is sent at most, in messages a second, 0 without limit; only of streams
@@ -81,9 +81,9 @@ class Outbox {
   void push(StreamId stream, Outgoing message, Delivery delivery, std::size_t maxWaiting);
   /// Counts a message of a stream that was left out before it arrived here.
   void noteThinned(StreamId stream) { ++streams_[stream].counters.thinned; }
-  /// Forgets what waits of a stream; its counters stay.
+  /// Drops the waiting messages of a stream; its counters stay.
   void clear(StreamId stream);
-  /// Forgets a stream, and what waits of it.
+  /// Forgets a stream, and drops its waiting messages.
   void remove(StreamId stream);
   /// Forgets everything that waits.
   void clear();
@@ -100,7 +100,7 @@ class Outbox {
   struct Turn {
     StreamId stream = 0;
     Outgoing message;
-    /// How many had got a turn before.
+    /// The number of turns that were given before.
     std::uint64_t number = 0;
   };
   using Turns = std::list<Turn>;

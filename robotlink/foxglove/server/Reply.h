@@ -27,7 +27,7 @@ class Reply {
   void succeed(std::string data = {}, std::string encoding = {}) const {
     pending_->finish(Answer{std::move(data), std::move(encoding)});
   }
-  /// With a sentence for the person who asked.
+  /// Fails with a sentence for the user who asked.
   void fail(std::string reason) const { pending_->finish(failure("foxglove.request", std::move(reason))); }
 
  private:

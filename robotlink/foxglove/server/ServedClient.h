@@ -26,7 +26,7 @@ struct ServedClient {
   std::map<std::uint32_t, ChannelPtr> subscriptions = {};
   std::map<std::uint32_t, ClientChannel> channels = {};
   std::set<std::string> parameterNames = {};
-  /// In messages a second, by topic.
+  /// The rates in messages a second, by topic.
   std::map<std::string, double> rates = {};
   bool wantsAllParameters = false;
   bool wantsGraph = false;

@@ -47,7 +47,7 @@ class Server : public std::enable_shared_from_this<Server> {
   void updateParameters(const std::vector<Parameter>& parameters);
   void setConnectionGraph(ConnectionGraph graph);
   void publishTime(Instant time);
-  /// The robot's time went back to this: no later one is sent with the newest messages of latched channels.
+  /// Sets the robot's time back: no later one is sent with the newest messages of latched channels.
   void setBackLatched(Instant time);
   /// While it exists, messages of channels wait for its end, so that those that are published together are
   /// sent together. Keep it shorter than they may be late.

@@ -39,7 +39,7 @@ class ServerChannel {
 
   /// Whether a message would go anywhere; costs one atomic load. Ask before making its bytes.
   bool isWanted() const { return wanted_.load(std::memory_order_relaxed) > 0; }
-  /// Never waits for a client.
+  /// Publishes a message; never waits for a client.
   void publish(Instant time, SharedBytes payload);
   void publish(Instant time, std::string payload) {
     if (isWanted()) publish(time, std::make_shared<const std::string>(std::move(payload)));

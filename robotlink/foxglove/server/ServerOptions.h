@@ -8,7 +8,7 @@ namespace robotlink::websocket {
 
 /// A client, as users see it.
 struct ClientInfo {
-  /// Never used again by this server.
+  /// The client's id, which this server never uses again.
   std::uint64_t id = 0;
   std::string address;
   /// The name that it states (the User-Agent of its HTTP request); may be empty.
@@ -26,9 +26,9 @@ struct ClientState {
   ClientInfo info;
   std::uint64_t sentBytes = 0;
   std::size_t waitingBytes = 0;
-  /// In bytes a second; 0 without limit.
+  /// The client's budget in bytes a second; 0 without limit.
   double budget = 0;
-  /// In messages a second, by topic; others have none.
+  /// The client's rates in messages a second, by topic; other topics have none.
   std::map<std::string, double> rates = {};
   /// The counters of what it subscribed to at some time, by topic.
   std::map<std::string, StreamCounters> streams;
@@ -62,7 +62,7 @@ struct ServerOptions {
   bool publishesTime = false;
   /// The time range of the log, if one is played.
   std::optional<TimeRange> playable = {};
-  /// A client's at first, in bytes a second; 0 without limit.
+  /// A client's initial budget, in bytes a second; 0 without limit.
   double budget = 0;
   ServerLimits limits = {};
   /// For when clients were heard; a Listener without a clock of its own uses it, too. Real time if there is
@@ -78,7 +78,7 @@ struct ServerHandlers {
   /// removed.
   std::function<void(const ChannelPtr& channel, const std::vector<ClientInfo>& subscribers)>
       subscribersChanged = {};
-  /// After a client came or went.
+  /// Called after a client connected or disconnected.
   std::function<void(const std::vector<ClientInfo>&)> clientsChanged = {};
 
   /// The new values are those that the robot reports by Server::updateParameters() before it replies.

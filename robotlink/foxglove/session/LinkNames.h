@@ -14,7 +14,7 @@ inline constexpr char kOnDemandGroup[] = "on-demand";
 /// The suffixes of a channel of images for the channels of the same images as JPEG and as PNG.
 inline constexpr char kJpegChannel[] = "/jpeg", kPngChannel[] = "/png";
 
-/// How the id of a status begins by which a server offers a client to send images as JPEG, because its line
+/// The begin of the id of a status by which a server offers a client to send images as JPEG, because its line
 /// does not carry raw ones; the topic follows.
 inline constexpr char kNarrowStatus[] = "narrow-line/";
 

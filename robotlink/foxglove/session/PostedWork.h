@@ -31,7 +31,7 @@ class PostedWork {
   PostedWork() : PostedWork(Limits()) {}
   explicit PostedWork(Limits limits) : limits_(limits) {}
 
-  /// Returns false, and takes it not, if too much waits. `bytes` is what it keeps in memory beside itself.
+  /// Returns false without taking it if too much waits. `bytes` is the memory that it keeps besides itself.
   bool add(Work work, std::size_t bytes = 0) {
     const std::lock_guard lock(mutex_);
     if (waiting_.size() >= limits_.pieces || bytes > limits_.bytes - bytes_) return false;
@@ -39,7 +39,7 @@ class PostedWork {
     waiting_.push_back({std::move(work), ""});
     return true;
   }
-  /// Is done before everything that is not urgent. Returns false, and takes it not, if too much waits.
+  /// Adds work that precedes all that is not urgent. Returns false without taking it if too much waits.
   bool addUrgent(Work work) {
     const std::lock_guard lock(mutex_);
     if (urgent_.size() >= limits_.urgent) return false;

@@ -38,7 +38,7 @@ class Steering {
   struct Status {
     /// The name of the client that steers; empty: none.
     std::string who;
-    /// 0: nobody, or somebody at the robot's own machine.
+    /// 0: none, or a user at the robot's own machine.
     std::uint64_t client = 0;
     bool isSilent = false;
     std::string text;
@@ -47,7 +47,7 @@ class Steering {
   struct Actions {
     /// Asks a robot to stand, or to continue to its goal; `isDone` is to be called with whether it accepted.
     std::function<void(const robotcontrol::Request&, std::function<void(bool isDone)>)> request;
-    /// After a change.
+    /// Called after a change.
     std::function<void(const std::string& robot, const Status&)> changed;
     /// Returns when a client was last heard from; nothing if it is gone.
     std::function<std::optional<Instant>(std::uint64_t client)> heardAt;
@@ -72,11 +72,11 @@ class Steering {
   void takeOverHere(const std::string& robot, Instant now);
   /// Releases the control that the local user has of a robot.
   void giveUpHere(const std::string& robot);
-  /// A client came; perhaps one that steered before the line was lost.
+  /// Call this when a client has connected, perhaps one that steered before its line was lost.
   void joined(const ClientInfo& client);
   /// Lets all robots stand that clients steer, because the link ends.
   void end();
-  /// Looks at the times; call this often.
+  /// Checks the time limits; call this often.
   void tick(Instant now);
   /// Forgets a robot.
   void remove(const std::string& robot) { robots_.erase(robot); }
@@ -89,16 +89,16 @@ class Steering {
 
  private:
   struct Robot {
-    /// 0: nobody, or somebody at the robot's own machine.
+    /// 0: none, or a user at the robot's own machine.
     std::uint64_t client = 0;
-    /// How it is known again after it was gone.
+    /// The name by which a person is recognized after a lost connection.
     std::string person;
     std::string who;
     Instant commandedAt;
     /// The newest motion, unless that was to stand.
     std::optional<robotcontrol::Request> motion;
     std::optional<robotcontrol::Request> goal;
-    /// Since when the link is silent; the robot was told to stand.
+    /// When the link fell silent; the robot was told to stand.
     std::optional<Instant> silentSince;
     /// The requests to the robot from here, until they are accepted.
     std::deque<robotcontrol::Request> toAsk;
@@ -114,7 +114,7 @@ class Steering {
   void watchMotion(const std::string& name, Robot& robot, Instant now);
   void watchLink(const std::string& name, Robot& robot, Instant now);
   void forgetIdle(const std::string& name, Robot& robot, Instant now);
-  /// Asks what is to be asked, repeatedly until it is accepted.
+  /// Sends the pending requests, repeatedly until they are accepted.
   void ask(const std::string& name, Robot& robot, Instant now);
   void publish(const std::string& name, Robot& robot, const std::string& text);
   bool isFree(const Robot& robot, const ClientInfo& client, Instant now) const;

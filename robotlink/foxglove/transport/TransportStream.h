@@ -60,7 +60,7 @@ using TransportHandler = AnyHandler<error_code, std::size_t>;
 class TransportStream {
  public:
   using executor_type = TransportExecutor;
-  /// How many bytes are gathered at most. No more than this, because what is urgent waits behind it.
+  /// The most bytes that are gathered. No more than this, because urgent messages wait behind them.
   static constexpr std::size_t kGatheredBytes = 8U << 10U;
 
   explicit TransportStream(TransportSocket socket) : TransportStream(std::move(socket), nullptr) {}

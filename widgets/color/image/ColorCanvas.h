@@ -50,7 +50,7 @@ class ColorCanvas final : public QWidget {
   void setOtherCursor(std::optional<QPointF> at);
 
   const ImageViewport& viewport() const { return viewport_; }
-  /// Does not emit viewportChanged().
+  /// Sets the viewport without emitting viewportChanged().
   void setViewport(const ImageViewport& viewport);
   /// Widget pixels per image pixel.
   double zoom() const;

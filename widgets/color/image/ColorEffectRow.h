@@ -50,7 +50,7 @@ class ColorEffectRow final : public QWidget {
   std::uint64_t lastBefore_ = 0;
   /// Its id; 0: it is not there yet.
   std::uint64_t stroke_ = 0;
-  /// Between begin() and end().
+  /// Whether the stroke is being drawn, from begin() to end().
   bool drawing_ = false;
   QLabel* text_ = nullptr;
   QToolButton* drop_ = nullptr;

@@ -94,7 +94,7 @@ class ColorImageView final : public PictureView {
   void moveGesture(const QPointF& at);
   void endGesture();
   void cancelGesture();
-  /// Does with the bench what the gesture means: strokes, erases or selects.
+  /// Applies the gesture to the bench: strokes, erases or selects.
   void commitGesture();
   /// Shows the gesture's outline.
   void showPreview();

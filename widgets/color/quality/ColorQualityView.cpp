@@ -29,7 +29,7 @@ const ViewRegistration kColorQualityViewRegistration{
 
 /// The width of the place for labeled images while there are none, in pixels.
 constexpr int kEmptyWidth = 200;
-/// With fewer strokes of a class its figures mean little.
+/// The number of strokes of a class below which its figures mean little.
 constexpr int kFewStrokes = 5;
 
 /// A smaller share of the background that a class takes is not reported.

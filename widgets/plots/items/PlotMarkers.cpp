@@ -65,7 +65,7 @@ bool PlotMarkers::set(std::vector<PlotMarker> markers) {
 }
 
 void PlotMarkers::remake() {
-  constexpr double kQuarter = -90;  // degrees: the text reads upwards
+  constexpr double kQuarter = -90;  // degrees: the text reads upward
   lines_->palette = plot_.palette();
   for (QCPAbstractItem* item : items_) plot_.removeItem(item);
   items_.clear();

@@ -12,7 +12,7 @@ class QCustomPlot;
 
 namespace widgets {
 
-/// Something that happened at a time, or from one to another, in s.
+/// An event at a time, or from one time to another, in s.
 struct PlotMarker {
   double from = 0, to = 0;
   QString text;
@@ -25,7 +25,7 @@ class MarkerLines;
 /// Marks times in a plot by lines with a text, or, where there may be thousands, by lines alone. GUI thread.
 class PlotMarkers {
  public:
-  /// More are not shown.
+  /// The maximum number of markers shown.
   static constexpr std::size_t kMaxMarkers = 500;
 
   /// `plot` must outlive this; its palette and font are used.

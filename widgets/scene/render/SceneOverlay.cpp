@@ -31,7 +31,7 @@ void paintPlate(QPainter& painter, const QPointF& at, const SceneLabel& label) {
   painter.drawText(box, Qt::AlignCenter, label.text);
 }
 
-/// With a dark rim, so that the text is legible on every color.
+/// Paints a label with a dark rim, so that the text is legible on every color.
 void paintPlain(QPainter& painter, const QPointF& at, const SceneLabel& label) {
   QPainterPath path;
   path.addText(at, painter.font(), label.text);

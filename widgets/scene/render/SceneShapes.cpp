@@ -52,7 +52,7 @@ void addTriangles(SceneShape& shape, const foxglove::TriangleListPrimitive& list
 }
 
 void addArrow(SceneShape& shape, const foxglove::ArrowPrimitive& arrow) {
-  // Cylinders stand along z, arrows lie along x.
+  // Cylinders are along z, arrows along x.
   Pose3 alongX = robotlink::pose3(arrow.pose());
   alongX.rotate(Eigen::AngleAxisd(robotlink::kPi / 2, Vector3::UnitY()));
   const Color color = rgba(arrow.color());

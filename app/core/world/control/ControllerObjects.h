@@ -13,7 +13,7 @@ namespace app {
 class ExternalControllers;
 
 /// Adds the controllers of a simulation to its objects, each with the views that it adds below it, then those
-/// elsewhere; these may be null.
+/// that are remote; these may be null.
 void addControllers(const simcore::Simulation& simulation, const ExternalControllers* external,
                     robotcontrol::WorldObjects& to);
 

@@ -31,7 +31,7 @@ namespace app {
 
 /// Controllers of a simulation that are remote programs, at the far end of a link: they get the readings
 /// of the sensors that they named, and the events of views, and command actuators. A step waits for those in
-/// lockstep, but not longer than their patience: who is late is named, its actuators are released, and it is
+/// lockstep, but not longer than their patience: a late one is named, its actuators are released, and it is
 /// not waited for until it answers again.
 ///
 /// Never waits itself: the caller asks until when a step has to wait. One thread at a time.

@@ -64,9 +64,9 @@ class RemoteInbox {
   void remove(const std::vector<Channel>& channels);
   void removeAll() { types_.clear(); }
   void push(const Channel& channel, Instant time, std::string_view payload);
-  /// Something to be done, which is never left out.
+  /// Queues work that is never left out.
   void push(std::function<void()> work);
-  /// A change of what the server offers, which cannot be left out. Returns false, and takes it not, if too
+  /// Queues a change of the server's offers, which is never left out. Returns false without taking it if too
   /// many of them wait: then the server is no longer followed, and its connection must end.
   bool pushChange(std::function<void()> work);
   /// Queues work on a text of `bytes` bytes, which is left out like messages are.
@@ -80,7 +80,7 @@ class RemoteInbox {
   struct Typed {
     RemoteChannelPtr channel;
     std::string schemaName, schema, schemaEncoding;
-    /// Made with the first message.
+    /// The type, made with the first message.
     std::optional<MessageType> type;
   };
   PackagePtr decode(Typed& typed, std::string_view payload) const;

@@ -23,7 +23,7 @@ class RemoteRobotList {
     std::string local;
     RemoteKeys keys;
     KeyPublishers publishers;
-    /// Not mentioned by the server since it was reconnected.
+    /// Whether the server has not mentioned it since it was reconnected.
     bool isStale = false;
   };
   /// A topic in the session.
@@ -40,7 +40,7 @@ class RemoteRobotList {
   /// Adds a robot if it is new. `wantedName` is its name in the session, if that is free.
   void add(const std::string& remote, const std::string& wantedName);
   void remove(const std::string& remote);
-  /// After the connection was lost: those that are not added again go with removeStale().
+  /// Call this when the connection was lost: robots that are not added again are removed by removeStale().
   void setStale();
   void removeStale();
 

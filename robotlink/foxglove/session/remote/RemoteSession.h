@@ -84,14 +84,14 @@ class RemoteSession {
   TimeShift shift;
   std::map<std::string, Times> newestOf;
   std::map<std::uint64_t, RemoteChannelPtr> channels;
-  /// Topics of encoded images that are offered beside the raw ones.
+  /// Topics of encoded images that are offered in addition to the raw ones.
   std::set<std::string> encoded;
   std::set<std::string> services, topics;
   /// Topics that were named since their messages are not decoded.
   std::set<std::string> undecoded;
   /// Robots, by their names at the server, whose tables of keys are shown differently now.
   std::set<std::string> changedKeys;
-  /// To be pushed again when the session was restarted.
+  /// The messages to be pushed again when the session was restarted.
   LatchedMessages latched;
   std::vector<SessionGap> gaps;
   RemoteImages images = RemoteImages::kAutomatic;

@@ -10,7 +10,7 @@
 
 namespace robotlink::websocket {
 
-/// How one server's robots are put into a session. A plain value.
+/// The options for putting one server's robots into a session. A plain value.
 struct SessionClientOptions {
   Connector::Options connection;
   /// Whether a name of a robot is in use in the session, by others than this object. Empty: none is.
@@ -50,7 +50,7 @@ struct RemoteStream {
   std::optional<std::uint64_t> thinned = {}, dropped = {};
 };
 
-/// How images are sent.
+/// The form in which images are sent.
 enum class RemoteImages {
   kAutomatic,  ///< raw, and as JPEG from when the server finds that the line does not carry raw ones
   kRaw,
