@@ -8,6 +8,7 @@
 namespace robotlink {
 
 // Shared by the sources of ImageDrawing and SceneDrawing; not for other headers.
+
 /// Whether all coordinates are finite.
 template <typename... Points>
 bool finite(const Points&... points) {
