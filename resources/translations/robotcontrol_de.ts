@@ -1446,8 +1446,8 @@
         <translation>%1 weiß noch nicht, wo er ist: irgendwohin schicken (G und ein Klick auf die Karte), dann fährt er umher, bis er sich lokalisiert hat; oder mit dem Bewegungstester steuern.</translation>
     </message>
     <message>
-        <source>%1 has no map for localization: connect it with one (menu Robot, Map).</source>
-        <translation>%1 hat keine Karte zur Lokalisierung: mit einer Karte verbinden (Menü Roboter, Karte).</translation>
+        <source>%1 has no map for localization: connect it again, and choose a map in the dialog (menu Robot, Connect a Pioneer…); a program that runs elsewhere is started with --map.</source>
+        <translation>%1 hat keine Karte zur Lokalisierung: neu verbinden und dabei im Dialog eine Karte wählen (Menü Roboter, Mit einem Pioneer verbinden…); ein Programm, das anderswo läuft, wird mit --map gestartet.</translation>
     </message>
 </context>
 <context>
@@ -14244,6 +14244,10 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>The simulation goes on, but the scene cannot be opened as it begins: %1, or write where it is now into the scene (Ctrl+Shift+W)</source>
         <translation>Die Simulation geht weiter, aber die Szene lässt sich so nicht öffnen: %1, oder schreiben Sie in die Szene, wo es jetzt ist (Strg+Umschalt+W)</translation>
+    </message>
+    <message>
+        <source>The text was edited since and keeps the change, so the simulation goes on in it, and what is in the way goes back to where its file puts it</source>
+        <translation>Der Text wurde seitdem bearbeitet und behält die Änderung; die Simulation geht darum mit ihm weiter, und was im Weg ist, kehrt dorthin zurück, wo seine Datei es hinstellt</translation>
     </message>
 </context>
 <context>

@@ -118,6 +118,26 @@ TEST_F(SceneReloadTest, whatIsThereAgainStandsWhereItWas) {
   EXPECT_NEAR(place(), 2.5, 0.01);
 }
 
+TEST_F(SceneReloadTest, aRenamedModelStaysWhereItIs) {
+  edit("</world>", kCan);
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return loads == 2 && hasModel("can"); }));
+  run("scene.place can 2.5 -2.5");
+  const auto place = [this](const char* frame) {
+    const auto* all = workbench.session().store().latestAs<foxglove::FrameTransforms>(
+        robotlink::streams::kTransforms, workbench.session().timeline().newest());
+    const auto found = std::ranges::find(all->transforms(), frame, &foxglove::FrameTransform::child_frame_id);
+    return found == all->transforms().end() ? 0.0 : found->translation().x();
+  };
+  ASSERT_TRUE(waitFor([&] { return place("body:can/can") > 2.4; }));
+  edit("name='can'><pose>", "name='jar'><pose>");
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return loads == 3 && hasModel("jar"); }));
+  run("simulation.step");
+  EXPECT_TRUE(waitFor([this] { return status()->steps() > 0; }));
+  EXPECT_NEAR(place("body:jar/can"), 2.5, 0.01);
+}
+
 TEST_F(SceneReloadTest, whatDoesNotFitNowIsRefusedWhereItMust) {
   const auto whole = std::filesystem::weakly_canonical(file);
   std::string edited = text;

@@ -25,7 +25,9 @@ QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* ba
   if (!onMap) {
     return robot.truth
                ? QString()
-               : PlaceText::tr("%1 has no map for localization: connect it with one (menu Robot, Map).")
+               : PlaceText::tr(
+                     "%1 has no map for localization: connect it again, and choose a map in the dialog (menu "
+                     "Robot, Connect a Pioneer…); a program that runs elsewhere is started with --map.")
                      .arg(name);
   }
   if (base != nullptr && base->emergency_stop())

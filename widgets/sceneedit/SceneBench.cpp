@@ -101,7 +101,7 @@ std::filesystem::path SceneBench::folder() const {
 Result<SceneFile*> SceneBench::open(const std::filesystem::path& path) {
   const auto whole = wholePath(path);
   if (SceneFile* known = find(whole)) {
-    known->follow(true);
+    followFile(*known, true);
     setCurrent(known);
     return known;
   }
@@ -120,7 +120,7 @@ Result<SceneFile*> SceneBench::ensure(const std::filesystem::path& path) {
   SceneFile* const before = current_;
   const auto whole = wholePath(path);
   if (SceneFile* known = find(whole); known != nullptr && !known->isChanged()) {
-    known->follow(true);
+    followFile(*known, true);
     return known;
   }
   auto opened = open(path);
@@ -323,21 +323,23 @@ void SceneBench::tickChecks() {
     due_.erase(next);
 }
 
+void SceneBench::followFile(SceneFile& file, bool looks) {
+  if (!file.follow(looks)) return;
+  if (file.isChanged()) {
+    Q_EMIT reported(
+        tr("%1 was changed by another program, and has unsaved changes here: saving it asks which "
+           "of them to keep")
+            .arg(file.name()),
+        true);
+  } else {
+    Q_EMIT reported(tr("%1 was changed by another program, and was read again").arg(file.name()), false);
+  }
+}
+
 void SceneBench::tickFiles() {
   if (--ticksUntilLook_ > 0) return;
   ticksUntilLook_ = kTicksUntilLook;
-  for (SceneFile* file : files_) {
-    if (!file->follow(false)) continue;
-    if (file->isChanged()) {
-      Q_EMIT reported(
-          tr("%1 was changed by another program, and has unsaved changes here: saving it asks which "
-             "of them to keep")
-              .arg(file->name()),
-          true);
-    } else {
-      Q_EMIT reported(tr("%1 was changed by another program, and was read again").arg(file->name()), false);
-    }
-  }
+  for (SceneFile* file : files_) followFile(*file, false);
 }
 
 void SceneBench::tick() {

@@ -122,7 +122,8 @@ class SceneBench final : public QObject {
   robotlink::Result<void> goWithin(const QString& object, int depth);
   /// Begins the next check that is due, and takes the results of the last one.
   void tickChecks();
-  /// Reads files again that other programs have changed.
+  /// Reads files again that other programs have changed, and reports it; see SceneFile::follow().
+  void followFile(SceneFile& file, bool looks);
   void tickFiles();
   void tickRecovery();
   robotlink::Result<void> restore(const std::filesystem::path& file);

@@ -90,7 +90,10 @@ bool saveSceneAs(SceneBench& bench, QWidget* parent) {
   dialog.setDefaultSuffix(QStringLiteral("sdf"));
   dialog.selectFile(bench.current()->name());
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
-  return wasDone(bench, bench.saveAs(dialog.selectedFiles().first().toStdString()));
+  const std::filesystem::path path = dialog.selectedFiles().first().toStdString();
+  std::error_code unknown;
+  const bool isItself = std::filesystem::equivalent(path, bench.current()->path(), unknown);
+  return isItself ? saveScene(bench, parent) : wasDone(bench, bench.saveAs(path));
 }
 
 bool saveAllScenes(SceneBench& bench, QWidget* parent) {
@@ -122,8 +125,8 @@ bool mayOverwriteScene(SceneBench& bench, SceneFile& file, QWidget* parent) {
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
   if (box.clickedButton() == overwrite) {
-    // From now on it is what is replaced.
-    return wasDone(bench, file.readAgain().map([](const QString&) {}));
+    file.allowOverwriting();
+    return true;
   }
   return box.clickedButton() == again && wasDone(bench, sceneEdits(bench.context()).discard(file));
 }

@@ -229,8 +229,8 @@ SceneEdits::Done SceneEdits::put(const Checked& checked, const QString& title) {
 }
 
 SceneEdits::Done SceneEdits::checkStarts(const Checked& checked) const {
-  const auto objectOf = [this](const std::string& name) {
-    return worldObject(bench_.context().session, name);
+  const auto objectOf = [&](const std::string& name) {
+    return worldObject(bench_.context().session, checked.made->former(name));
   };
   for (const auto& [path, problems] : checked.problems) {
     for (const SceneProblem& problem : problems) {
@@ -254,9 +254,10 @@ void SceneEdits::reportStarts(const Checked& checked) {
   for (const auto& [path, problems] : checked.problems) {
     const auto file = bench_.ensure(path);
     for (const SceneProblem& problem : problems) {
-      if (problem.inside.empty() || !file ||
-          std::ranges::count((*file)->problems(), problem.inside, &SceneProblem::inside) > 0)
-        continue;
+      if (problem.inside.empty() || !file) continue;
+      std::vector<std::string> former;
+      for (const std::string& model : problem.inside) former.push_back(checked.made->former(model));
+      if (std::ranges::count((*file)->problems(), former, &SceneProblem::inside) > 0) continue;
       Q_EMIT bench_.reported(tr("The simulation goes on, but the scene cannot be opened as it begins: %1, or "
                                 "write where it is now into the scene (Ctrl+Shift+W)")
                                  .arg(QString::fromStdString(problem.text)),
@@ -274,8 +275,7 @@ void SceneEdits::finish() {
 }
 
 SceneEdits::Done SceneEdits::apply() {
-  if (!goOn_) return failure("scene.file", "no scene of a file is simulated here");
-  return goOn_(bench_.unsavedTexts(), {});
+  return goOn({});
 }
 
 void SceneEdits::beginInScene(const QString& title, Make make, Told told, std::string place) {
@@ -367,7 +367,10 @@ void SceneEdits::rename(const std::string& object, const std::string& name, Told
     if (freeObjectName(present, wanted) != wanted)
       return failure("scene.name", "there is another object " + name, {}, {name});
     const QString element = renamedObject(present.mid(own->begin, own->end - own->begin), wanted);
-    return Made{path, {{file, (present.left(own->begin) + element + present.mid(own->end)).toStdString()}}};
+    return Made{path,
+                {{file, (present.left(own->begin) + element + present.mid(own->end)).toStdString()}},
+                name,
+                own->name.toStdString()};
   };
   beginInScene(tr("Rename %1").arg(QString::fromStdString(object)), make, std::move(told));
 }

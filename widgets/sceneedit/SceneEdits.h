@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -126,10 +127,22 @@ class SceneEdits final : public QObject {
     std::deque<Step> undo, redo;
   };
   enum class Way : std::uint8_t { kBack, kForth };
+  /// What the simulation was asked for: to go on with a step of a scene.
+  struct Asked {
+    std::string scene;
+    int step = 0, number = 0;
+    Way way = Way::kForth;
+  };
   /// Texts as a change makes them of others, and the object that it is about.
   struct Made {
     std::string object;
     Texts texts;
+    /// The name and the one that the object had before; empty: it has the same.
+    std::string name = {}, formerName = {};
+    /// What the model of a name was called before.
+    const std::string& former(const std::string& model) const {
+      return !name.empty() && model == name ? formerName : model;
+    }
   };
   using Make = std::function<robotlink::Result<Made>(const SceneLanguage& language, const Texts& before)>;
   struct Change {
@@ -178,10 +191,15 @@ class SceneEdits final : public QObject {
   void request(const std::shared_ptr<const robotcontrol::Request>& request);
   /// Puts texts in place of others if these are still there.
   Done exchange(const Texts& from, const Texts& to);
-  /// Exchanges the texts of a step, and has the simulation continue in them.
+  /// Has the simulation go on in the texts as they are now.
+  Done goOn(const Refused& refused);
+  /// Exchanges the texts of a step, and has the simulation go on in them; both or neither.
   Done act(const Step& step, Way way);
-  /// Takes back a step in the texts, since the simulation did not accept it.
-  void takeBack(const std::string& scene, int number, Way way, const std::string& reason);
+  /// Undoes in the texts what steps have done to them, the newest of which is the last; all or nothing.
+  Done exchangeBack(std::span<const Step> steps, Way way);
+  /// The simulation did not go on with a step, so neither do the texts. Where they cannot go back, it goes on
+  /// in them nevertheless.
+  void takeBack(const Asked& asked, const std::string& reason);
   Done walk(Way way);
 
   SceneBench& bench_;
@@ -190,6 +208,8 @@ class SceneEdits final : public QObject {
   /// The histories of scenes, by SceneBench::runningName().
   std::map<std::string, History> histories_;
   int lastStep_ = 0;
+  /// Counts how often the simulation was asked to go on.
+  int lastAsked_ = 0;
   std::string scene_;
   /// Changes that are not checked yet, and the one that is.
   std::deque<Change> waiting_;

@@ -22,7 +22,9 @@ Result<QString> textOfFile(const std::filesystem::path& path) {
   const QByteArray read(bytes->data(), static_cast<int>(bytes->size()));
   QString text = QString::fromUtf8(read);
   if (text.toUtf8() != read)
-    return failure("scene.encoding", "the file is no text in UTF-8, so it cannot be edited here",
+    return failure("scene.encoding",
+                   "the file is no text in UTF-8, so it cannot be edited here; save it in UTF-8 with another "
+                   "program, or write another text over it",
                    {path.string(), 0, 0});
   text.remove(QLatin1Char('\r'));
   return text;
@@ -83,8 +85,12 @@ Result<void> SceneFile::read(const std::filesystem::path& path) {
 }
 
 void SceneFile::noteSaved(const QString& text) {
-  saved_ = text;
+  saved_ = outside_ = text;
   savedTime_ = timeOfFile(path_);
+}
+
+void SceneFile::allowOverwriting() {
+  saved_ = outside_ = QString();
 }
 
 Result<QString> SceneFile::readAgain() {
@@ -104,7 +110,9 @@ bool SceneFile::follow(bool looks) {
   if (saved_.isNull() || !time || (!looks && time == savedTime_)) return false;
   savedTime_ = time;
   const auto text = textOfFile(path_);
-  if (!text || *text == saved_) return false;
+  if (!text || *text == outside_) return false;
+  outside_ = *text;
+  if (*text == saved_) return false;
   if (!isChanged()) {
     saved_ = *text;
     replaceText(*text);

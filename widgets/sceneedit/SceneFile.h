@@ -55,6 +55,8 @@ class SceneFile final : public QObject {
   bool follow(bool looks);
   /// The text that the file has now, which write() replaces from then on.
   robotlink::Result<QString> readAgain();
+  /// Has write() replace what the file has now, whatever that is.
+  void allowOverwriting();
 
   /// Replaces the text as one step of the history of the document; only the part that differs is touched.
   void replaceText(const QString& text);
@@ -86,7 +88,9 @@ class SceneFile final : public QObject {
   QString name_, instance_;
   /// The text as it is in the file; null: there is none yet.
   QString saved_;
-  /// The time at which the file was written, as far as that is known.
+  /// The text that was found in the file last, by whomever it was written.
+  QString outside_;
+  /// When the file was written, as far as that is known.
   std::optional<std::filesystem::file_time_type> savedTime_;
   std::vector<SceneProblem> problems_;
   TextPlace place_;

@@ -5,7 +5,10 @@
 #include <deque>
 #include <iterator>
 #include <memory>
+#include <span>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -20,19 +23,31 @@ namespace widgets {
 
 using robotlink::failure;
 
+namespace {
+
+tl::unexpected<robotlink::Error> editedSince(const std::filesystem::path& path) {
+  return failure("scene.history", "the text was edited by hand since; undo that in the scene editor first",
+                 {path.string(), 0, 0});
+}
+
+}  // namespace
+
 SceneEdits::Done SceneEdits::exchange(const Texts& from, const Texts& to) {
   std::map<std::filesystem::path, SceneFile*> files;
   for (const auto& [path, text] : from) {
     const auto file = bench_.ensure(path);
     if (!file) return tl::unexpected(file.error());
-    if ((*file)->text().toStdString() != text)
-      return failure("scene.history",
-                     "the text was edited by hand since; undo that in the scene editor first",
-                     {path.string(), 0, 0});
+    if ((*file)->text().toStdString() != text) return editedSince(path);
     files[path] = *file;
   }
   for (const auto& [path, text] : to) files[path]->replaceText(QString::fromStdString(text));
   return {};
+}
+
+SceneEdits::Done SceneEdits::goOn(const Refused& refused) {
+  if (!goOn_) return failure("scene.file", "no scene of a file is simulated here");
+  ++lastAsked_;
+  return goOn_(bench_.unsavedTexts(), refused);
 }
 
 SceneEdits::Done SceneEdits::act(const Step& step, Way way) {
@@ -41,40 +56,62 @@ SceneEdits::Done SceneEdits::act(const Step& step, Way way) {
     request(isBack ? step.undo : step.redo);
     return {};
   }
-  if (!goOn_) return failure("scene.file", "no scene of a file is simulated here");
-  if (auto done = exchange(isBack ? step.after : step.before, isBack ? step.before : step.after); !done)
-    return done;
-  return goOn_(bench_.unsavedTexts(), [edits = QPointer<SceneEdits>(this), scene = bench_.runningName(),
-                                       number = step.number, way](const std::string& reason) {
-    if (edits) edits->takeBack(scene, number, way, reason);
+  const Texts &from = isBack ? step.after : step.before, &to = isBack ? step.before : step.after;
+  if (auto done = exchange(from, to); !done) return done;
+  const Asked asked{bench_.runningName(), step.number, lastAsked_ + 1, way};
+  auto done = goOn([edits = QPointer<SceneEdits>(this), asked](const std::string& reason) {
+    if (edits) edits->takeBack(asked, reason);
   });
+  if (!done) std::ignore = exchange(to, from);  // nothing has changed them since
+  return done;
 }
 
-void SceneEdits::takeBack(const std::string& scene, int number, Way way, const std::string& reason) {
+SceneEdits::Done SceneEdits::exchangeBack(std::span<const Step> steps, Way way) {
   const bool wasBack = way == Way::kBack;
-  History& history = histories_[scene];
+  Texts present, wanted;
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    for (const auto& [path, text] : wasBack ? step->before : step->after) {
+      const auto [older, isNewest] = wanted.try_emplace(path);
+      if (isNewest) present[path] = text;
+      if (!isNewest && older->second != text) return editedSince(path);
+      older->second = (wasBack ? step->after : step->before).at(path);
+    }
+  }
+  return exchange(present, wanted);
+}
+
+void SceneEdits::takeBack(const Asked& asked, const std::string& reason) {
+  const bool wasBack = asked.way == Way::kBack;
+  History& history = histories_[asked.scene];
   auto& from = wasBack ? history.redo : history.undo;
   auto& to = wasBack ? history.undo : history.redo;
-  if (std::ranges::find(from, number, &Step::number) == from.end()) return;
-  // Later steps were written into its text, which the simulation has not received.
-  std::deque<Step> requested;
-  for (bool isDone = false; !isDone;) {
-    Step step = std::move(from.back());
-    from.pop_back();
-    isDone = step.number == number;
-    if (step.undo) {
-      requested.push_front(std::move(step));
-      continue;
-    }
+  const auto refused = std::ranges::find(from, asked.step, &Step::number);
+  const bool isKnown = refused != from.end();
+  // What was written after it was written into its text, so it goes with it; what was requested stays.
+  const std::vector<Step> steps(refused, from.end());
+  const auto done = exchangeBack(steps, asked.way);
+  if (done) {
+    const auto isRequested = [](const Step& step) { return step.undo != nullptr; };
+    from.erase(std::stable_partition(refused, from.end(), isRequested), from.end());
     SceneSelection& selection = sceneSelection(bench_.context());
-    if (!wasBack && selection.object() == step.object) selection.select({});
-    if (const auto done = exchange(wasBack ? step.before : step.after, wasBack ? step.after : step.before);
-        !done)
-      Q_EMIT bench_.reported(QString::fromStdString(done.error().describe()), true);
-    to.push_back(std::move(step));
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+      if (isRequested(*step)) continue;
+      if (!wasBack && selection.object() == step->object) selection.select({});
+      to.push_back(*step);
+    }
   }
-  std::ranges::move(requested, std::back_inserter(from));
-  Q_EMIT bench_.reported(QString::fromStdString(reason), true);
+  QString text = QString::fromStdString(reason);
+  if (!done)
+    text +=
+        QLatin1Char('\n') + tr("The text was edited since and keeps the change, so the simulation goes on "
+                               "in it, and what is in the way goes back to where its file puts it");
+  Q_EMIT bench_.reported(text, true);
+  // The simulation may have gone on in texts that are gone now, and has not in those that stay.
+  const bool isSame = done && isKnown && asked.number == lastAsked_;
+  if (!isSame && asked.scene == bench_.runningName()) {
+    if (const auto again = goOn({}); !again)
+      Q_EMIT bench_.reported(QString::fromStdString(again.error().describe()), true);
+  }
   Q_EMIT historyChanged();
 }
 

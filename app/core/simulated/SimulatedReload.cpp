@@ -46,16 +46,24 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn(bool mustFit) {
   // Controllers are remade, and may fail again.
   endedControllers_.clear();
   const auto next = withEdits(*scene);
-  const auto isThere = [&](const std::string& name) {
-    return std::ranges::find(next->world().models, name, &simcore::ModelInstance::name) !=
-           next->world().models.end();
+  const auto hasModel = [](const simcore::Scene& scene, const std::string& name) {
+    return std::ranges::count(scene.world().models, name, &simcore::ModelInstance::name) > 0;
   };
+  const auto isThere = [&](const std::string& name) { return hasModel(*next, name); };
   auto motions = goneMotions_;
   std::erase_if(motions, [&](const auto& one) { return isThere(one.first); });
+  std::vector<std::string> gone, come;
   for (const auto& model : before.world().models) {
-    if (!isThere(model.name)) motions[model.name] = world_->simulation().motionOf(model.name);
+    if (isThere(model.name)) continue;
+    motions[model.name] = world_->simulation().motionOf(model.name);
+    gone.push_back(model.name);
   }
-  auto done = goOnIn(next, {.fitsNow = mustFit, .motions = goneMotions_});
+  for (const auto& model : next->world().models)
+    if (!hasModel(before, model.name)) come.push_back(model.name);
+  simcore::Continuation how{.fitsNow = mustFit, .motions = goneMotions_};
+  // Under another name the same model goes on where it is.
+  if (gone.size() == 1 && come.size() == 1) how.motions[come.front()] = motions[gone.front()];
+  auto done = goOnIn(next, std::move(how));
   if (!done) return done;
   read_ = *scene;
   goneMotions_ = std::move(motions);

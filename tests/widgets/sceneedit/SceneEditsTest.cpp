@@ -4,40 +4,17 @@
 #include <QSignalSpy>
 #include <array>
 #include <atomic>
-#include <functional>
 #include <semaphore>
 #include <string>
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
-#include "robotlink/base/AtomicFile.h"
-#include "tests/widgets/Bench.h"
-#include "tests/widgets/sceneedit/ToyLanguage.h"
-#include "widgets/sceneedit/SceneBench.h"
+#include "tests/widgets/sceneedit/HallBench.h"
 #include "widgets/sceneedit/SceneFile.h"
 #include "widgets/world/SceneSelection.h"
 
 namespace widgets::test {
 namespace {
-
-const std::string kHall =
-    "<sdf>\n"
-    "  <world name=\"hall\">\n"
-    "    <!-- a desk -->\n"
-    "    <model name=\"desk\"><pose>1 0 0 0 0 0</pose></model>\n"
-    "    <include>\n"
-    "      <uri>model://rover</uri>\n"
-    "      <pose>0 1 0 0 0 0</pose>\n"
-    "    </include>\n"
-    "    <light name=\"lamp\"><pose>0 0 3 0 0 0</pose></light>\n"
-    "  </world>\n"
-    "</sdf>\n";
-
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) qFatal("the text has no such part");
-  return text.replace(at, from.size(), to);
-}
 
 /// Checks no changed text before it is let.
 class SlowLanguage final : public ToyLanguage {
@@ -62,71 +39,13 @@ class NarrowLanguage final : public ToyLanguage {
   }
 };
 
-/// A window in which a scene is simulated that can be changed.
-struct HallBench : Bench {
-  explicit HallBench(std::shared_ptr<const SceneLanguage> language = std::make_shared<ToyLanguage>())
-      : file(folder.write("hall.sdf", kHall)) {
-    context.sceneLanguage = std::move(language);
-    robotcontrol::SimulationStatus status;
-    status.set_scene(file.string());
-    push("simulation", status, 2);
-    session.tick();
-    edits().setHost(
-        [this](const SceneEdits::Texts& unsaved,
-               const SceneEdits::Refused& refused) -> robotlink::Result<void> {
-          texts.push_back(unsaved);
-          refuse = refused;
-          return {};
-        },
-        [this](const std::filesystem::path& path) { return path.parent_path() == file.parent_path(); });
+/// Says that the desk, by whatever name, is inside the rover at the start.
+class CrowdedLanguage final : public ToyLanguage {
+ public:
+  std::vector<SceneProblem> check(const std::string& text, const std::filesystem::path& file) const override {
+    const std::string desk = text.find("\"table\"") == std::string::npos ? "desk" : "table";
+    return {{false, "'" + desk + "' starts inside 'rover'", file.string(), 3, {desk, "rover"}}};
   }
-  SceneEdits& edits() { return sceneEdits(context); }
-  /// Another scene is simulated.
-  void simulate(const std::filesystem::path& scene) {
-    robotcontrol::SimulationStatus status;
-    status.set_scene(scene.string());
-    push("simulation", status, ++seconds);
-    session.tick();
-    sceneBench(context).tick();
-  }
-  /// Begins a change and waits until it is made: the object, or the reason against it.
-  std::string made(const std::function<void(SceneEdits::Told)>& begin) {
-    std::string outcome = "nothing was told";
-    begin(telling(outcome));
-    edits().finish();
-    return outcome;
-  }
-  static SceneEdits::Told telling(std::string& outcome) {
-    return [&outcome](const robotlink::Result<std::string>& object) {
-      outcome = object ? *object : object.error().text;
-    };
-  }
-  using Pose = std::array<double, 6>;
-  std::string setPose(const std::string& object, const Pose& pose) {
-    return made([&](const SceneEdits::Told& told) { edits().setPose(object, pose, told); });
-  }
-  std::string insert(const std::string& kind, double x, double y) {
-    return made([&](const SceneEdits::Told& told) { edits().insert(kind, x, y, told); });
-  }
-  std::string copy(const std::string& object, const Pose& pose) {
-    return made([&](const SceneEdits::Told& told) { edits().copy(object, pose, told); });
-  }
-  std::string rename(const std::string& object, const std::string& name) {
-    return made([&](const SceneEdits::Told& told) { edits().rename(object, name, told); });
-  }
-  std::string erase(const std::string& object) {
-    return made([&](const SceneEdits::Told& told) { edits().erase(object, told); });
-  }
-  /// The text with which the simulation went on last.
-  std::string running() const { return texts.empty() ? std::string() : texts.back().begin()->second; }
-  std::string saved() const { return robotlink::readFile(file).value_or(""); }
-
-  const TestFolder folder;
-  const std::filesystem::path file;
-  int seconds = 2;
-  std::vector<SceneEdits::Texts> texts;
-  /// Refuses the last change.
-  SceneEdits::Refused refuse;
 };
 
 /// The reason; empty: it was done.
@@ -281,6 +200,19 @@ class SceneEditsTest : public QObject {
     QVERIFY(reported[0][0].toString().contains(QStringLiteral("'box' starts inside 'desk'")));
     QCOMPARE(b.insert("box", 5, 5), std::string("box2"));
     QVERIFY2(reported.size() == 1, "it is known");
+  }
+
+  void aRenamedObjectIsWhatItWas() {
+    HallBench b(std::make_shared<CrowdedLanguage>());
+    robotcontrol::WorldObjects objects;
+    for (const char* path : {"desk", "rover"}) objects.add_objects()->set_path(path);
+    objects.mutable_objects(0)->set_is_movable(true);
+    b.push("objects", objects, 3);
+    b.session.tick();
+    QCOMPARE(b.setPose("desk", {1, 1, 0, 0, 0, 0}), std::string("desk"));
+    const QSignalSpy reported(&sceneBench(b.context), &SceneBench::reported);
+    QCOMPARE(b.rename("desk", "table"), std::string("table"));
+    QCOMPARE(reported.size(), 0);
   }
 
   void aBrokenTextIsWhyNothingCanBeFound() {
