@@ -13,9 +13,8 @@ float shareOf(float channel) {
   return channel > 0 ? std::min(channel, 1.F) : 0.F;
 }
 
-Lamp readLamp(const sdf::Light& light, const SdfContext& context) {
+Lamp readLamp(const sdf::Light& light, const Pose3& pose, const SdfContext& context) {
   const sdf::ElementPtr element = light.Element();
-  const Pose3 pose = resolvedPose(light.SemanticPose(), "", element, context);
   Lamp lamp;
   lamp.position = pose.translation().cast<float>();
   lamp.intensity =
@@ -51,7 +50,9 @@ void readLamps(const sdf::World& world, WorldDescription& result, const SdfConte
   for (std::uint64_t i = 0; i < world.LightCount(); ++i) {
     const sdf::Light& light = *world.LightByIndex(i);
     if (light.Element()->HasElement("light_on") && !light.Element()->Get<bool>("light_on")) continue;
-    result.lamps.push_back(readLamp(light, context));
+    const Pose3 pose = resolvedPose(light.SemanticPose(), "", light.Element(), context);
+    result.lamps.push_back(readLamp(light, pose, context));
+    result.lampPoses.push_back(pose);
     result.lampNames.push_back(light.Name());
     result.lampDirections.push_back(toEigen(light.Direction()));
     result.lampRadiation.push_back(readIntensities(light.Element(), context));

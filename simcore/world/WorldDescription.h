@@ -235,7 +235,9 @@ struct WorldDescription {
   /// The directions of the lamps as in the world's file, in their own frames, by lamp; meaningless for point
   /// lights.
   std::vector<Vector3> lampDirections;
-  /// The emission of radiation classes by the lamps, by lamp.
+  /// Where they are and how they are turned, by lamp.
+  std::vector<Pose3> lampPoses;
+  /// What the lamps emit of radiation classes, by lamp.
   std::vector<std::vector<ClassIntensity>> lampRadiation;
   /// The controllers that belong to no model.
   std::vector<ControllerDescription> controllers;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "robotlink/base/Geometry.h"
+
 namespace widgets {
 namespace {
 
@@ -38,6 +40,9 @@ constexpr std::array kPropertyRules{
     NamedRule{"maximum_torque", {0, 1000, true}},
     NamedRule{"maximum_force", {0, 1e6, true}},
     NamedRule{"pixels", {2, 8192}},
+    NamedRule{"opening_angles", {0.01, 3}},
+    NamedRule{"angles", {-2 * robotlink::kPi, 4 * robotlink::kPi}},
+    NamedRule{"range", {0, 1000}},
 };
 
 struct PropertyTexts {

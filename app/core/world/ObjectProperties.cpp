@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/world/ObjectProperties.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "simcore/world/SensorErrors.h"
 
 namespace app {
@@ -18,6 +21,17 @@ robotcontrol::WorldProperty& addNumbers(WorldObject& to, const char* name, const
 
 std::vector<double> componentsOf(const robotlink::Vector3& vector) {
   return {vector.x(), vector.y(), vector.z()};
+}
+
+std::vector<double> numbersOf(const robotlink::Pose3& pose) {
+  const robotlink::Vector3 place = pose.translation();
+  const Eigen::Matrix3d turn = pose.linear();
+  return {place.x(),
+          place.y(),
+          place.z(),
+          std::atan2(turn(2, 1), turn(2, 2)),
+          0.0 - std::asin(std::clamp(turn(2, 0), -1.0, 1.0)),  // not -0
+          std::atan2(turn(1, 0), turn(0, 0))};
 }
 
 std::pair<robotcontrol::WorldProperty*, robotcontrol::WorldProperty*> addMotor(WorldObject& to, bool slides,

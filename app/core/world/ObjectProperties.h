@@ -29,5 +29,7 @@ std::pair<robotcontrol::WorldProperty*, robotcontrol::WorldProperty*> addMotor(r
 double whiteNoise(const simcore::SensorErrors& errors);
 
 std::vector<double> componentsOf(const robotlink::Vector3& vector);
+/// A pose as files have it: x y z roll pitch heading; m, rad.
+std::vector<double> numbersOf(const robotlink::Pose3& pose);
 
 }  // namespace app

@@ -135,7 +135,8 @@ class PortWriter {
     if (isCamera || (sensor->kind == Kind::kImage && !isFacettes)) {
       locate(addNumbers(object, "pixels", {double(sensor->width), double(sensor->height)}, "px"),
              {"camera", "image", "width,height"});
-      addNumbers(object, "opening_angles", {sensor->horizontalAngle, sensor->verticalAngle}, "rad");
+      locate(addNumbers(object, "opening_angles", {sensor->horizontalAngle, sensor->verticalAngle}, "rad"),
+             {"camera", "horizontal_fov,robotcontrol:vertical_fov"});
     }
     if (isFacettes) {
       const auto& image = sensor->image;
@@ -145,8 +146,13 @@ class PortWriter {
     }
     if (sensor->kind == Kind::kSonar)
       addNumbers(object, "opening_angle", {sensor->range.openingAngle}, "rad");
+    const bool isLidar = sensor->kind == Kind::kDistance || sensor->kind == Kind::kLaser;
     if (sensor->kind == Kind::kLaser)
-      addNumbers(object, "angles", {sensor->range.startAngle, sensor->range.endAngle}, "rad");
+      locate(addNumbers(object, "angles", {sensor->range.startAngle, sensor->range.endAngle}, "rad"),
+             {"lidar|ray", "scan", "horizontal", "min_angle,max_angle"});
+    if (isLidar)
+      locate(addNumbers(object, "range", {sensor->minimum, sensor->maximum}, "m"),
+             {"lidar|ray", "range", "min,max"});
     if (sensor->rate > 0) locate(addNumbers(object, "rate", {sensor->rate}, "Hz"), {"update_rate"});
     if (sensor->kind == Kind::kContact) return;
     locate(addNumbers(object, "delay", {sensor->errors.delay}, "s"), {"robotcontrol:delay"});

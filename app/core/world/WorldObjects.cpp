@@ -151,14 +151,7 @@ class ModelWriter {
     if (!type_.isStatic && type_.links.size() > 1) addNumbers(object, "mass", {mass}, "kg");
     addText(object, "type", type_.name);
     addText(object, "file", type_.file);
-    // Its numbers are those of its pose at the start.
-    auto& pose = addNumbers(object, "initial_pose", {}, "m, rad");
-    const robotlink::Vector3 place = model_.poseInWorld.translation();
-    const Eigen::Matrix3d turn = model_.poseInWorld.linear();
-    for (const double number :
-         {place.x(), place.y(), place.z(), std::atan2(turn(2, 1), turn(2, 2)),
-          std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)), std::atan2(turn(1, 0), turn(0, 0))})
-      pose.add_values(number);
+    auto& pose = addNumbers(object, "initial_pose", numbersOf(model_.poseInWorld), "m, rad");
     if (model_.where.line == 0) return;
     pose.set_file(sceneFile_);
     pose.add_element("instance[" + model_.name + "]");
@@ -296,6 +289,7 @@ void addLamps(const simcore::WorldDescription& world, const std::string& file,
     object.set_frame("field");
     Pose3 pose = Pose3::Identity();
     pose.translate(lamp.position.cast<double>());
+    if (i < world.lampPoses.size()) pose = world.lampPoses[i];
     robotlink::assign(*object.mutable_pose_in_frame(), pose);
     const auto locate = [&](robotcontrol::WorldProperty& property, std::initializer_list<const char*> steps) {
       if (!isNamed) return;
@@ -309,6 +303,7 @@ void addLamps(const simcore::WorldDescription& world, const std::string& file,
            {"attenuation", "quadratic"});
     if (lamp.kind != simcore::Lamp::Kind::kPoint && i < world.lampDirections.size())
       locate(addNumbers(object, "direction", componentsOf(world.lampDirections[i])), {"direction"});
+    locate(addNumbers(object, "initial_pose", numbersOf(pose), "m, rad"), {"pose"});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/core/scenetext/SceneFileText.h"
 #include "robotcontrol/World.pb.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
@@ -18,11 +19,15 @@ using robotcontrol::WorldObject;
 
 const char* const kLift =
     R"(<sdf version="1.9" xmlns:robotcontrol="urn:robotcontrol:sdf"><world name="lift">
-<light name="sun" type="directional"><pose>0 0 5 0 0 0</pose><direction>0 0 -1</direction></light>
+<light name="sun" type="directional"><pose>0 0 5 0 0 0.5</pose><direction>0 0 -1</direction></light>
 <model name="lift"><pose>0 0 0.1 0 0 0</pose>
 <link name="mast"><inertial><mass>5</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
 <collision name="c"><geometry><cylinder><radius>0.1</radius><length>0.2</length></cylinder></geometry></collision>
-<sensor name="way" type="custom"><robotcontrol:odometry/></sensor><sensor name="imu" type="imu"/></link>
+<sensor name="way" type="custom"><robotcontrol:odometry/></sensor><sensor name="imu" type="imu"/>
+<sensor name="scan" type="gpu_lidar"><lidar><scan><horizontal><samples>3</samples><min_angle>-1</min_angle>
+<max_angle>1</max_angle></horizontal></scan><range><min>0.1</min><max>5</max></range></lidar></sensor>
+<sensor name="eye" type="camera"><camera><horizontal_fov>1</horizontal_fov>
+<image><width>8</width><height>8</height></image></camera></sensor></link>
 <link name="fork"><inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial>
 <collision name="c"><geometry><box><size>0.1 0.2 0.3</size></box></geometry></collision></link>
 <link name="hand"><inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial></link>
@@ -39,8 +44,9 @@ const char* const kLift =
 
 class WorldObjectsTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto scene = simcore::Scene::load(folder_.write("lift.sdf", kLift));
+  void SetUp() override { read(kLift); }
+  void read(const std::string& text) {
+    const auto scene = simcore::Scene::load(folder_.write("lift.sdf", text));
     ASSERT_TRUE(scene.has_value()) << robotlink::describe(scene.error());
     const auto simulation = simcore::Simulation::create(*scene, {});
     ASSERT_TRUE(simulation.has_value());
@@ -61,6 +67,27 @@ class WorldObjectsTest : public testing::Test {
       return text.str();
     }
     return {};
+  }
+
+  /// The numbers of a property.
+  std::string numbers(const std::string& path, const std::string& name) const {
+    std::ostringstream text;
+    for (const auto& property : object(path).properties()) {
+      for (int i = 0; property.name() == name && i < property.values_size(); ++i)
+        text << (i == 0 ? "" : " ") << property.values(i);
+    }
+    return text.str();
+  }
+  /// The same after it was written into the file and the scene was read again.
+  std::string written(const std::string& path, const std::string& name, const std::string& value) {
+    const auto& properties = object(path).properties();
+    const auto found = std::ranges::find(properties, name, &robotcontrol::WorldProperty::name);
+    if (found == properties.end()) return "there is no " + name;
+    const auto text =
+        withElement(kLift, found->file(), {found->element().begin(), found->element().end()}, value);
+    if (!text) return text.error().describe();
+    read(*text);
+    return numbers(path, name);
   }
 
   const TestFolder folder_;
@@ -140,6 +167,16 @@ TEST_F(WorldObjectsTest, propertiesOfLampsAreFoundInTheFile) {
   ASSERT_FALSE(sun.properties().empty());
   EXPECT_EQ(sun.properties(0).file(), (folder_ / "lift.sdf").string());
   EXPECT_EQ(sun.properties(0).element(0), "light[sun]");
+}
+
+TEST_F(WorldObjectsTest, whereLampsAreAndWhatSensorsSeeIsWrittenIntoTheFile) {
+  EXPECT_EQ(numbers("light:sun", "initial_pose"), "0 0 5 0 0 0.5");
+  EXPECT_EQ(written("light:sun", "initial_pose", "1 2 3 0.1 0 0.2"), "1 2 3 0.1 0 0.2");
+  EXPECT_EQ(numbers("lift/scan", "range"), "0.1 5");
+  EXPECT_EQ(written("lift/scan", "range", "0.2 8"), "0.2 8");
+  EXPECT_EQ(written("lift/scan", "angles", "-0.5 1.5"), "-0.5 1.5");
+  EXPECT_EQ(numbers("lift/eye/image", "opening_angles"), "1 1");
+  EXPECT_EQ(written("lift/eye/image", "opening_angles", "0.8 0.6"), "0.8 0.6");
 }
 
 }  // namespace

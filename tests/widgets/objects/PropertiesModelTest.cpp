@@ -62,7 +62,7 @@ TEST_F(PropertiesModelTest, aPoseComesFirstInMetersAndRadians) {
   EXPECT_EQ(text(6, PropertiesModel::kName), "mass");
 }
 
-TEST_F(PropertiesModelTest, numbersOfFilesAreEditableAndTextsAreNot) {
+TEST_F(PropertiesModelTest, whatAFileHasIsEditableAndTheRestIsNot) {
   show();
   EXPECT_EQ(text(1), "1 2 3");
   EXPECT_EQ(text(2), "cylinder");

@@ -31,6 +31,8 @@ TEST(PropertyRule, whatNothingCanHaveIsRefusedWithItsRange) {
   EXPECT_THAT(refusal("-1", "friction"), HasSubstr("from 0 to 1000"));
   EXPECT_EQ(refusal("0", "friction"), "");
   EXPECT_THAT(refusal("1.5", "dropout"), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(refusal("1 4", "opening_angles", 2), HasSubstr("from 0.01 to 3"));
+  EXPECT_THAT(refusal("-1 4", "range", 2), HasSubstr("from 0 to 1000"));
   EXPECT_EQ(refusal("-12", "anything else"), "");
   EXPECT_NE(refusal("1e9", "anything else"), "");
 }
