@@ -70,8 +70,16 @@ QImage View::shownPicture() {
   return grab().toImage();
 }
 
-void View::keep(const char* name, Save save, Restore restore) {
-  kept_.push_back({QString::fromLatin1(name), std::move(save), std::move(restore)});
+void View::followNames(const Renamed& renamed) {
+  for (const Kept& kept : kept_) {
+    if (kept.names == Names::kNone) continue;
+    const QJsonValue before = kept.save(), now = renamed(before);
+    if (now != before) kept.restore(now);
+  }
+}
+
+void View::keep(const char* name, Save save, Restore restore, Names names) {
+  kept_.push_back({QString::fromLatin1(name), std::move(save), std::move(restore), names});
 }
 
 void View::keep(const char* name, QAction* toggle) {
@@ -82,10 +90,10 @@ void View::keep(const char* name, QAction* toggle) {
       });
 }
 
-void View::keep(const char* name, QLineEdit* text) {
+void View::keep(const char* name, QLineEdit* text, Names names) {
   keep(
       name, [text] { return QJsonValue(text->text()); },
-      [text](const QJsonValue& value) { text->setText(value.toString()); });
+      [text](const QJsonValue& value) { text->setText(value.toString()); }, names);
 }
 
 void View::keep(const char* name, QComboBox* choice) {

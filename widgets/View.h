@@ -101,6 +101,10 @@ class View : public QWidget {
   /// Applies what saveState() returned, possibly in another version: unknown or missing entries must be
   /// harmless.
   virtual void restoreState(const QJsonObject& state);
+  /// Has what was chosen by the names of objects go on with others: `renamed` gets the saved values that name
+  /// objects, and returns them with the new names.
+  using Renamed = std::function<QJsonValue(const QJsonValue&)>;
+  virtual void followNames(const Renamed& renamed);
   /// Writes what the view shows to a file, after its suffix: .png, a picture; .svg, a picture of lines and
   /// texts; .csv, its table or numbers; .tsv, its numbers with tabs; .txt, its text, or its table with
   /// tabs. Others are refused, unless the view has more. Opens no dialog.
@@ -129,27 +133,31 @@ class View : public QWidget {
 
   using Save = std::function<QJsonValue()>;
   using Restore = std::function<void(const QJsonValue&)>;
+  /// Whether the texts of an entry name objects of the scene, streams or values of these; others stay as they
+  /// are when an object is renamed.
+  enum class Names : bool { kNone, kObjects };
   /// Adds an entry to the saved state. `restore` gets an undefined value if a state has no such entry.
   /// Entries are restored in the order in which they were added.
-  void keep(const char* name, Save save, Restore restore);
+  void keep(const char* name, Save save, Restore restore, Names names = Names::kNone);
   /// Adds the state of a control, which must live as long as the view. Where a state has no such entry the
   /// control keeps its present one.
   void keep(const char* name, QAction* toggle);
-  void keep(const char* name, QLineEdit* text);
+  void keep(const char* name, QLineEdit* text, Names names = Names::kNone);
   /// Keeps the index of the entry, which must mean the same in all versions.
   void keep(const char* name, QComboBox* choice);
   /// Keeps what the user did with a splitter or the columns of a table; nothing changes without an entry.
   void keep(const char* name, QSplitter* splitter);
   void keep(const char* name, QHeaderView* columns);
-  /// A control with a choice of its own, such as RobotChoice.
+  /// A control with a choice of its own, such as RobotChoice, usually of a robot or a stream.
   template <typename Control>
   requires requires(Control& control) { control.setChoice(control.choice()); }
-  void keep(const char* name, Control* control) {
+  void keep(const char* name, Control* control, Names names = Names::kObjects) {
     keep(
         name, [control] { return QJsonValue(control->choice()); },
         [control, usual = control->choice()](const QJsonValue& value) {
           control->setChoice(value.toString(usual));
-        });
+        },
+        names);
   }
 
  private:
@@ -158,6 +166,7 @@ class View : public QWidget {
     QString name;
     Save save;
     Restore restore;
+    Names names;
   };
 
   ViewContext& context_;

@@ -76,8 +76,12 @@ void MainWindow::createScenes(const std::filesystem::path& userFolder) {
 void MainWindow::followRenames() {
   auto& session = context_.session;
   if (isRobotRenamed_) session.selectRobot(selectedRobot_);
+  const auto* known = dynamic_cast<const robotcontrol::WorldObjects*>(objects_.get());
   const bool isThere = std::ranges::find(session.robots(), selectedRobot_) != session.robots().end();
-  if (isThere) {
+  // While the scene has it, only the list of robots or the one of objects is still of another name.
+  const bool isAwaited = known != nullptr && std::ranges::count(known->objects(), selectedRobot_,
+                                                                &robotcontrol::WorldObject::path) > 0;
+  if (isThere || !isAwaited) {
     selectedRobot_ = session.selectedRobot();
     isRobotRenamed_ = false;
   }
@@ -85,10 +89,9 @@ void MainWindow::followRenames() {
   const robotlink::PackagePtr value = message == nullptr ? nullptr : message->value;
   if (value == objects_) return;
   const robotlink::PackagePtr last = std::exchange(objects_, value);
-  const auto* before = dynamic_cast<const robotcontrol::WorldObjects*>(last.get());
   const auto* now = dynamic_cast<const robotcontrol::WorldObjects*>(value.get());
   const auto rename =
-      before == nullptr || now == nullptr ? std::nullopt : widgets::renameBetween(*before, *now);
+      known == nullptr || now == nullptr ? std::nullopt : widgets::renameBetween(*known, *now);
   isRobotRenamed_ = rename && rename->from == selectedRobot_;
   selectedRobot_ = isRobotRenamed_ ? rename->to : session.selectedRobot();
   if (!rename) return;

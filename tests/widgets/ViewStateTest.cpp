@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What all views make of a layout that somebody else's file says.
 #include <QDataStream>
+#include <QJsonArray>
 #include <QJsonObject>
 #include <QLineEdit>
 #include <QSplitter>
@@ -12,6 +13,7 @@
 #include "tests/widgets/GuiTest.h"
 #include "widgets/SplitterState.h"
 #include "widgets/View.h"
+#include "widgets/world/SceneRename.h"
 
 namespace widgets::test {
 namespace {
@@ -56,6 +58,43 @@ class ViewStateTest : public QObject {
       QVERIFY2(shown.view->minimumSizeHint().width() < 4000, type.id);
     }
     QVERIFY(splitters >= 9);
+  }
+
+  void onlyWhatNamesObjectsFollowsARename() {
+    struct NamingView final : View {
+      explicit NamingView(ViewContext& context)
+          : View(context), title(new QLineEdit(this)), object(new QLineEdit(this)) {
+        keep("title", title);
+        keep("object", object, Names::kObjects);
+      }
+      void tick() override {}
+      QLineEdit *const title, *const object;
+    };
+    robotlink::Session session;
+    robotlink::CommandTable commands;
+    ViewContext context{session, commands, nullptr, {}};
+    const auto renamed = [](const QJsonValue& names) {
+      return withRename(names, SceneRename{"field", "pitch"});
+    };
+    NamingView view(context);
+    view.restoreState({{QStringLiteral("title"), QStringLiteral("field")},
+                       {QStringLiteral("object"), QStringLiteral("field")}});
+    view.followNames(renamed);
+    QCOMPARE(view.title->text(), QStringLiteral("field"));
+    QCOMPARE(view.object->text(), QStringLiteral("pitch"));
+    // The first part of a drawing's name is its kind.
+    const QJsonObject drawings{{QStringLiteral("order"), QJsonArray{QStringLiteral("field/ball")}},
+                               {QStringLiteral("hidden"), QJsonArray()}};
+    const ShownView shown(*ViewRegistry::find("field"));
+    shown.view->restoreState({{QStringLiteral("drawings"), drawings}});
+    shown.view->followNames(renamed);
+    QCOMPARE(shown.view->saveState()[QStringLiteral("drawings")].toObject(), drawings);
+    const QJsonArray curves{QStringLiteral("ports: readings[port=\"field/laser\"].x")};
+    const ShownView plots(*ViewRegistry::find("plots"));
+    plots.view->restoreState({{QStringLiteral("curves"), curves}});
+    plots.view->followNames(renamed);
+    QCOMPARE(plots.view->saveState()[QStringLiteral("curves")].toArray(),
+             QJsonArray{QStringLiteral("ports: readings[port=\"pitch/laser\"].x")});
   }
 
   void aFieldWithTheFocusSaysNothingToAViewThatIsBeingDestroyed() {

@@ -68,10 +68,10 @@ DataView::DataView(ViewContext& context, QWidget* parent) : View(context, parent
   keep("publishing", publish_);
   keep(
       "message", [this] { return publishing_->state(); },
-      [this](const QJsonValue& state) { publishing_->setState(state); });
+      [this](const QJsonValue& state) { publishing_->setState(state); }, Names::kObjects);
   keep(
       "rows", [this] { return unfolded_->save(); },
-      [this](const QJsonValue& rows) { unfolded_->restore(rows); });
+      [this](const QJsonValue& rows) { unfolded_->restore(rows); }, Names::kObjects);
   keep(
       "comparison", [this] { return QJsonValue(comparison_->currentData().toString()); },
       [this](const QJsonValue& value) {
@@ -79,7 +79,8 @@ DataView::DataView(ViewContext& context, QWidget* parent) : View(context, parent
         if (comparison_->findData(text) < 0 && text.startsWith(kRobotPrefix))
           comparison_->addItem(text.mid(kRobotPrefix.size()), text);
         comparison_->setCurrentIndex(std::max(0, comparison_->findData(text)));
-      });
+      },
+      Names::kObjects);
   showState();
 }
 

@@ -42,7 +42,7 @@ ImageStreamView::ImageStreamView(ViewContext& context, QWidget* parent)
   keep("stream", streams_);
   keep(
       "second", [this] { return second_->save(); },
-      [this](const QJsonValue& value) { second_->restore(value); });
+      [this](const QJsonValue& value) { second_->restore(value); }, Names::kObjects);
   keep("compare", compare_);
   keep("gray", gray_);
   keep("stereogram", stereogram_);

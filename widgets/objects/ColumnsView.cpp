@@ -38,7 +38,7 @@ ColumnsView::ColumnsView(ViewContext& context, QWidget* parent) : View(context, 
   createViews();
   keep(
       "source", [this] { return QJsonValue(source_->currentText()); },
-      [this](const QJsonValue& value) { source_->setEditText(value.toString()); });
+      [this](const QJsonValue& value) { source_->setEditText(value.toString()); }, Names::kObjects);
   tick();
 }
 

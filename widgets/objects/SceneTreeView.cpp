@@ -74,7 +74,8 @@ SceneTreeView::SceneTreeView(ViewContext& context, QWidget* parent)
       [this](const QJsonValue& value) {
         for (const auto& path : value.toArray()) wanted_.insert(path.toString().toStdString());
         if (objects_) unfold(wanted_);
-      });
+      },
+      Names::kObjects);
   tick();
 }
 

@@ -115,7 +115,7 @@ void PictureView::addPoses(QHBoxLayout* row) {
   connect(open, &QAction::triggered, button, &QToolButton::showMenu);
   connect(poses_, &PoseMenu::choiceChanged, this, &PictureView::tick);
   row->addWidget(button);
-  keep("pose", poses_);
+  keep("pose", poses_, Names::kNone);
 }
 
 robotlink::Result<void> PictureView::choosePose(const std::string& pose) {

@@ -53,6 +53,7 @@ class PlotsView final : public View, public HiddenTick {
   void tick() override;
   void tickHidden() override;
   QJsonObject saveState() const override;
+  void followNames(const Renamed& renamed) override;
   /// Takes kMaxRestored curves at most, and says so below the plot if there were more.
   void restoreState(const QJsonObject& state) override;
   /// All points of all curves as a table (.csv), the spectra that are shown as one (.spectrum.csv), or the

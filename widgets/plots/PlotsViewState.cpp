@@ -69,6 +69,14 @@ QJsonObject PlotsView::saveState() const {
           {QStringLiteral("splitter"), splitterState(*splitter_)}};
 }
 
+void PlotsView::followNames(const Renamed& renamed) {
+  const QJsonObject before = saveState();
+  QJsonObject now = before;
+  for (const char* sources : {"curves", "right", "strips"})
+    now[QLatin1String(sources)] = renamed(now[QLatin1String(sources)]);
+  if (now != before) restoreState(now);
+}
+
 void PlotsView::restoreState(const QJsonObject& state) {
   curves_.clear();
   const QJsonArray sources = state.value(QStringLiteral("curves")).toArray();

@@ -281,16 +281,17 @@ void SceneView::keepObjects() {
       });
   keep(
       "looks", [this] { return parts_.looks().state(); },
-      [this](const QJsonValue& value) { parts_.changeLooks().restore(value.toArray()); });
+      [this](const QJsonValue& value) { parts_.changeLooks().restore(value.toArray()); }, Names::kObjects);
   keep(
       "only", [this] { return QString::fromStdString(parts_.only()); },
-      [this](const QJsonValue& value) { limitTo(value.toString().toStdString()); });
+      [this](const QJsonValue& value) { limitTo(value.toString().toStdString()); }, Names::kObjects);
   keep(
       "followed", [this] { return QString::fromStdString(followed_); },
       [this](const QJsonValue& value) {
         followed_ = value.toString().toStdString();
         extent_.reset();
-      });
+      },
+      Names::kObjects);
   keep("firstPerson", firstPerson_);
 }
 

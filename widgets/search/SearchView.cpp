@@ -47,7 +47,7 @@ SearchView::SearchView(ViewContext& context, QWidget* parent)
   createViews();
   connectSignals();
   keep("kind", kind_);  // condition, texts
-  keep("wanted", wanted_);
+  keep("wanted", wanted_, Names::kObjects);
   keep("columns", table_->horizontalHeader());
   follow_.setInterval(kFollowInterval);
   tick();

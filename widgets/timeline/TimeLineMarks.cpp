@@ -87,7 +87,7 @@ void TimeLineView::createSteps() {
   connect(stepBy_->lineEdit(), &QLineEdit::returnPressed, this, [this] { stepChange("next"); });
   keep(
       "stepBy", [this] { return QJsonValue(stepBy_->currentText()); },
-      [this](const QJsonValue& value) { stepBy_->setCurrentText(value.toString()); });
+      [this](const QJsonValue& value) { stepBy_->setCurrentText(value.toString()); }, Names::kObjects);
 }
 
 void TimeLineView::stepChange(const char* direction) {

@@ -67,7 +67,8 @@ TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
   keep("follow", follow_);
   keep(
       "tracks", [this] { return QJsonValue(QJsonArray::fromStringList(tracks_.sources())); },
-      [this](const QJsonValue& saved) { tracks_.setSources(saved.toVariant().toStringList()); });
+      [this](const QJsonValue& saved) { tracks_.setSources(saved.toVariant().toStringList()); },
+      Names::kObjects);
   tick();
 }
 

@@ -84,11 +84,6 @@ QJsonValue withRename(const QJsonValue& state, const SceneRename& rename) {
   QJsonObject renamed;
   const QJsonObject object = state.toObject();
   for (auto each = object.begin(); each != object.end(); ++each) {
-    // The first part of a drawing's name is its kind, such as "field", and not an object.
-    if (each.key() == QLatin1String("drawings")) {
-      renamed.insert(each.key(), each.value());
-      continue;
-    }
     // A key that is a path has more than a name.
     const bool isPath = each.key().contains(QLatin1Char('/'));
     renamed.insert(isPath ? withRename(each.key(), rename) : each.key(), withRename(each.value(), rename));

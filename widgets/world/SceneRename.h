@@ -26,7 +26,7 @@ std::optional<SceneRename> renameBetween(const robotcontrol::WorldObjects& befor
 /// A text that names an object, or parts of it, by its new path: "red1", "red1/laser",
 /// "ports: readings[port=\"red1/laser\"]". Other texts stay as they are.
 QString withRename(QString text, const SceneRename& rename);
-/// The saved state of a view with that done to all its texts.
+/// A saved value that names objects with that done to all its texts.
 QJsonValue withRename(const QJsonValue& state, const SceneRename& rename);
 
 }  // namespace widgets

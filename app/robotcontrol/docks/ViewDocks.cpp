@@ -77,7 +77,12 @@ ViewDocks::Dock* ViewDocks::make(const QString& id, int number) {
       new ads::CDockWidget(number > 1 ? QStringLiteral("%1 %2").arg(title, QString::number(number)) : title);
   dock->setObjectName(dockNameOf(id, number));
   dock->setIcon(widgets::icon(type->icon));
-  dock->setTabToolTip(QCoreApplication::translate("View", type->help));
+  // The title on the tab may be cut.
+  const auto showTip = [dock, help = QCoreApplication::translate("View", type->help)] {
+    dock->setTabToolTip(dock->windowTitle() + QLatin1Char('\n') + help);
+  };
+  connect(dock, &QWidget::windowTitleChanged, dock, showTip);
+  showTip();
   dock->tabWidget()->installEventFilter(&space_);
   widgets::View* view = nullptr;
   try {
@@ -212,10 +217,8 @@ bool ViewDocks::isInFront(const QString& id) const {
 
 void ViewDocks::follow(const widgets::SceneRename& rename) {
   for (const Dock& dock : docks_) {
-    if (!dock.view) continue;
-    const QJsonObject state = dock.view->saveState();
-    const QJsonObject renamed = widgets::withRename(QJsonValue(state), rename).toObject();
-    if (renamed != state) dock.view->restoreState(renamed);
+    if (dock.view)
+      dock.view->followNames([&](const QJsonValue& names) { return widgets::withRename(names, rename); });
   }
 }
 

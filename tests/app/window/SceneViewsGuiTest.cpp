@@ -93,6 +93,28 @@ class SceneViewsGuiTest : public WindowTest {
     QTRY_COMPARE_WITH_TIMEOUT(QString::fromStdString(session.selectedRobot()), QStringLiteral("rex"), 20000);
   }
 
+  void aRobotThatIsRenamedStaysSelectedThoughItsSceneWasListedBeforeIt() {
+    Desk desk(home_, Desk::Opens::kNothing);
+    auto& session = desk.workbench.session();
+    double time = 0;
+    const auto showObjects = [&](std::initializer_list<const char*> names) {
+      auto objects = std::make_shared<robotcontrol::WorldObjects>();
+      for (const char* name : names) objects->add_objects()->set_path(name);
+      session.push({"objects", robotlink::Instant(robotlink::fromSeconds(++time)), objects});
+      desk.window.tick();
+    };
+    session.setRobots({"first"});
+    desk.window.tick();
+    showObjects({"red1", "red2"});
+    session.setRobots({"red1", "red2"});
+    session.selectRobot("red2");
+    desk.window.tick();
+    showObjects({"red1", "rex"});
+    session.setRobots({"red1", "rex"});
+    desk.window.tick();
+    QCOMPARE(session.selectedRobot(), std::string("rex"));
+  }
+
   void eachSceneHasTheViewsWithWhichItWasLeft() {
     ScenesDesk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.hasObjects(), 20000);
