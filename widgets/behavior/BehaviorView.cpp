@@ -29,6 +29,8 @@ const ViewRegistration kBehaviorViewRegistration{
      "layout", false, create<BehaviorView>}};
 
 constexpr const char* kBehaviorTask = "behavior";
+/// How long it takes until a robot is asked again that has not answered: a second.
+constexpr int kTicksUntilHoldIsAsked = 30;
 
 }  // namespace
 
@@ -81,6 +83,8 @@ void BehaviorView::connectSignals() {
   connect(graph_, &OptionCanvas::selectionChanged, this, &BehaviorView::updateActions);
   connect(release_, &QAction::triggered, this, [this] { setControl("control.forced", ""); });
   connect(hold_, &QAction::toggled, this, [this](bool on) {
+    ++holdNumber_;  // what the robot had before is shown no more
+    ticksUntilHold_ = 0;
     setControl("control.hold", on ? "on" : "off");
     updateActions();
   });
@@ -104,18 +108,28 @@ void BehaviorView::setControl(const char* parameter, const std::string& value) {
 void BehaviorView::followHold() {
   const std::pair controlled(robot_, model_.hasGraph() ? model_.solution() : QString());
   if (std::exchange(controlled_, controlled) == controlled) return;
-  const auto show = [this](bool isHeld) {
-    const QSignalBlocker quiet(hold_);
-    hold_->setChecked(isHeld);
-    updateActions();
-  };
-  show(false);
+  showHold(false);
+  askHold();
+}
+
+void BehaviorView::showHold(bool isHeld) {
+  const QSignalBlocker quiet(hold_);
+  hold_->setChecked(isHeld);
+  updateActions();
+}
+
+void BehaviorView::askHold() {
+  ticksUntilHold_ = 0;
+  const int number = ++holdNumber_;
   if (!model_.hasGraph()) return;
   const std::string solution = std::string(kBehaviorTask) + '/' + model_.solution().toStdString();
-  edits_->requestValue(solution, "control.hold",
-                       [this, controlled, show](const robotlink::Result<std::string>& value) {
-                         if (controlled == controlled_) show(value && *value == "on");
-                       });
+  edits_->requestValue(solution, "control.hold", [this, number](const robotlink::Result<std::string>& value) {
+    if (number != holdNumber_) return;
+    if (!value)
+      ticksUntilHold_ = kTicksUntilHoldIsAsked;
+    else
+      showHold(*value == "on");
+  });
 }
 
 void BehaviorView::forceSelected() {
@@ -147,6 +161,7 @@ std::optional<QString> BehaviorView::numbers() {
 }
 
 void BehaviorView::tick() {
+  if (ticksUntilHold_ > 0 && --ticksUntilHold_ == 0) askHold();
   const std::string& robot = session().selectedRobot();
   subscription_.want(session(), robot, {robotlink::kBehaviorState.name, robotlink::kBehaviorGraph.name});
   const auto& store = session().store();

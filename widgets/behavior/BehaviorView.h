@@ -42,6 +42,8 @@ class BehaviorView final : public View {
   void updateActions();
   /// Asks whether a robot's behavior is held that is shown from now on.
   void followHold();
+  void showHold(bool isHeld);
+  void askHold();
   void forceSelected();
   void step();
   /// Sets a parameter of the robot's behavior; a refusal is shown by the session.
@@ -63,6 +65,10 @@ class BehaviorView final : public View {
   std::string robot_;
   /// The robot and its solution to which Hold belongs; without a solution it can be held by nothing.
   std::pair<std::string, QString> controlled_;
+  /// Counts the questions whether the behavior is held, and what the user chose instead.
+  int holdNumber_ = 0;
+  /// Ticks until it is asked again; 0: it is not.
+  int ticksUntilHold_ = 0;
   /// The packages that are shown, to detect new ones.
   robotlink::PackagePtr shownGraph_, shownState_;
 };

@@ -204,9 +204,37 @@ QString GameView::chosenRobot() const {
   return index.isValid() ? QString::fromStdString(players_.row(index.row()).robot) : QString();
 }
 
+const robotcontrol::GameStatus* GameView::shownStatus() const {
+  return session().store().latestAs<robotcontrol::GameStatus>(robotlink::streams::kGame,
+                                                              session().timeline().shown());
+}
+
 void GameView::tick() {
-  showStatus(session().store().latestAs<robotcontrol::GameStatus>(robotlink::streams::kGame,
-                                                                  session().timeline().shown()));
+  showStatus(shownStatus());
+}
+
+std::optional<QString> GameView::numbers() {
+  const auto table = View::numbers();
+  const auto* status = shownStatus();
+  if (!table || status == nullptr) return table;
+  const GameState& state = status->state();
+  QStringList titles{QStringLiteral("half"), QStringLiteral("seconds left"), QStringLiteral("phase")};
+  QStringList values{QString::number(state.half()), QString::number(state.seconds_left(), 'f', 1),
+                     phaseText(state)};
+  for (const auto& team : state.teams()) {
+    titles << QStringLiteral("goals of ") + QString::fromStdString(team.name());
+    values << QString::number(team.goals());
+  }
+  QStringList rows = table->split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  for (int i = 0; i < rows.size(); ++i)
+    rows[i] += QLatin1Char('\t') + (i == 0 ? titles : values).join(QLatin1Char('\t')) + QLatin1Char('\n');
+  return rows.join(QString());
+}
+
+QString GameView::phaseText(const GameState& state) {
+  static const char* const kWords[]{QT_TR_NOOP("initial"), QT_TR_NOOP("ready"), QT_TR_NOOP("set"),
+                                    QT_TR_NOOP("playing"), QT_TR_NOOP("finished")};
+  return tr(kWords[GameState::Phase_IsValid(state.phase()) ? state.phase() : 0]);
 }
 
 void GameView::showStatus(const robotcontrol::GameStatus* status) {
@@ -261,11 +289,8 @@ void GameView::showPhase(const robotcontrol::GameStatus& status) {
   }
   if (names.size() == 2)
     score_->setText(QStringLiteral("%1 %2 : %3 %4").arg(names[0], goals[0], goals[1], names[1]));
-  static const char* const kWords[]{QT_TR_NOOP("initial"), QT_TR_NOOP("ready"), QT_TR_NOOP("set"),
-                                    QT_TR_NOOP("playing"), QT_TR_NOOP("finished")};
-  const int phase = GameState::Phase_IsValid(state.phase()) ? state.phase() : 0;
   time_->setText(
-      tr("half %1, %2 left, %3").arg(state.half()).arg(clockText(state.seconds_left()), tr(kWords[phase])));
+      tr("half %1, %2 left, %3").arg(state.half()).arg(clockText(state.seconds_left()), phaseText(state)));
   message_->setText(QString::fromStdString(state.message()));
   for (std::size_t i = 0; i < phases_.size(); ++i)
     phases_[i]->setChecked(state.phase() == kGamePhases[i].second);

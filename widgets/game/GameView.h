@@ -25,11 +25,16 @@ class GameView final : public View {
   explicit GameView(ViewContext& context, QWidget* parent = nullptr);
 
   void tick() override;
+  /// The table of robots with the time and the goals of the game.
+  std::optional<QString> numbers() override;
 
  private:
   void createActions();
   void createViews();
   void connectSignals();
+  /// Null: there is no game.
+  const robotcontrol::GameStatus* shownStatus() const;
+  static QString phaseText(const robotcontrol::GameState& state);
   /// Shows what the referee says; null: there is none.
   void showStatus(const robotcontrol::GameStatus* status);
   /// The roles that the players last told their teams; has them publish that.

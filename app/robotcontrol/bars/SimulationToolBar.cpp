@@ -38,17 +38,22 @@ void addFiles(QComboBox* box, const std::vector<std::filesystem::path>& files) {
 /// In narrower windows the boxes have no captions, but tooltips: what is recorded needs the room. Pixels.
 constexpr int kRoomyWindow = 1700;
 
+/// The entry of a file, however its path is written; -1: it has none.
+int entryOf(const QComboBox& box, const std::filesystem::path& file) {
+  std::error_code isMissing;
+  for (int i = 0; i < box.count(); ++i) {
+    const std::filesystem::path listed = box.itemData(i).toString().toStdString();
+    if (listed == file || std::filesystem::equivalent(listed, file, isMissing)) return i;
+  }
+  return -1;
+}
+
 /// Selects a file, which is added if it is not among the shipped ones; without a file the placeholder is
 /// shown.
 void selectFile(QComboBox* box, const std::filesystem::path& file) {
-  if (file.empty()) return box->setCurrentIndex(-1);
-  const QString path = QString::fromStdString(file.string());
-  int index = box->findText(QString::fromStdString(file.stem().string()));
-  if (index < 0) {
-    box->addItem(QString::fromStdString(file.filename().string()), path);
-    index = box->count() - 1;
-  }
-  box->setCurrentIndex(index);
+  if (!file.empty() && entryOf(*box, file) < 0)
+    box->addItem(QString::fromStdString(file.filename().string()), QString::fromStdString(file.string()));
+  box->setCurrentIndex(file.empty() ? -1 : entryOf(*box, file));
 }
 
 }  // namespace

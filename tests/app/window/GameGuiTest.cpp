@@ -148,6 +148,28 @@ class GameGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(desk.timeOf(package) > before, kWaitMs);
   }
 
+  void theRunningGameIsRefereedByHand() {
+    GameDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QVERIFY(desk.run("simulation.start"));
+    auto* view = desk.open("game");
+    const auto game = [&] { return desk.newestAs<robotcontrol::GameStatus>("game"); };
+    QTRY_VERIFY_WITH_TIMEOUT(game() != nullptr && game()->players_size() == 2 && game()->automatic(),
+                             kWaitMs);
+    QTRY_VERIFY(child<QToolButton>(*view, "gameAutomatic").isChecked());
+    click(*view, "gameAutomatic");
+    QTRY_VERIFY_WITH_TIMEOUT(!game()->automatic(), kWaitMs);
+    click(*view, "gameFinish");
+    QTRY_COMPARE_WITH_TIMEOUT(game()->state().phase(), robotcontrol::GameState::FINISHED, kWaitMs);
+    QTRY_VERIFY(child<QToolButton>(*view, "gameFinish").isChecked());
+    click(*view, "gameRestart");
+    QTRY_VERIFY_WITH_TIMEOUT(
+        game()->state().phase() != robotcontrol::GameState::FINISHED && game()->state().half() == 1, kWaitMs);
+    QVERIFY(!game()->automatic());
+    click(*view, "gameAutomatic");
+    QTRY_VERIFY_WITH_TIMEOUT(game()->automatic(), kWaitMs);
+  }
+
   void theToolbarShowsTheLayoutOfTheSelectedRobot() {
     GameDesk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);

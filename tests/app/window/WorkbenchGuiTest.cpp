@@ -101,6 +101,31 @@ class WorkbenchGuiTest : public WindowTest {
     QCOMPARE(layout.currentText(), next);
   }
 
+  void aLayoutIsListedOnceByItsFile() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto& layout = desk.find<QComboBox>("layoutBox");
+    const auto shipped = desk.workbench.loaded()->layout;
+    // One of the user's own with the name of a shipped one is another one.
+    std::filesystem::create_directories(home_ / "mine");
+    const auto own = home_ / "mine" / shipped.filename();
+    std::filesystem::copy_file(shipped, own);
+    QVERIFY(desk.workbench.commands().runLine("layout.open '" + own.string() + "'"));
+    QTRY_COMPARE_WITH_TIMEOUT(layout.currentData().toString(), QString::fromStdString(own.string()), kWaitMs);
+    const int count = layout.count();
+    QVERIFY(desk.workbench.commands().runLine("layout.open '" + own.string() + "'"));
+    auto& session = desk.workbench.session();
+    for (int i = 0; i < 2; ++i) {
+      session.setRobots({"red1", "elsewhere"});
+      for (const char* robot : {"elsewhere", "red1"}) {
+        session.selectRobot(robot);
+        desk.window.tick();
+      }
+    }
+    QCOMPARE(layout.count(), count);
+    QCOMPARE(layout.currentData().toString(), QString::fromStdString(own.string()));
+  }
+
   void theColorTableInUseStandsBesideTheRobot() {
     Desk desk(home_);
     auto& button = desk.find<QToolButton>("colorTableButton");

@@ -3,7 +3,9 @@
 
 #include <QAction>
 #include <QLabel>
+#include <algorithm>
 
+#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotlink/packages/GamePackages.h"
 #include "tests/widgets/Bench.h"
@@ -157,6 +159,38 @@ class BehaviorViewTest : public QObject {
         QVERIFY(picture.bounds().contains(at));
       }
     }
+  }
+
+  void whetherABehaviorIsHeldIsAskedUntilTheRobotOrTheUserSaysIt() {
+    Bench bench;
+    robotcontrol::SolutionTable table;
+    auto& task = *table.add_tasks();
+    task.set_name("behavior");
+    task.set_active("soccer");
+    task.add_solutions()->set_name("soccer");
+    task.mutable_solutions(0)->set_has_parameters(true);
+    bench.push("red1/tables/solutions", table, 1);
+    auto view = bench.open<BehaviorView>();
+    bench.push(std::string("red1/") + robotlink::kBehaviorGraph.name, someGraph(), 1);
+    bench.push(std::string("red1/") + robotlink::kBehaviorState.name, someState("kick"), 1);
+    bench.advance();
+    bench.tick(*view);
+    const auto asked = [&bench] {
+      return std::ranges::count_if(bench.requests, [](const auto& one) { return one.has_get_parameters(); });
+    };
+    QCOMPARE(asked(), 1);
+    bench.answer(false, "its program starts");
+    for (int i = 0; i < 40; ++i) bench.tick(*view);
+    QCOMPARE(asked(), 2);
+    const auto pending = bench.requests.back();
+    auto& hold = child<QAction>(*view, "behaviorHoldAction");
+    hold.trigger();
+    bench.answer(pending, false, "its program starts");
+    bench.tick(*view);
+    QVERIFY2(hold.isChecked(), "the user chose it since");
+    const auto before = asked();
+    for (int i = 0; i < 40; ++i) bench.tick(*view);
+    QCOMPARE(asked(), before);
   }
 
   void theViewShowsWhatIsActiveAndEnablesForcingOfSelectedStates() {

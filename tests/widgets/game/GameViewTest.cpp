@@ -92,6 +92,16 @@ class GameViewTest : public QObject {
     keepPicture(*view, "game");
   }
 
+  void asNumbersEachRobotHasTheTimeAndTheGoals() {
+    GameBench bench;
+    const auto view = bench.open<GameView>();
+    const QStringList rows = view->numbers().value_or(QString()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QCOMPARE(rows.size(), 3);
+    QVERIFY(rows[0].endsWith(QStringLiteral("\thalf\tseconds left\tphase\tgoals of red\tgoals of blue")));
+    for (int row : {1, 2}) QVERIFY(rows[row].endsWith(QStringLiteral("\t2\t63.2\tplaying\t3\t1")));
+    QCOMPARE(rows[0].count(QLatin1Char('\t')), rows[2].count(QLatin1Char('\t')));
+  }
+
   void whatRobotsTellTheirTeamThatTheyPlayIsShownWithItsAge() {
     GameBench bench;
     robotcontrol::KeyTable keys;
