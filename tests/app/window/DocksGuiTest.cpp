@@ -213,21 +213,6 @@ class DocksGuiTest : public WindowTest {
     QCOMPARE(icons(), 1);
   }
 
-  void ofManyTabsEachCanBeRead() {
-    EmptyDesk desk(home_);
-    for (const widgets::ViewType& type : widgets::ViewRegistry::all())
-      desk.window.docks().open(QLatin1String(type.id));
-    settle(desk);
-    space(desk).fitTabs();
-    QCoreApplication::processEvents();
-    widgets::test::keepPicture(desk.window, "docks-many");
-    for (const ads::CDockWidget* each : desk.window.docks().openDocks()) {
-      const auto& title = *each->tabWidget()->findChild<QLabel*>(QStringLiteral("dockWidgetTabLabel"));
-      const int whole = title.fontMetrics().horizontalAdvance(each->windowTitle());
-      QVERIFY2(title.width() >= std::min(whole, 40), qPrintable(each->windowTitle()));
-    }
-  }
-
   void anAreaThatIsNarrowerThanItsButtonsHasRoomForNoTitle() {
     Desk desk(home_);
     settle(desk);
