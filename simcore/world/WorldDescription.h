@@ -237,7 +237,7 @@ struct WorldDescription {
   std::vector<Vector3> lampDirections;
   /// Where they are and how they are turned, by lamp.
   std::vector<Pose3> lampPoses;
-  /// What the lamps emit of radiation classes, by lamp.
+  /// The radiation that the lamps emit in each class, by lamp.
   std::vector<std::vector<ClassIntensity>> lampRadiation;
   /// The controllers that belong to no model.
   std::vector<ControllerDescription> controllers;

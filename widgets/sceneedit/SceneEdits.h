@@ -127,7 +127,7 @@ class SceneEdits final : public QObject {
     std::deque<Step> undo, redo;
   };
   enum class Way : std::uint8_t { kBack, kForth };
-  /// What the simulation was asked for: to go on with a step of a scene.
+  /// A pending request to the simulation: to continue with a step of a scene.
   struct Asked {
     std::string scene;
     int step = 0, number = 0;
@@ -139,7 +139,7 @@ class SceneEdits final : public QObject {
     Texts texts;
     /// The name and the one that the object had before; empty: it has the same.
     std::string name = {}, formerName = {};
-    /// What the model of a name was called before.
+    /// Returns the former name of a model.
     const std::string& former(const std::string& model) const {
       return !name.empty() && model == name ? formerName : model;
     }

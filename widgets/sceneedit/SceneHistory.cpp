@@ -87,7 +87,7 @@ void SceneEdits::takeBack(const Asked& asked, const std::string& reason) {
   auto& to = wasBack ? history.undo : history.redo;
   const auto refused = std::ranges::find(from, asked.step, &Step::number);
   const bool isKnown = refused != from.end();
-  // What was written after it was written into its text, so it goes with it; what was requested stays.
+  // Later edits were made in its text, so they are undone with it; requested steps stay.
   const std::vector<Step> steps(refused, from.end());
   const auto done = exchangeBack(steps, asked.way);
   if (done) {
