@@ -72,7 +72,7 @@ std::string undecodedText(const LogInfo& info) {
   for (const auto& stream : info.streams) {
     if (stream.undecoded == 0) continue;
     count += stream.undecoded;
-    ++encodings[stream.encoding.empty() ? "of no known encoding" : stream.encoding];
+    ++encodings[stream.encoding.empty() ? "of unknown encoding" : stream.encoding];
   }
   std::vector<std::string> names;
   for (const auto& [name, streams] : encodings) names.push_back(name);

@@ -45,7 +45,7 @@ class LogPlatform final : public robotlink::Platform {
   void actuate() override {}
   void engageStop(bool) override {}
   std::string refusal() const override {
-    return "what a logged robot did cannot be changed; pause the log instead";
+    return "a logged robot cannot be controlled; pause the log instead";
   }
 
  protected:

@@ -56,12 +56,13 @@ void setUse(const SceneInclude& include, const SceneFiles& files, ModelInstance&
   instance.layout = include.layout;
   instance.role = include.role;
   if (!include.role.empty() && include.role != kGoalieRole) {
-    errors.push_back({"scene.role",
-                      "'" + instance.name +
-                          "': the <robotcontrol:role> is goalie, or the team decides; not '" + include.role +
-                          "'",
-                      {instance.name},
-                      instance.where});
+    errors.push_back(
+        {"scene.role",
+         "'" + instance.name +
+             "': the <robotcontrol:role> must be goalie, or be omitted, so that the team decides; not '" +
+             include.role + "'",
+         {instance.name},
+         instance.where});
   }
   if (include.team.empty()) return;
   const auto color = files.palette().find(include.team);

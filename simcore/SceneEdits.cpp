@@ -114,8 +114,8 @@ Result<std::shared_ptr<const Scene>> Scene::without(const std::string& model) co
   if (!hasModel(contents_->world, model))
     return failure("scene.model", "there is no model '" + model + "' in the scene", {}, {model});
   if (contents_->world.models.size() == 1)
-    return failure("scene.last-model", "'" + model + "' is all that there is in the scene; it stays", {},
-                   {model});
+    return failure("scene.last-model",
+                   "'" + model + "' is the only model in the scene, so it cannot be removed", {}, {model});
   const std::shared_ptr<Scene> scene(new Scene);
   *scene->contents_ = *contents_;
   std::erase_if(scene->contents_->world.models, [&](const auto& each) { return each.name == model; });

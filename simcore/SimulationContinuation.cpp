@@ -101,7 +101,7 @@ robotlink::Result<void> SimulationState::checkPlaces(const SimulationState* befo
   const auto isOurs = [](const ModelInstance& model) {
     return !model.type->robot.empty() || model.type->isBall;
   };
-  const std::string verb = before != nullptr ? "' would stand inside '" : "' starts inside '";
+  const std::string verb = before != nullptr ? "' would be inside '" : "' starts inside '";
   std::size_t pairs = 0;  // each is counted by both of its models
   for (std::size_t i = 0; i < world.models.size(); ++i) {
     const int index = static_cast<int>(i), other = physics->overlappedModel(index, kMaxOverlap, &pairs);
@@ -137,10 +137,10 @@ robotlink::Result<void> SimulationState::checkFits(const SimulationState& before
     const bool isOther = goesOn(model) && !goesOn(other);
     const std::string& added = world.models[static_cast<std::size_t>(isOther ? other : model)].name;
     const std::string& standing = world.models[static_cast<std::size_t>(isOther ? model : other)].name;
-    return robotlink::failure("scene.no-room",
-                              "there is no room for '" + added + "': it would stand inside '" + standing +
-                                  "'; choose another place",
-                              {}, {added, standing});
+    return robotlink::failure(
+        "scene.no-room",
+        "there is no room for '" + added + "': it would be inside '" + standing + "'; choose another place",
+        {}, {added, standing});
   }
   return {};
 }

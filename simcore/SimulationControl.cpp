@@ -208,7 +208,9 @@ robotlink::Result<void> Simulation::addEvent(ViewEvent event) {
     return robotlink::failure("simulation.event", wrong);
   auto& waiting = implementation_->control.waiting;
   if (waiting.size() >= kMaxEvents)
-    return robotlink::failure("simulation.event", "1000 events wait for the next step already");
+    return robotlink::failure(
+        "simulation.event",
+        "1000 events are already waiting for the next step; step or start the simulation");
   const auto& origin = event.origin;
   const auto& direction = event.direction;
   implementation_->note(CommandKind::kEvent, static_cast<std::size_t>(event.kind),

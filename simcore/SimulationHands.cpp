@@ -56,7 +56,7 @@ robotlink::Result<int> SimulationState::movableModel(const std::string& name) co
   if (world.models[static_cast<std::size_t>(index)].type->isStatic) return tl::unexpected(fixedModel(name));
   if (!physics->isMovedByForces(index)) {
     return failure("simulation.kinematic-model",
-                   "'" + name + "' moves without forces, so that they do not move it; it can be placed", {},
+                   "'" + name + "' moves kinematically, so forces do not move it; place it instead", {},
                    {name});
   }
   return index;

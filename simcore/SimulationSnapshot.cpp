@@ -246,9 +246,8 @@ robotlink::Result<std::vector<std::string>> Simulation::restore(const Snapshot& 
     return robotlink::failure(
         "snapshot.scene",
         snapshot.scene == own
-            ? "the snapshot is of " + own +
-                  " as it was before its models, or how they are moved, were changed"
-            : "the snapshot is of another scene, " + snapshot.scene + "; the one that runs is " + own,
+            ? "the snapshot is of " + own + " from before its models, or the way they move, were changed"
+            : "the snapshot belongs to another scene, " + snapshot.scene + "; the running one is " + own,
         {}, {snapshot.scene, own});
   }
   std::vector<std::uint8_t> before;
@@ -263,7 +262,7 @@ robotlink::Result<std::vector<std::string>> Simulation::restore(const Snapshot& 
     i.transfer(back);
     resumeControllers();
     return robotlink::failure("snapshot.damaged",
-                              "the snapshot of " + snapshot.scene + " has a state that is not possible", {},
+                              "the snapshot of " + snapshot.scene + " has an impossible state", {},
                               {snapshot.scene});
   }
   resumeControllers();

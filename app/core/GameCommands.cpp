@@ -35,7 +35,7 @@ Result<void> askReferee(OpenPlatform& open, const ControlGame& control) {
 
 Result<void> setScoreOf(OpenPlatform& open, const std::string& team, double goals) {
   if (!(goals >= 0) || goals != std::floor(goals))
-    return robotlink::failure("game.request", "goals are a whole number from 0 on");
+    return robotlink::failure("game.request", "the number of goals must be a whole number, 0 or more");
   ControlGame control;
   control.set_action(ControlGame::SCORE);
   control.set_team(team);

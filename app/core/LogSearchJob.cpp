@@ -57,7 +57,8 @@ Result<void> searchAll(const LogSearchJob::Plan& plan, const std::stop_token& st
     if (auto written = robotlink::writeFileAtomically(plan.file, table); !written) return written;
   }
   if (table != head) return {};
-  return failure("log.not-found", "nowhere in the log is " + plan.expression, {}, {plan.expression});
+  return failure("log.not-found", "there is no time in the log at which this is true: " + plan.expression, {},
+                 {plan.expression});
 }
 
 }  // namespace

@@ -157,12 +157,12 @@ std::vector<LinkQuestion> OpenPlatform::questions() const {
 robotlink::Result<void> OpenPlatform::disconnectRemote(const std::string& url) {
   if (bodyQuestion_.isAbout(url)) {
     if (bodyQuestion_.drop()) close();
-    report(
-        {{"body.declined",
-          "the program of the robot at " + url +
-              " does not run here, since its question was not answered; choose Robot > Connect… to try again",
-          {url},
-          {}}});
+    report({{"body.declined",
+             "the program of the robot at " + url +
+                 " does not run here, because the question about its connection was not answered; choose "
+                 "Robot > Connect… to try again",
+             {url},
+             {}}});
     return {};
   }
   if (auto kept = keepKeys(); !kept) report({kept.error()});

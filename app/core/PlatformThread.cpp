@@ -253,7 +253,7 @@ void PlatformThread::setDemand(const PlatformFeed::Demand& demand) {
 
 void PlatformThread::refuseForwarded() {
   for (const std::uint64_t id : forwarded_)
-    pushResult(id, "the robot's program ended before it answered; ask the one that runs now");
+    pushResult(id, "the robot's program ended before it answered; repeat the request");
   forwarded_.clear();
 }
 

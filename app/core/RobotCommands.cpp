@@ -109,10 +109,11 @@ Result<void> setShadow(OpenPlatform& open, const Values& values) {
     return robotlink::activeSolution(open.session().store(), robot, task) == solution;
   });
   if (flag(values, 2) && isUsed)
-    return robotlink::failure("robot.shadow",
-                              solution + " is the solution that is used for " + task +
-                                  "; name another one, or have another one used (robot.solution) first",
-                              {}, {task, solution});
+    return robotlink::failure(
+        "robot.shadow",
+        solution + " is the solution that is used for " + task +
+            "; name another one, or switch the task to another one (robot.solution) first",
+        {}, {task, solution});
   Request request;
   request.mutable_set_key()->set_name(robotlink::shadowKey(task, solution));
   request.mutable_set_key()->mutable_mode()->set_kind(flag(values, 2) ? KeyMode::ALWAYS : KeyMode::OFF);
@@ -298,8 +299,8 @@ Result<void> saveMap(OpenPlatform& open, const std::string& file) {
     return robotlink::failure(
         "robot.no-map",
         "there is no map of " + robot +
-            " here yet; it was asked to show it. Repeat the command in a moment, if its "
-            "program does the task mapping, as in the layout pioneer-mapping",
+            " here yet; it has been requested now. Repeat the command in a moment, if the robot's program "
+            "runs the task mapping, as in the layout pioneer-mapping",
         {}, {robot});
   }
   auto map = robotlink::groundMap(*grid);

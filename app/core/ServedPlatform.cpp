@@ -112,7 +112,7 @@ void takeCommands(SessionServer& server, const std::shared_ptr<BodyInbox>& bodie
        [bodies, server = server.server()](const auto& client, const auto& robot, const auto& payload) {
          robotcontrol::BodyCommands commands;
          if (client.isReadOnly) return std::string("you may only watch");
-         if (!commands.ParseFromString(payload)) return std::string("these commands make no sense");
+         if (!commands.ParseFromString(payload)) return std::string("these commands are not valid");
          return bodies->put(robot, {client.id, shownName(client)}, std::move(commands),
                             server->clock().now());
        }});

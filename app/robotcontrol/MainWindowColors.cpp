@@ -62,7 +62,7 @@ void MainWindow::createMaximizing() {
   action->setObjectName(QStringLiteral("maximizeView"));
   action->setShortcut(Qt::Key_F11);
   action->setToolTip(
-      tr("Maximizes the view that was used last or is under the mouse; again: restores the layout"));
+      tr("Maximizes the view that was used last or is under the mouse; a second time restores the layout"));
   connect(action, &QAction::triggered, maximizedView_, &MaximizedView::toggle);
   addAction(action);
   if (menu != nullptr) menu->insertAction(perspectiveMenu_->menuAction(), action);

@@ -306,7 +306,7 @@ void MainWindow::attachSearchCommands() {
   const auto attachToView = [this](const char* name, Result<void> (*run)(widgets::SearchView&)) {
     attach(name, [run](MainWindow& window, const Values&) -> Result<void> {
       if (auto* view = window.findView<widgets::SearchView>("search")) return run(*view);
-      return failure("search.closed", "nothing was searched for; search.start CONDITION");
+      return failure("search.closed", "there is no search yet; start one: search.start CONDITION");
     });
   };
   attachToView("search.cancel", [](widgets::SearchView& view) -> Result<void> {
@@ -337,7 +337,7 @@ void MainWindow::attachSearchCommands() {
     const QString wrong =
         widgets::TimeMarks::of(widgets::openLogs(window.context_)).setPattern(argumentOf(values, 0));
     if (wrong.isEmpty()) return {};
-    return failure("timeline.pattern", "no regular expression: " + wrong.toStdString());
+    return failure("timeline.pattern", "not a valid regular expression: " + wrong.toStdString());
   });
 }
 
@@ -452,7 +452,7 @@ void MainWindow::createPalette() {
   going->setObjectName(QStringLiteral("view.go"));
   going->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+J")));
   going->setShortcutContext(Qt::ApplicationShortcut);
-  going->setToolTip(tr("Lists the open views, of which one is found by its title and brought to the front"));
+  going->setToolTip(tr("Lists the open views; type a part of a title to bring that view to the front"));
   connect(going, &QAction::triggered, palette_, &CommandPalette::openViews);
   addAction(going);
   if (auto* menu = findChild<QMenu*>(QStringLiteral("viewMenu")))

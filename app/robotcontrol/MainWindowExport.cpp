@@ -91,7 +91,7 @@ Result<void> MainWindow::exportView(bool isVideo, const Values& values) {
   const auto dock = openView(text(0));
   if (!dock) return tl::unexpected(dock.error());
   const widgets::View* view = viewIn(**dock);
-  if (view == nullptr) return failure("export.view", "there is nothing in this view to be exported");
+  if (view == nullptr) return failure("export.view", "there is nothing to export in this view");
   const auto size = widgets::sizeOf(text(5), view->shownPictureSize());
   if (!size) return tl::unexpected(size.error());
   plan.size = *size;
@@ -112,7 +112,7 @@ void MainWindow::showExport(const QString& name) {
     return showErrors(
         {{"export.nothing",
           offers.empty() ? "no view is open that could be exported"
-                         : "there is nothing to be exported: start a simulation, connect to a robot, "
+                         : "there is nothing to export: start a simulation, connect to a robot, "
                            "or open a log",
           {},
           {}}});

@@ -98,7 +98,7 @@ void MainWindow::createRobotMenus() {
   robot->addSeparator();
   QAction* table = robot->addAction(tr("Load &color table…"), this, &MainWindow::loadColorTable);
   table->setObjectName(QStringLiteral("robot.color-table"));
-  table->setToolTip(tr("The selected robot's program uses it from its next image on"));
+  table->setToolTip(tr("The selected robot's program uses it from the next image on"));
   QAction* none = robot->addAction(tr("&Use the built-in color table"), this,
                                    [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
   none->setObjectName(QStringLiteral("robot.no-color-table"));

@@ -43,7 +43,8 @@ void MainWindow::createScenes(const std::filesystem::path& userFolder) {
              const widgets::SceneEdits::Refused& refused) -> robotlink::Result<void> {
         const LoadedPlatform* loaded = workbench_.loaded();
         if (loaded == nullptr || !loaded->isSimulated() || loaded->sources.empty())
-          return robotlink::failure("scene.file", "no scene is open here that could go on");
+          return robotlink::failure("scene.file",
+                                    "no scene is open here that could be reloaded; open one first");
         if (!refused) {
           workbench_.reloadScene(unsaved);
         } else {
@@ -65,8 +66,8 @@ void MainWindow::createScenes(const std::filesystem::path& userFolder) {
     if (names.isEmpty()) return;
     const QString all = names.join(QStringLiteral(", "));
     statusBar()->showMessage(
-        tr("The simulation goes on with what is saved. The editor keeps unsaved changes: %1; "
-           "scene.apply has it go on with them.")
+        tr("The simulation continues with the saved files. The editor keeps unsaved changes: %1; scene.apply "
+           "applies them.")
             .arg(all),
         kSceneMessageShownMs);
   });

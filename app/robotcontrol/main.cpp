@@ -63,9 +63,9 @@ std::string helpOnFiles() {
     help += std::string(help.empty() ? "" : "; or ") + adapter.sources;
   help.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(help.front())));
   return help +
-         "; or robots that run remotely (ws://HOST[:PORT]), beside what else is opened; the field "
-         "of "
-         "2002 if nothing is given";
+         "; or remote robots (ws://HOST[:PORT]), "
+         "in addition to what else is "
+         "opened; by default the field of 2002";
 }
 
 /// The options about what robots' programs are.
@@ -95,9 +95,9 @@ void defineProgramOptions(CLI::App& app, Arguments& arguments) {
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.sources, helpOnFiles());
-  app.add_option("--token", arguments.token, "What the robots at these URLs ask for");
+  app.add_option("--token", arguments.token, "The token of the robots at these URLs");
   app.add_option("--program", arguments.program,
-                 "With a remote robot: whether its program runs there, or here, where only its body is there "
+                 "With a remote robot: whether its program runs there, or here if only its body is there "
                  "(robotctl platform)")
       ->check(CLI::IsMember({"there", "here"}))
       ->capture_default_str();
@@ -122,17 +122,17 @@ void define(CLI::App& app, Arguments& arguments) {
                      "Run a script, then quit; the exit status is 1 if a line fails. Works without a display")
           ->check(CLI::ExistingFile);
   app.add_flag("--keep-open", arguments.keepOpen, "Do not quit at the end of the script")->needs(script);
-  app.add_option("--junit", arguments.junit, "Write how the script went to this JUnit XML file")
+  app.add_option("--junit", arguments.junit, "Write the result of the script to this JUnit XML file")
       ->needs(script);
   app.add_option_function<std::vector<std::string>>(
-         "--plugin", [](const auto&) {}, "Load this plug-in, too; may be given several times")
+         "--plugin", [](const auto&) {}, "Also load this plug-in; may be given several times")
       ->expected(1)
       ->take_all();
   app.add_flag_function(
       "--no-plugins", [](auto) {}, "Do not load the plug-ins in the user's folder");
   app.add_option("--screenshot", arguments.screenshot,
                  "Save a picture of the window to this PNG file and quit; works without a display");
-  app.add_option("--after", arguments.after, "When to take the picture, seconds after the start")
+  app.add_option("--after", arguments.after, "When to take the picture, in seconds after the start")
       ->check(app::numberFrom(0, 3600))
       ->capture_default_str();
 }

@@ -48,7 +48,7 @@ void printJson(const std::vector<Command>& commands) {
 
 void addCommandsCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "commands", "Print all commands of the workbench, one a line: for scripts and --command");
+      "commands", "Print all commands of the workbench, one per line, as scripts and --command take them");
   const auto asJson = std::make_shared<bool>(false);
   command->add_flag("--json", *asJson, "Print a JSON array, with types, defaults and choices");
   command->callback([asJson, &status] {

@@ -49,7 +49,7 @@ int doIt(const DoArguments& arguments) {
   const auto folder = robotlink::commandSocketFolder();
   if (folder.empty()) {
     return printErrors({{"socket.folder",
-                         "XDG_RUNTIME_DIR is not set, the folder in which running workbenches are found",
+                         "XDG_RUNTIME_DIR, the folder in which running workbenches are found, is not set",
                          {},
                          {}}});
   }
@@ -65,11 +65,11 @@ int doIt(const DoArguments& arguments) {
 
 void addDoCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "do", "Run lines of scripts in a running workbench, one after the other until one fails");
+      "do", "Run lines of scripts in a running workbench, one after another until one fails");
   const auto arguments = std::make_shared<DoArguments>();
   command->add_option("lines", arguments->lines,
                       "One line each, as in scripts: 'robot.stop on', 'wait until simulation.time > 5'; "
-                      "without any, those of standard input");
+                      "default: read from standard input");
   command->add_option("--pid", arguments->pid, "The process id of the workbench; without it, the newest one")
       ->check(numberFrom(1, 1 << 30));
   command->callback([arguments, &status] { status = doIt(*arguments); });

@@ -60,7 +60,7 @@ void addLayoutCommand(CLI::App& app, int& status) {
   const auto add = [&](const char* name, const char* help, int (*run)(const LayoutArguments&)) {
     CLI::App* command = layout->add_subcommand(name, help);
     command->add_option("file", arguments->file, "A layout file")->required();
-    command->add_option("--robot", arguments->robot, "The kind of robot that it is put on")
+    command->add_option("--robot", arguments->robot, "The kind of robot that the layout is for")
         ->capture_default_str();
     command->callback([arguments, run, &status] { status = withResources([&] { return run(*arguments); }); });
   };

@@ -42,7 +42,7 @@ void printPluginsAsJson() {
 
 void addPluginOptions(CLI::App& app) {
   app.add_option_function<std::vector<std::string>>(
-         "--plugin", [](const auto&) {}, "Load this plug-in, too; may be given several times")
+         "--plugin", [](const auto&) {}, "Also load this plug-in; may be given several times")
       ->expected(1)
       ->take_all();
   app.add_flag_function(
@@ -51,7 +51,7 @@ void addPluginOptions(CLI::App& app) {
 
 void addPluginsCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "plugins", "List the plug-ins, and why some were not loaded; exit status 1 if any was not");
+      "plugins", "List the plug-ins, and why any was not loaded; the exit status is 1 if so");
   const auto asJson = std::make_shared<bool>(false);
   command->add_flag("--json", *asJson, "Print a JSON object");
   command->callback([asJson, &status] {

@@ -213,7 +213,7 @@ void printReport(const SceneArguments& arguments, const SceneReport& report) {
   }
   printLeftOut(report.leftOut);
   std::cout << robotlink::printable(arguments.file)
-            << fmt::format(": opens; {} models, simulated for {:.1f} s, {} parts left out\n",
+            << fmt::format(": opened; {} models, simulated for {:.1f} s, {} parts left out\n",
                            report.models.size(), report.seconds, report.leftOut.size());
 }
 
@@ -251,12 +251,12 @@ void addSceneCommand(CLI::App& app, int& status) {
   CLI::App* scene = app.add_subcommand("scene", "Checks scenes");
   scene->require_subcommand(1);
   CLI::App* sub = scene->add_subcommand("check",
-                                        "Opens a scene or a model alone, lets it rest, and says where its "
-                                        "models are then and what is left out");
+                                        "Opens a scene or a single model, lets it settle, and reports where "
+                                        "its models end up and what was left out");
   sub->add_option("file", arguments->file, "An SDFormat or URDF file, a map, or the name of a shipped scene")
       ->required();
   sub->add_flag("--json", arguments->asJson, "Prints one JSON object");
-  sub->add_option("--seconds", arguments->seconds, "Simulated time of rest; 0: only open it")
+  sub->add_option("--seconds", arguments->seconds, "Simulated time to settle; 0: only open it")
       ->check(numberFrom(0, 86400))
       ->capture_default_str();
   sub->add_option("--models", arguments->models, "Folders in which model://NAME is searched first");

@@ -41,7 +41,7 @@ int run(int argc, char** argv) {
       "Exit status: 0 done, 1 failed, 2 wrong usage, 3 done, but some input was damaged.\nIf a signal ends "
       "it before it is "
       "done, 128 and the signal's number (130 after Ctrl-C); files are then\ncomplete or absent.\n'robotctl "
-      "COMMAND --help' shows its options.");
+      "COMMAND --help' shows a command's options.");
   int status = kDone;
   addSimCommand(app, status);
   addCompareCommand(app, status);
@@ -81,8 +81,7 @@ int finish(int status) {
   const int signal = Interrupt::signal();
   if (signal == SIGPIPE && !written) return Interrupt::exitStatus(signal);
   if (!written) {
-    std::cerr << "robotctl: cannot write to standard output" << reason
-              << "; what was printed is not complete\n";
+    std::cerr << "robotctl: cannot write to standard output" << reason << "; the output is incomplete\n";
     if (status == kDone) status = kFailed;
   }
   // A command that runs until a signal arrives has succeeded then.

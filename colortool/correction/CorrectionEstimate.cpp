@@ -133,7 +133,7 @@ void estimateVignetting(Camera& camera, std::vector<std::string>& notes) {
   }
   const auto atCorner = [](const RadialFit& fit) { return fit.coefficients[0] + fit.coefficients[1]; };
   if (camera.correction.none()) {
-    notes.push_back(cameraNameOf(camera) + ": the corners of its images are like their middle.");
+    notes.push_back(cameraNameOf(camera) + ": the corners of its images are like their center.");
     return;
   }
   notes.push_back(cameraNameOf(camera) + ": in the corners Y is " +

@@ -371,7 +371,8 @@ class Reader {
       NamedColor named = readClass(object);
       if (samples.classes.index(named.name) != ColorClasses::kNone || named.name == samples.classes.name(0))
         throw Wrong("there is a class \"" + named.name + "\" before it");
-      if (classes_.size() == static_cast<std::size_t>(ColorClasses::kMax)) throw Wrong("these are too many");
+      if (classes_.size() == static_cast<std::size_t>(ColorClasses::kMax))
+        throw Wrong("there are too many of them");
       classes_.push_back(std::move(named));
       samples.classes = ColorClasses(classes_);
     } else if (object.contains("settings")) {

@@ -58,7 +58,7 @@ robotlink::Result<std::string> decompressBzip2(std::string_view bytes, std::size
     if (state != BZ_OK) return wrong("its contents do not fit together");
     if (stream.avail_in == 0 && stream.avail_out != 0) return wrong("it ends too early");
   }
-  if (stream.avail_in != 0) return wrong("something follows its end");
+  if (stream.avail_in != 0) return wrong("there is extra data after its end");
   return contents;
 }
 

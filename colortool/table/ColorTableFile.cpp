@@ -55,7 +55,7 @@ Result<ColorTableFile> ColorTableFile::parse(std::string_view bytes, const std::
         file, at,
         "its runs end after " + std::to_string(filled) + " of " + std::to_string(kCellCount) + " cells");
   if (at + kLengthBytes != bytes.size())
-    return wrong(file, at + kLengthBytes, "something follows its last run");
+    return wrong(file, at + kLengthBytes, "there is extra data after its last run");
   return table;
 }
 

@@ -65,7 +65,8 @@ class NamedTableParser {
  private:
   void add(std::string name, robotlink::Rgb shown) {
     if (std::string problem = classNameProblem(name); !problem.empty()) return wrong(std::move(problem));
-    if (!names_.insert(name).second) return wrong("the class '" + name + "' appears here a second time");
+    if (!names_.insert(name).second)
+      return wrong("the class '" + name + "' appears here for the second time");
     if (classes_.size() == ColorTableFile::kMaxClasses)
       return wrong(fmt::format("there are more than {} classes", ColorTableFile::kMaxClasses));
     classes_.push_back({std::move(name), shown});
@@ -163,9 +164,8 @@ Result<void> NamedColorTable::save(const std::filesystem::path& table) const {
     if (const auto saved = file.save(table); !saved) return saved;
     std::filesystem::remove(beside, error);
     if (!error) return {};
-    return robotlink::failure(
-        "file.io", "cannot remove the names of other classes, which stood here: " + error.message(),
-        {beside.string(), 0, 0});
+    return robotlink::failure("file.io", "cannot remove the old file of class names here: " + error.message(),
+                              {beside.string(), 0, 0});
   }
   const auto before = robotlink::readFile(beside, kMaxTableBytes);
   if (const auto named = robotlink::writeFileAtomically(beside, colorClassesText(classes)); !named)

@@ -73,7 +73,7 @@ robotlink::Result<CellGrid> parseNumberedTable(const NumberedTable& format, std:
   for (const char byte : bytes) {
     const auto value = static_cast<std::uint8_t>(byte);
     if (numbers[value] == kUnknown) {
-      return wrong(fmt::format("this is not {}: byte {} is {}, which is none of its classes", format.title,
+      return wrong(fmt::format("this is not {}: byte {} is {}, which is not one of its classes", format.title,
                                grid.classes.size(), int{value}));
     }
     grid.classes.push_back(static_cast<std::uint8_t>(numbers[value]));

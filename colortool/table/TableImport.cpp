@@ -83,7 +83,7 @@ tl::expected<ImportedTable, Errors> fromTekkotsu(std::string_view bytes, const s
   const auto highest = std::ranges::max_element(grid->classes);
   if (*highest > ColorTableFile::kMaxClasses) {
     return refusal("color-table.tekkotsu",
-                   fmt::format("byte {} is of class {}, but a .c64 numbers classes up to {}",
+                   fmt::format("byte {} has class {}, but a .c64 only has classes up to {}",
                                bytes.size() - grid->classes.size() +
                                    static_cast<std::size_t>(highest - grid->classes.begin()),
                                int{*highest}, ColorTableFile::kMaxClasses),

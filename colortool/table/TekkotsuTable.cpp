@@ -121,7 +121,7 @@ class ColorsParser {
     }
     const auto sameName = [&](const auto& one) { return one.second.name == color.name; };
     if (std::ranges::any_of(colors_, sameName))
-      return wrongTekkotsu("'" + color.name + "' appears here a second time");
+      return wrongTekkotsu("'" + color.name + "' appears here for the second time");
     if (!colors_.emplace(index, std::move(color)).second)
       wrongTekkotsu(fmt::format("class {} appears here a second time", index));
   }

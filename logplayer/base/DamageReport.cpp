@@ -8,7 +8,7 @@ std::vector<std::string> describeDamage(const std::filesystem::path& file, bool 
   constexpr std::size_t kMaxListed = 20;
   const std::string name = file.string() + ": ";
   std::vector<std::string> losses;
-  if (!complete && damage.empty()) losses.push_back(name + "it was not closed: its end may be missing");
+  if (!complete && damage.empty()) losses.push_back(name + "the file was not closed: its end may be missing");
   for (const mcap::Damage& place : damage) {
     if (losses.size() == kMaxListed) {
       losses.push_back(name + "and " + std::to_string(damage.size() - kMaxListed) + " more damaged places");

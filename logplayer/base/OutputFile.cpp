@@ -97,8 +97,7 @@ robotlink::Error OutputFile::named(robotlink::Error error) const {
   if (error.where.file != temporary_.string()) return error;
   error.where.file = given_.string();
   const auto kept = error.text.find(mcap::kWhatIsKept);
-  if (kept != std::string::npos)
-    error.text.replace(kept, std::strlen(mcap::kWhatIsKept), "; nothing is left of it");
+  if (kept != std::string::npos) error.text.replace(kept, std::strlen(mcap::kWhatIsKept), "; it was deleted");
   return error;
 }
 

@@ -67,7 +67,7 @@ Result<bool> FrameConverter::take(const QueueMessage& message) {
     case Kind::kProcessBegin:
       return begin(message);
     case Kind::kProcessFinished: {
-      if (contents_.process.empty()) trouble_(message.offset, "a process ended that had not begun");
+      if (contents_.process.empty()) trouble_(message.offset, "a process ended without having begun");
       auto closed = close();
       if (!closed) return tl::unexpected(std::move(closed.error()));
       return true;

@@ -74,7 +74,7 @@ Result<CameraImage> readJpegImage(std::span<const std::uint8_t> payload) {
   auto jpeg = decodeJpegQuads(reader.rest(), kMaxCameraPixels);
   if (!jpeg) return tl::unexpected(std::move(jpeg.error()));
   if (jpeg->width != header->width || jpeg->height != header->height)
-    return robotlink::failure("bhuman.image", "the JPEG has another size than the image");
+    return robotlink::failure("bhuman.image", "the JPEG differs in size from the image");
   return CameraImage{header->time, fromQuads(*header, jpeg->data), std::move(jpeg->damage)};
 }
 

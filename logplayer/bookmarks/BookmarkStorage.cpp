@@ -121,7 +121,7 @@ const char* readEntry(const json& entry, BookmarkChanges& changes) {
   constexpr std::int64_t kLatest = std::numeric_limits<std::int64_t>::max() / 2;
   if (!entry.is_object()) return "it is not an object in braces";
   const auto id = wholeNumber(entry, "id", 0, kMaxId);
-  if (!id) return "its \"id\" is missing, or no whole number from 0 to 2^53 - 1";
+  if (!id) return "its \"id\" is missing, or not a whole number from 0 to 2^53 - 1";
   const auto number = static_cast<std::uint64_t>(*id);
   const auto removed = entry.find("removed");
   if (removed != entry.end() && !removed->is_boolean()) return "\"removed\" is neither true nor false";
@@ -131,7 +131,7 @@ const char* readEntry(const json& entry, BookmarkChanges& changes) {
   }
   const auto from = wholeNumber(entry, "from_ns", -kLatest, kLatest),
              to = wholeNumber(entry, "to_ns", -kLatest, kLatest);
-  if (!from || !to) return "\"from_ns\" or \"to_ns\" is missing, or no whole number of nanoseconds";
+  if (!from || !to) return "\"from_ns\" or \"to_ns\" is missing, or not a whole number of nanoseconds";
   const auto text = entry.find("text");
   if (text == entry.end() || !text->is_string()) return "its \"text\" is missing, or not in quotes";
   const Instant begin{robotlink::Duration(*from)}, end{robotlink::Duration(*to)};

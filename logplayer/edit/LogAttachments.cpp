@@ -78,7 +78,7 @@ Result<void> attach(const fs::path& log, const fs::path& file, const AttachmentO
     if (!(*reader)->complete()) {
       return robotlink::failure(
           "attachment.incomplete",
-          "it was not closed, so that nothing can be added; 'robotctl log repair' makes a complete one",
+          "it was not closed, so nothing can be added to it; 'robotctl log repair' makes a complete one",
           {log.string(), 0, 0});
     }
     const auto names = (*reader)->attachmentNames();

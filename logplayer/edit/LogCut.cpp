@@ -205,7 +205,7 @@ void Rewriting::choose(Input& input) {
   worldStreams_.merge(own);
   if (!left.empty()) {
     report_.notes.push_back(input.source.file().string() + ": " + left +
-                            " left out, as an earlier log has them");
+                            " left out, because an earlier log has them");
   }
   const auto moved = [&](std::optional<Instant> time) {
     return time ? std::optional(*time - input.offset) : time;
@@ -386,7 +386,7 @@ void Rewriting::conclude() {
     append(report_.notes, input->source.notes());
     if (!input->copier->foreign().empty()) {
       report_.notes.push_back(input->source.file().string() + ": times and names within the messages of " +
-                              input->copier->foreign() + " stay as they were, as they are not Protobuf");
+                              input->copier->foreign() + " stay as they were, because they are not Protobuf");
     }
     append(report_.losses, input->source.losses());
     if (input->copier->unchanged() == 0) continue;

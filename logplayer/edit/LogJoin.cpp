@@ -82,7 +82,7 @@ std::string whyNotJoined(const LogPart& earlier, const LogPart& later) {
   for (const std::string& robot : later.source.robots()) {
     if (!earlier.source.robots().contains(robot)) continue;
     if (!agree(setupIn(earlier.source.reader(), robot, true), setupIn(later.source.reader(), robot, false))) {
-      return robot + " runs another program in " + nameOf(later) + " than in " + nameOf(earlier);
+      return robot + " runs a different program in " + nameOf(later) + " than in " + nameOf(earlier);
     }
   }
   return {};

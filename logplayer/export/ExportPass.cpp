@@ -77,7 +77,7 @@ Result<std::vector<std::string>> namedStreams(const LogFile& log, const std::str
       continue;
     }
     undecoded = "the messages of " + stream.path + " are in the encoding '" + stream.encoding +
-                "', which is not read";
+                "', which is not supported";
     report.losses.push_back(log.path().string() + ": " + undecoded + "; " + plural(stream.count, "message") +
                             " left out");
   }

@@ -19,7 +19,7 @@ robotlink::Result<std::string> jsonLine(const robotlink::StreamMessage& message)
   std::string value;
   // This fails, for example, for a timestamp after the year 9999.
   if (!google::protobuf::util::MessageToJsonString(*message.value, &value, options).ok()) {
-    return robotlink::failure("export.json", "it has no JSON");
+    return robotlink::failure("export.json", "it cannot be converted to JSON");
   }
   constexpr std::int64_t kSecond = 1'000'000'000;
   const std::int64_t nanoseconds = message.time.time_since_epoch().count();

@@ -24,7 +24,7 @@ Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const Strea
   });
   for (const std::string& path : undecoded) {
     report.losses.push_back(log->path().string() + ": the texts of " + path +
-                            " are in an encoding that is not read; left out");
+                            " are in an unsupported encoding; left out");
   }
   if (!paths.empty()) {
     const auto done =

@@ -119,11 +119,11 @@ class CsvTable {
       }
       if (part.undecoded > 0) {
         report.losses.push_back(plural(part.undecoded, "message") + " of " + stream +
-                                " are in an encoding that is not read; left out");
+                                " are in an unsupported encoding; left out");
       }
     }
     if (leftOut == 0) return;
-    report.losses.push_back(plural(leftOut, "value") + " left out, as a table has no more than " +
+    report.losses.push_back(plural(leftOut, "value") + " left out, because a table is limited to " +
                             std::to_string(MessageTable::kMaxColumns) + " columns");
   }
 

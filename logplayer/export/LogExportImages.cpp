@@ -80,7 +80,7 @@ Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log, const Str
   if (paths.empty()) {
     const auto undecoded = chosenStreams(*log, streams, isUndecodedImage);
     const std::string why =
-        undecoded.empty() ? "" : "; those of " + undecoded.front() + " are in an encoding that is not read";
+        undecoded.empty() ? "" : "; those of " + undecoded.front() + " are in an unsupported encoding";
     return robotlink::failure("export.images", "no chosen stream holds images" + why,
                               {log->path().string(), 0, 0});
   }

@@ -190,7 +190,7 @@ std::string LogFile::damageText() const {
   if (const auto lost = implementation_->reader->cutOffBytes(); lost > 0) {
     text = "the file was cut short while it was open: " + plural(lost, "byte") + " are gone from its end";
   } else if (!implementation_->reader->complete())
-    text = "it was not closed: its end may be missing";
+    text = "the file was not closed: its end may be missing";
   if (!damage.empty()) {
     std::uint64_t bytes = 0;
     for (const auto& place : damage) bytes += place.bytes;

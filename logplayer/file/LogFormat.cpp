@@ -24,7 +24,7 @@ LogFormatRegistration::LogFormatRegistration(const LogFormat& format) {
   const bool isWhole =
       !name.empty() && format.robot != nullptr && format.recognizes != nullptr && format.import != nullptr;
   formats().add(format, "log format \"" + name + "\"",
-                isWhole ? "" : "it needs a name, a robot, and both functions");
+                isWhole ? "" : "it needs a name, a robot, and the functions 'recognizes' and 'import'");
 }
 
 }  // namespace logplayer

@@ -225,7 +225,8 @@ Result<ImportReport> importLog(const std::filesystem::path& from, const std::fil
     std::error_code error;
     if (!std::filesystem::exists(from, error))
       return robotlink::failure("log.open", "there is no such file", {from.string(), 0, 0});
-    return robotlink::failure("log.unknown-format", "this cannot be imported: it is no " + formatsInWords(),
+    return robotlink::failure("log.unknown-format",
+                              "this cannot be imported: it is not a " + formatsInWords(),
                               {from.string(), 0, 0});
   }
   ImportOptions chosen = options;

@@ -86,7 +86,7 @@ class Decoder {
     if (pixels == 0 || pixels > maximumPixels) {
       const std::string claimed = std::to_string(width_) + " x " + std::to_string(height_);
       return robotlink::failure("image.size",
-                                "the JPEG image claims " + claimed +
+                                "the JPEG image states " + claimed +
                                     " pixels, which is not decoded; at most " +
                                     std::to_string(maximumPixels) + " are",
                                 {}, {claimed});
@@ -246,7 +246,7 @@ Result<JpegQuads> decodeJpegQuads(std::span<const std::uint8_t> data, std::size_
     return tl::unexpected(std::move(header.error()));
   // Color that was converted when it was encoded would have to be converted back.
   if (decoder.colors() != TJCS_CMYK)
-    return robotlink::failure("image.jpeg", "this JPEG image has not four components a pixel");
+    return robotlink::failure("image.jpeg", "this JPEG image does not have four components per pixel");
   JpegQuads image{decoder.width(), decoder.height(), {}, {}};
   auto quads = decodeFour(decoder, image.damage);
   if (!quads) return tl::unexpected(std::move(quads.error()));

@@ -52,7 +52,7 @@ Result<Image> decodePng(std::span<const std::uint8_t> data) {
   PngImage png;
   if (png_image_begin_read_from_memory(&png, data.data(), data.size()) == 0) return refused(png);
   if (std::size_t{png.width} * png.height > kMaxPngPixels)
-    return robotlink::failure("image.size", "the PNG image claims " + std::to_string(png.width) + " x " +
+    return robotlink::failure("image.size", "the PNG image states " + std::to_string(png.width) + " x " +
                                                 std::to_string(png.height) +
                                                 " pixels, which is not decoded; at most " +
                                                 std::to_string(kMaxPngPixels) + " are");

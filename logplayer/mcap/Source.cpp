@@ -25,7 +25,8 @@ Result<Source> Source::open(const std::filesystem::path& file) {
   }
   if (!S_ISREG(status.st_mode)) {
     ::close(descriptor);
-    return failure("mcap.open", "this is not a file that can be read at any place", {file.string(), 0, 0});
+    return failure("mcap.open", "this file does not support random access; copy it to disk first",
+                   {file.string(), 0, 0});
   }
   const auto changed = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
   return Source(file, descriptor,

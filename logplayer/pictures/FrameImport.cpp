@@ -80,7 +80,7 @@ Result<ImportReport> importFrames(FrameSource& source, const robotlink::RobotDes
   }
   if (report.messages == 0) {
     if (firstError) return tl::unexpected(std::move(*firstError));
-    return robotlink::failure("import.empty", "there is no image in it");
+    return robotlink::failure("import.empty", "it contains no images");
   }
   report.imported["image"] = report.messages;
   if (firstError) {

@@ -112,7 +112,7 @@ Result<VideoOutput> VideoOutput::create(const fs::path& file, const Options& opt
 Result<void> VideoOutput::checkSpace() const {
   const auto space = options_.freeSpace ? options_.freeSpace : freeSpaceOf;
   if (space(folderOf(encoded_)) >= kMinFree) return {};
-  return failure("file.full", "the disk is full; nothing is left of the video", {file_.string(), 0, 0});
+  return failure("file.full", "the disk is full; the video was deleted", {file_.string(), 0, 0});
 }
 
 Result<void> VideoOutput::write(const std::uint8_t* data, int step) {
@@ -130,8 +130,7 @@ Result<void> VideoOutput::finish() {
   // An encoder does not say whether its last bytes reached the disk.
   const std::unique_ptr<VideoReader> reader(videoLibrary().open(fs::absolute(encoded_, error).c_str()));
   if (!reader || reader->frames() < frames_)
-    return failure("video.incomplete",
-                   "the video is not complete: perhaps the disk is full; nothing is left of it",
+    return failure("video.incomplete", "the video is incomplete and was deleted: perhaps the disk is full",
                    {file_.string(), 0, 0});
   fs::rename(encoded_, output_.temporary(), error);
   if (error)

@@ -329,7 +329,7 @@ Result<void> Recorder::Implementation::saveLast(const std::string& path) {
     if (!live) {
       return robotlink::failure(
           "recording.nothing-kept",
-          "a log is not kept in memory, as it is a file already; cut a range out of it instead");
+          "a log is not kept in memory, because it is a file already; cut a range out of it instead");
     }
     if (ring.empty()) {
       return robotlink::failure("recording.nothing-kept", "nothing was published yet; let the robot run");

@@ -73,8 +73,8 @@ bool ScratchLog::followQueue(Instant from) {
   losingFrom_ = from;
   problem_ = {
       "history.slow",
-      "The disk is too slow for what the robots send: a part of the history is lost, until what waits "
-      "was written.",
+      "The disk is too slow for the robots' data: a part of the history is lost, until the disk has caught "
+      "up.",
       {},
       {}};
   return false;
@@ -262,11 +262,11 @@ void ScratchLog::stop(const std::string& why) {
   std::erase_if(entries_, [](const Entry& entry) { return entry.messages != nullptr; });
   isStopped_ = true;
   losingFrom_.reset();
-  problem_ = {
-      "history.disk",
-      "The history is no longer written to disk: " + why + ". From now on it has only what fits into memory.",
-      {why},
-      {}};
+  problem_ = {"history.disk",
+              "The history is no longer written to disk: " + why +
+                  ". From now on, only what fits into memory is kept.",
+              {why},
+              {}};
 }
 
 ScratchLog::Part ScratchLog::read(Instant at, const std::deque<Entry>& entries) const {

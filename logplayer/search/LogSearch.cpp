@@ -43,7 +43,7 @@ class LogSearch {
     }
     for (const auto& [stream, count] : undecoded_) {
       losses.losses.push_back(plural(count, "message") + " of " + stream +
-                              " are in an encoding that is not read; left out");
+                              " are in an unsupported encoding; left out");
     }
     report_.losses = std::move(losses.losses);
     report_.hits = matcher_.hits();
@@ -63,7 +63,7 @@ class LogSearch {
       auto made = make(log_);
       if (!made) {
         robotlink::Error error = bound.error();
-        error.text += "; it cannot be computed, either: " + made.error().text;
+        error.text += "; nor can it be computed: " + made.error().text;
         return tl::unexpected(std::move(error));
       }
       computation_ = std::move(*made);

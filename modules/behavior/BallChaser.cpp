@@ -52,9 +52,9 @@ void BallChaser::transitSearch(const Situation& now) {
     enter(State::kLookAbout, "the field is seen again", now.time);
   } else if (state_ == State::kLookAbout && since > options_.lookAboutTime) {
     turnDirection_ = now.ball.y() < 0 ? -1 : 1;
-    enter(State::kTurn, "the ball is not within the head's reach: turn", now.time);
+    enter(State::kTurn, "the head cannot point at the ball: turn", now.time);
   } else if (state_ == State::kTurn && since > options_.turnTime) {
-    enter(State::kWander, "no ball all around: look from elsewhere", now.time);
+    enter(State::kWander, "no ball in any direction: look from elsewhere", now.time);
   } else if (state_ == State::kWander && since > options_.wanderTime) {
     enter(State::kLookAbout, "look from here", now.time);
   }
@@ -87,7 +87,7 @@ void BallChaser::transitChase(const Situation& now) {
       enter(State::kPosition, aligned ? "the goal is behind the ball" : "aligning takes too long", now.time);
   } else if (std::abs(now.ball.x() - options_.kickX) < options_.kickToleranceX &&
              std::abs(now.ball.y() - options_.kickY) < options_.kickToleranceY && now.ballAge < 0.5) {
-    enter(State::kKick, "the ball is before the paws", now.time);
+    enter(State::kKick, "the ball is in front of the paws", now.time);
   } else if (since > options_.positionTime) {
     enter(State::kApproach, "the ball was not reached: start over", now.time);
   }
@@ -99,7 +99,7 @@ void BallChaser::transitKick(const Situation& now) {
   if (kickBegan_ && !now.kicking)
     enter(State::kLookAbout, "kicked: where is the ball now?", now.time);
   else if (since > options_.kickTimeout)
-    enter(State::kLookAbout, "the kick did not come to an end", now.time);
+    enter(State::kLookAbout, "the kick did not end", now.time);
 }
 
 void BallChaser::transit(const Situation& now) {

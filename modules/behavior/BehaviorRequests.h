@@ -12,7 +12,7 @@ namespace modules {
 // Inline, so that it is defined in every file that registers a solution of the task.
 inline const robotlink::PlotKey kBehaviorSpeedKey{"behavior/speed", "The requested walking speeds"};
 inline const robotlink::RobotDrawingKey kBehaviorWalkKey{
-    "behavior/walk", "Where the requested speed leads in a second (drawn around the robot)"};
+    "behavior/walk", "Where the requested speed leads within a second (drawn around the robot)"};
 
 /// Sends the requests of a behavior for body and head, plots the speeds and draws them. Used by its process's
 /// thread; the context must outlive it.

@@ -23,10 +23,10 @@ using robotlink::RobotDrawingKey;
 using robotlink::Vector2;
 
 const RobotDrawingKey kStateKey{"behavior/state",
-                                "The state of the behavior, beside the robot (drawn around the robot)"};
+                                "The state of the behavior, next to the robot (drawn around the robot)"};
 const RobotDrawingKey kTargetKey{
     "behavior/target",
-    "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};
+    "Where the robot wants to be, the ball and the goal it plays toward (drawn around the robot)"};
 
 /// Sends the requests for body and head, and the state that they follow from.
 class Behavior : public robotlink::Solution {
@@ -155,7 +155,7 @@ class GoToBallAndKick final : public Behavior {
 const robotlink::SolutionRegistration kGoToBallAndKick =
     robotlink::SolutionBuilder<GoToBallAndKick>("behavior", "go-to-ball-and-kick",
                                                 "Looks for the ball, walks to it, gets behind it as seen "
-                                                "from the goal where that is known, and kicks it.")
+                                                "from the goal, if that is known, and kicks it.")
         .source("A method of this project.")
         .needs(robotlink::kBallModel)
         .uses(robotlink::kRobotPose)
@@ -220,7 +220,7 @@ class Obey final : public Behavior {
 
 const robotlink::SolutionRegistration kObey =
     robotlink::SolutionBuilder<Obey>(
-        "behavior", "obey", "Does only what the user requests; stands until then, and when requests stop.")
+        "behavior", "obey", "Does only what the user requests; stands still before, and when requests stop.")
         .source("A method of this project.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kMotionRequest)

@@ -115,7 +115,7 @@ Intention PotentialField::play(const GameSituation& now) {
   }
   if (canKick(now)) {
     state_ = "kick";
-    reason_ = "the ball is before the paws";
+    reason_ = "the ball is in front of the paws";
     Intention intention;
     intention.motion = Intention::Motion::kKick;
     intention.kick = options_.kick;
@@ -140,7 +140,7 @@ Intention PotentialField::decide(const GameSituation& now) {
   }
   if (now.pickedUp) return stand("stand", "it was picked up");
   if (now.penalized) return stand("stand", "the referee has penalized it");
-  if (now.phase != Phase::kPlaying) return stand("stand", "the game is not on");
+  if (now.phase != Phase::kPlaying) return stand("stand", "the game is stopped");
   if (!now.seesField) {
     Intention intention = stand("stand", "nothing of the field is seen");
     intention.head = Intention::Head::kSearch;

@@ -19,8 +19,8 @@ namespace modules {
 namespace {
 
 const robotlink::RobotDrawingKey kForcesKey{"behavior/forces",
-                                            "The forces on a robot and around it: of the ball orange, of "
-                                            "robots red, of walls gray, their sum black (drawn "
+                                            "The forces on a robot and around it: ball orange, robots red, "
+                                            "walls gray, their sum black (drawn "
                                             "around the robot)"};
 const robotlink::PlotKey kForceKey{"behavior/force", "The sum of the forces on the robot (plots x, y, m/s)"};
 
@@ -136,8 +136,8 @@ class ReactivePlayer final : public robotlink::Solution {
 const robotlink::SolutionRegistration kPotentialField =
     robotlink::SolutionBuilder<ReactivePlayer>(
         "behavior", "potential-field",
-        "Walks along the sum of forces of ball, robots and walls, and kicks whenever the ball is before its "
-        "chest and the goal ahead; knows neither roles nor states.")
+        "Walks along the sum of the forces of ball, robots and walls, and kicks whenever the ball is in "
+        "front of its chest and the goal ahead; has neither roles nor states.")
         .source(
             "O. Khatib: Real-time obstacle avoidance for manipulators and mobile robots, 1986; T. Laue, T. "
             "R\u00f6fer: A behavior architecture for autonomous mobile robots based on potential fields, "

@@ -25,11 +25,12 @@ OptionMachine::Condition SoccerOptions::isLost() const {
 }
 
 void SoccerOptions::build() {
-  Option& game = machine_.option("game", "Does what the phase of the game demands.");
-  Option& playing = machine_.option("playing", "Does what the role in the team demands.");
-  Option& strike = machine_.option("strike", "Goes behind the ball, and brings it into the goal.");
-  Option& keepGoal = machine_.option("keep goal", "Stays between ball and goal, and clears near balls.");
-  Option& place = machine_.option("take place", "Walks to a place on the field, and stands there.");
+  Option& game = machine_.option("game", "Acts according to the phase of the game.");
+  Option& playing = machine_.option("playing", "Acts according to its role in the team.");
+  Option& strike = machine_.option("strike", "Gets behind the ball, and plays it into the goal.");
+  Option& keepGoal =
+      machine_.option("keep goal", "Stays between ball and goal, and clears balls that come near.");
+  Option& place = machine_.option("take place", "Walks to a position on the field, and stays there.");
   Option& search = machine_.option("search", "Finds the ball.");
   buildGame(game, playing, place);
   buildPlaying(playing, strike, keepGoal, place);
@@ -45,13 +46,13 @@ void SoccerOptions::buildGame(Option& game, Option& playing, Option& place) cons
   const auto phase = [&p](Phase wanted) { return [&p, wanted] { return p.now_.phase == wanted; }; };
   game.state("play", "The game is on, or there is no referee.").activates(playing);
   game.state("initial", "Before the game.").does(stands(Head::kAhead));
-  game.state("ready", "Walks to its place for the kick-off.")
+  game.state("ready", "Walks to its position for the kick-off.")
       .does([&p] { p.place_ = p.places_.kickOff(p.now_.number, p.role() == Role::kGoalie); })
       .activates(place);
   game.state("set", "Waits for the kick-off and looks for the ball.").does(stands(Head::kSearch));
   game.state("penalized", "Stands until the penalty is over.").does(stands(Head::kAhead));
   game.state("finished", "After the game.").does(stands(Head::kAhead));
-  game.state("picked up", "Somebody carries the robot.").does(stands(Head::kAhead));
+  game.state("picked up", "The robot is being carried.").does(stands(Head::kAhead));
   game.state("get up", "Gets up after a fall.").does([&p] {
     p.stand(Head::kAhead);
     p.intention_.motion = Intention::Motion::kGetUp;
@@ -65,7 +66,7 @@ void SoccerOptions::buildGame(Option& game, Option& playing, Option& place) cons
     game.always(state, reason, [isFree, is = phase(wanted)] { return isFree() && is(); });
   };
   add("initial", "the game has not begun", Phase::kInitial);
-  add("ready", "the teams go to their places", Phase::kReady);
+  add("ready", "the teams go to their positions", Phase::kReady);
   add("set", "the kick-off is next", Phase::kSet);
   add("finished", "the game is over", Phase::kFinished);
   add("play", "the game is on", Phase::kPlaying);
@@ -85,11 +86,11 @@ void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGo
   playing.state("defender", "Stands between ball and goal.")
       .does([&p] { p.place_ = p.places_.defender(p.now_.ballInTeam().value_or(Vector2::Zero())); })
       .activates(place);
-  playing.state("supporter", "Stands beside the striker for balls that are lost.")
+  playing.state("supporter", "Supports the striker from nearby, to recover lost balls.")
       .does([&p] { p.place_ = p.places_.supporter(p.now_.ballInTeam().value_or(Vector2::Zero())); })
       .activates(place);
   playing.state("striker", "Plays the ball.").activates(strike);
-  playing.state("leave", "Leaves a ball in its own penalty area to the goalie, and waits before it.")
+  playing.state("leave", "Leaves a ball in its own penalty area to the goalie, and waits outside.")
       .does([&p] { p.place_ = p.places_.beforeArea(p.now_.ballInTeam().value_or(Vector2::Zero())); })
       .activates(place);
   playing.state("uncover", "Steps back from a ball that may lie under its body.")
@@ -105,7 +106,7 @@ void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGo
   playing.always("return", "it has left the field", [=] { return isFree() && isOut(); })
       .always("wait", "the other team has the kick-off", [=] { return isFree() && !isOut() && isWaiting(); });
   const auto uncovers = [&p] { return p.uncoversBall() || p.coversBall(); };
-  playing.always("uncover", "the ball vanished before its paws, or the team sees it there",
+  playing.always("uncover", "the ball vanished in front of its paws, or the team sees it there",
                  [=] { return isFree() && !isOut() && !isWaiting() && uncovers(); });
   const auto leaves = [&p] { return p.role() == Role::kStriker && p.isForGoalie(); };
   playing.always("leave", "the ball is where only the goalie may play it",
@@ -116,9 +117,9 @@ void SoccerOptions::buildPlaying(Option& playing, Option& strike, Option& keepGo
     });
   };
   add("goalie", "it keeps the goal", Role::kGoalie);
-  add("defender", "it is the one next to the own goal", Role::kDefender);
-  add("supporter", "others have the ball sooner", Role::kSupporter);
-  add("striker", "it has the ball soonest", Role::kStriker);
+  add("defender", "it is the closest one to its own goal", Role::kDefender);
+  add("supporter", "others reach the ball sooner", Role::kSupporter);
+  add("striker", "it reaches the ball first", Role::kStriker);
 }
 
 void SoccerOptions::buildKeepGoal(Option& keepGoal, Option& strike, Option& place) const {
@@ -127,13 +128,13 @@ void SoccerOptions::buildKeepGoal(Option& keepGoal, Option& strike, Option& plac
     const auto ball = p.now_.ballInTeam();
     return ball && p.now_.ballAge < p.options_.lostAfter && p.places_.isGoaliesBall(*ball, margin);
   };
-  keepGoal.state("guard", "Stays on the line between the ball and the middle of the goal.")
+  keepGoal.state("guard", "Stays on the line between the ball and the center of the goal.")
       .does([&p] { p.place_ = p.places_.goalie(p.now_.ballInTeam().value_or(Vector2::Zero())); })
       .activates(place)
-      .to("turn to ball", "the ball vanished beside it", [&p] { return p.hidesBall(); })
+      .to("turn to ball", "the ball vanished next to it", [&p] { return p.hidesBall(); })
       .to("clear", "the ball is near the goal", [&p, ballNear] { return ballNear(p.options_.goalieMargin); });
   // No camera sees a ball next to the body.
-  keepGoal.state("turn to ball", "Turns to where a near ball vanished.")
+  keepGoal.state("turn to ball", "Turns to where a nearby ball vanished.")
       .does([&p] {
         p.intention_ = p.skills_.turnTo(std::atan2(p.lastBall_.y(), p.lastBall_.x()));
         p.intention_.head = Head::kSearch;
@@ -160,19 +161,19 @@ void SoccerOptions::buildStrike(Option& strike, Option& search) const {
     return std::abs(BallSkills::offset(p.now_.ball, p.aim_)) < p.options_.alignTolerance &&
            std::abs(p.aim_) < 1.3 * p.options_.alignTolerance;
   };
-  strike.state("approach", "Walks to the place behind the ball, around it if need be.")
+  strike.state("approach", "Walks to the position behind the ball, around the ball if necessary.")
       .does([&p] { p.approachBall(); })
       .to("search", "the ball is lost", isLost())
       .to("glance", "near the ball, but where is the goal?",
           [&p, isNear] { return isNear(1.2) && !p.now_.pose && p.mustGlance(); })
-      .to("position", "behind the ball, and the goal is near or an opponent is",
+      .to("position", "behind the ball, and the goal or an opponent is near",
           [&p, isNear, isBehind] { return isNear(1) && isBehind() && p.shouldKick(); })
       .to("dribble", "behind the ball", [isNear, isBehind] { return isNear(1) && isBehind(); });
   strike.state("glance", "Stands and looks for beacons and goals.")
       .begins([&p] { p.glancedAt_ = p.now_.time; })
       .does(stands(Head::kLookAround))
       .to("approach", "there is the goal", [&p] { return p.now_.pose && p.machine_.stateTime() > 0.3; })
-      .to("approach", "nothing tells where the goal is",
+      .to("approach", "nothing shows where the goal is",
           [&p] { return p.machine_.stateTime() > 2 * p.options_.glanceTime; });
 }
 
@@ -188,11 +189,11 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .to("search", "the ball is lost", isLost())
       .to("approach", "the ball is away", isAway)
       .to("approach", "the goal is elsewhere", isBeside)
-      .to("kick", "the ball is before the paws, and the goal near or an opponent", [&p] {
+      .to("kick", "the ball is in front of the paws, and the goal or an opponent is near", [&p] {
         return p.shouldKick() && p.skills_.canKick(p.now_.ball, p.kick_) && p.now_.seesBall() &&
                std::abs(p.aim_) < p.options_.kickTolerance;
       });
-  strike.state("position", "Walks the last centimeters to where the kick reaches the ball.")
+  strike.state("position", "Walks the last centimeters to the position for the kick.")
       .does([&p] {
         p.intention_ = p.skills_.position(p.ballAtKick(), p.now_.ballVelocity, p.aim_, p.kick_);
         p.isAtBall_ = true;
@@ -201,7 +202,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .to("search", "the ball is lost", isLost())
       .to("approach", "the ball is away", isAway)
       .to("approach", "the goal is elsewhere", isBeside)
-      .to("kick", "the ball is before the paws",
+      .to("kick", "the ball is in front of the paws",
           [&p] {
             return p.skills_.canKick(p.ballAtKick(), p.kick_) && p.now_.seesBall() &&
                    std::abs(p.aim_) < p.options_.kickTolerance;
@@ -211,7 +212,7 @@ void SoccerOptions::buildAtBall(Option& strike) const {
       .begins([&p] { p.kickBegan_ = false; })
       .does([&p] { p.kickBall(); })
       .to("approach", "kicked", [&p] { return p.kickBegan_ && !p.now_.playsMotion && p.now_.stable; })
-      .to("approach", "the kick did not come to an end", after(&SoccerMind::Options::kickTimeout));
+      .to("approach", "the kick did not end", after(&SoccerMind::Options::kickTimeout));
 }
 
 void SoccerOptions::buildPlace(Option& place) const {
@@ -219,13 +220,13 @@ void SoccerOptions::buildPlace(Option& place) const {
   place.state("walk", "Walks there.")
       .does([&p] { p.walkToPlace(p.place_); })
       .to("stand", "it is there", [&p] { return p.isAtPlace(); });
-  place.state("stand", "Stands there and watches the ball.")
+  place.state("stand", "Stays there and watches the ball.")
       .does([&p] {
         p.stand(p.now_.knowsBall && !p.now_.ballFromTeam ? Head::kTrack : Head::kSearch);
         if (p.mustGlance()) p.glancedAt_ = p.now_.time;
         if (p.now_.time - p.glancedAt_ < p.options_.glanceTime) p.intention_.head = Head::kLookAround;
       })
-      .to("walk", "the place is elsewhere", [&p] {
+      .to("walk", "the position has moved", [&p] {
         if (!p.now_.pose) return true;
         const auto rest = p.now_.pose->inverse() * p.place_;
         return rest.translation().norm() > 2 * p.options_.placeTolerance ||
@@ -239,15 +240,15 @@ void SoccerOptions::buildSearch(Option& search) const {
   search.state("look about", "Stands and moves its head.")
       .begins([&p] { p.turnDirection_ = p.now_.ball.y() < 0 ? -1 : 1; })
       .does(stands(Head::kSearch))
-      .to("turn", "the ball is not within the head's reach", after(&SoccerMind::Options::lookAboutTime));
+      .to("turn", "the head cannot point at the ball", after(&SoccerMind::Options::lookAboutTime));
   search.state("turn", "Turns on the spot.")
       .does([&p] {
         p.intention_ = p.skills_.turnTo(p.turnDirection_);
         // Sweeps of the head would leave out what the turn passes meanwhile.
         p.intention_.head = Head::kAhead;
       })
-      .to("wander", "no ball all around", after(&SoccerMind::Options::turnTime));
-  search.state("wander", "Walks to the middle of the field, or ahead, to look from elsewhere.")
+      .to("wander", "no ball in any direction", after(&SoccerMind::Options::turnTime));
+  search.state("wander", "Walks to the center of the field, or ahead, to look from elsewhere.")
       .does([&p] {
         const Vector2 way = p.now_.pose ? p.now_.pose->inverse() * Vector2(0, 0) : Vector2(1, 0);
         p.intention_ = p.skills_.walkTo(way, std::atan2(way.y(), way.x()), p.now_.robots);

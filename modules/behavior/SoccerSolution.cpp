@@ -28,14 +28,14 @@ using robotlink::Vector2;
 
 const robotlink::RobotDrawingKey kSoccerStateKey{
     "behavior/option",
-    "Role, option and state of a soccer player, beside the robot (drawn around the robot)"};
+    "Role, option and state of a soccer player, next to the robot (drawn around the robot)"};
 const robotlink::FieldDrawingKey kSoccerPlanKey{
     "behavior/plan",
-    "Where a soccer player walks to, where it plays the ball to, and its place (drawn on the field)"};
+    "Where a soccer player walks to, where it plays the ball to, and its position (drawn on the field)"};
 const robotlink::FieldDrawingKey kSoccerTeamKey{
-    "behavior/team", "What a soccer player knows of its team by messages (drawn on the field)"};
-const robotlink::PlotKey kSoccerBidKey{
-    "behavior/seconds-to-ball", "Its own estimate of when it has the ball, and those of its team (plots, s)"};
+    "behavior/team", "What a soccer player knows about its team from messages (drawn on the field)"};
+const robotlink::PlotKey kSoccerBidKey{"behavior/seconds-to-ball",
+                                       "Estimated time to reach the ball, its own and its team's (plots, s)"};
 const robotlink::PlotKey kSoccerRoleKey{"behavior/role",
                                         "1 goalie, 2 defender, 3 supporter, 4 striker (plot)"};
 
@@ -322,8 +322,8 @@ class Soccer final : public robotlink::Solution {
 const robotlink::SolutionRegistration kSoccer =
     robotlink::SolutionBuilder<Soccer>(
         "behavior", "soccer",
-        "Plays in a team as goalie, defender, supporter or striker, by a hierarchy of state machines: the "
-        "phase of the game, the role that it agrees on with its team by messages, and skills with the ball.")
+        "Plays in a team as goalie, defender, supporter or striker, using a hierarchy of state machines: the "
+        "phase of the game, the role agreed with its team by messages, and ball skills.")
         .source(
             "M. L\u00f6tzsch, J. Bach, H.-D. Burkhard, M. J\u00fcngel: Designing agent behavior with the "
             "extensible agent behavior specification language XABSL, RoboCup 2003; D. Vail, M. Veloso: "

@@ -21,17 +21,17 @@ using robotlink::Vector2;
 
 const RobotDrawingKey kPointsKey{
     "obstacle-avoidance/points",
-    "What is remembered around the robot, and its outline (drawn around the robot)"};
+    "The remembered obstacles around the robot, and its outline (drawn around the robot)"};
 const RobotDrawingKey kHistogramKey{
     "obstacle-avoidance/histogram",
-    "How far it could drive in each direction, those that are open (green), and the "
+    "How far it could drive in each direction, with open ones (green) and the "
     "chosen one (drawn around the robot)"};
 const RobotDrawingKey kWindowKey{
     "obstacle-avoidance/window",
     "The arcs of the velocities that it could choose (green, red where it could not "
     "brake) (drawn around the robot)"};
 const RobotDrawingKey kArcKey{"obstacle-avoidance/arc",
-                              "Where what it drives leads in a second (drawn around the robot)"};
+                              "Where its motion leads within a second (drawn around the robot)"};
 const PlotKey kSpeedKey{"obstacle-avoidance/speed",
                         "The desired, requested and driven speeds and rotations (plots)"};
 
@@ -232,7 +232,7 @@ class VectorFieldAvoidance final
 const robotlink::SolutionRegistration kVectorField =
     robotlink::SolutionBuilder<VectorFieldAvoidance>(
         "obstacle-avoidance", "vector-field",
-        "Takes the open direction nearest to the desired one, from a polar histogram of recent readings.")
+        "Chooses the open direction nearest to the desired one, from a polar histogram of recent readings.")
         .source(
             "J. Borenstein, Y. Koren: The vector field histogram, 1991; I. Ulrich, J. Borenstein: VFH+, "
             "1998.")
@@ -276,8 +276,8 @@ class DynamicWindowAvoidance final
 const robotlink::SolutionRegistration kDynamicWindow =
     robotlink::SolutionBuilder<DynamicWindowAvoidance>(
         "obstacle-avoidance", "dynamic-window",
-        "Takes the velocity nearest to the desired one that its motors can reach and from which it can brake "
-        "in time.")
+        "Chooses the velocity nearest to the desired one that its motors can reach and from which it can "
+        "brake in time.")
         .source("D. Fox, W. Burgard, S. Thrun: The dynamic window approach to collision avoidance, 1997.")
         .needs(robotlink::kBehaviorDrive)
         .needs(robotlink::kDriveState)
@@ -300,7 +300,7 @@ class NoAvoidance final : public Avoidance {
 const robotlink::SolutionRegistration kNone =
     robotlink::SolutionBuilder<NoAvoidance>(
         "obstacle-avoidance", "none",
-        "Passes desired velocities on whatever is in the way, within what the motors can do: for experts.")
+        "Passes desired velocities on, ignoring obstacles, within the motors' limits: for experts.")
         .source("A method of this project.")
         .needs(robotlink::kBehaviorDrive)
         .yields(robotlink::kDriveRequest)

@@ -71,7 +71,7 @@ void DriveSensing::update(double requested) {
 
 std::string DriveSensing::whyNot() const {
   if (!drive_ || odometry_.empty()) return "the robot has not reported its odometry yet";
-  if (!memory_.newest()) return "neither sonars nor laser have measured anything yet: are they switched on?";
+  if (!memory_.newest()) return "neither sonars nor laser have sent readings yet: are they switched on?";
   return "sonars, laser or odometry have reported nothing for a second";
 }
 

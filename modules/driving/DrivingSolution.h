@@ -17,7 +17,7 @@ namespace modules {
 inline const robotlink::PlotKey kDrivingSpeedKey{"driving/speed",
                                                  "The speed and rotation that the behavior desires (plots)"};
 inline const robotlink::RobotDrawingKey kDrivingArcKey{
-    "driving/arc", "Where the desired speed and rotation lead in a second (drawn around the robot)"};
+    "driving/arc", "Where the desired speed and rotation lead within a second (drawn around the robot)"};
 
 /// The base of solutions of the task "driving": sends the requested velocity before obstacle avoidance, and
 /// plots it; derived classes send their state by report_. Obstacle avoidance treats a request older than a

@@ -25,11 +25,11 @@ using robotlink::Pose2;
 using robotlink::RobotDrawingKey;
 using robotlink::Vector2;
 
-const RobotDrawingKey kDirectionKey{"driving/direction",
-                                    "Where wandering wants to go, beside the robot (drawn around the robot)"};
+const RobotDrawingKey kDirectionKey{
+    "driving/direction", "Where wandering wants to go, next to the robot (drawn around the robot)"};
 const FieldDrawingKey kTargetKey{
     "driving/target",
-    "The point of the path that is steered for, and what following it does (drawn on the field)"};
+    "The point on the path that the robot steers toward, and the state of following it (drawn on the field)"};
 
 using robotlink::kAboveZero;
 using robotlink::kAtLeastZero;
@@ -117,8 +117,8 @@ class Wander final : public DrivingSolution {
 };
 
 const robotlink::SolutionRegistration kWander =
-    robotlink::SolutionBuilder<Wander>("driving", "wander",
-                                       "Wanders by sonars and laser to where it has not been for a while.")
+    robotlink::SolutionBuilder<Wander>(
+        "driving", "wander", "Wanders, using sonars and laser, to where it has not been for a while.")
         .source("A method of this project.")
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
@@ -149,9 +149,9 @@ class FollowPath final : public DrivingSolution {
   DriveVelocity decide() {
     if (!path_ || !path_->has_goal() || path_->goal().cancelled()) return stand("idle", "nothing to do");
     if (isLost()) {
-      if (parameters_.wait_when_lost()) return stand("lost", "does not know where it is: waits");
+      if (parameters_.wait_when_lost()) return stand("lost", "not localized: waits");
       state_ = "wander";
-      say("does not know where it is: wanders until it does");
+      say("not localized: wanders until it is");
       follower_.decide({}, {}, {});
       return roaming_.wander({});
     }
@@ -223,7 +223,7 @@ class FollowPath final : public DrivingSolution {
 const robotlink::SolutionRegistration kFollowPath =
     robotlink::SolutionBuilder<FollowPath>(
         "driving", "follow-path",
-        "Follows the path to the goal that the user set; wanders while it does not know where it is.")
+        "Follows the path to the goal that the user set; wanders while it is not localized.")
         .source("R. C. Coulter: Implementation of the pure pursuit path tracking algorithm, 1992.")
         .needs(robotlink::kDrivePath)
         .needs(robotlink::kRobotPose)
@@ -262,7 +262,7 @@ class ObeyOnWheels final : public DrivingSolution {
 
 const robotlink::SolutionRegistration kObey =
     robotlink::SolutionBuilder<ObeyOnWheels>(
-        "driving", "obey", "Drives as the user requests; stands until then, and when requests stop.")
+        "driving", "obey", "Drives as the user requests; stays stopped before, and when requests stop.")
         .source("A method of this project.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kBehaviorDrive)
@@ -279,7 +279,7 @@ class Halt final : public DrivingSolution {
 };
 
 const robotlink::SolutionRegistration kHalt =
-    robotlink::SolutionBuilder<Halt>("driving", "halt", "Stands, whatever the user requests.")
+    robotlink::SolutionBuilder<Halt>("driving", "halt", "Stays stopped, regardless of the user's requests.")
         .source("A method of this project.")
         .yields(robotlink::kBehaviorDrive)
         .yields(robotlink::kBehaviorState)

@@ -33,9 +33,9 @@ using robotlink::Vector2;
 
 const FieldDrawingKey kMapKey{"mapping/map", "What the robot has mapped so far (drawn on the field)"};
 const FieldDrawingKey kScanKey{"mapping/scan",
-                               "The last scan of the laser, where the robot puts it (drawn on the field)"};
+                               "The last scan of the laser, as placed on the map (drawn on the field)"};
 const PlotKey kMatchKey{"mapping/match",
-                        "How well the scan fits to the map, and how far the match is from dead reckoning"};
+                        "How well the scan fits the map, and how far the match is from dead reckoning"};
 
 /// A drawing has at most this many parts of walls; a map with more is drawn in part.
 constexpr std::size_t kMaxDrawn = 6000;
@@ -207,7 +207,7 @@ class Mapper : public SelfLocalization {
     const bool all = map_.insert(robotInMap_, scan);
     if (!all && !std::exchange(warned_, true))
       debug_.text(Level::kWarning, "mapping",
-                  "the map is as large as it can be; what lies beyond is left out");
+                  "the map has reached its maximum size; areas beyond it are left out");
     added();
   }
 
@@ -298,7 +298,7 @@ class OdometryMapping final : public Mapper {
 const robotlink::SolutionRegistration kOdometryMapping =
     robotlink::SolutionBuilder<OdometryMapping>(
         "mapping", "odometry",
-        "Puts each scan of the laser where dead reckoning says; walls smear and double as its error grows.")
+        "Places each scan of the laser by dead reckoning; walls smear and double as its error grows.")
         .source("Occupancy grids: H. Moravec, A. Elfes: High resolution maps from wide angle sonar, 1985.")
         .needs(robotlink::kDriveState)
         .needs(robotlink::kLaser)
@@ -346,7 +346,7 @@ class ScanMatchingMapping final : public Mapper {
 const robotlink::SolutionRegistration kScanMatching =
     robotlink::SolutionBuilder<ScanMatchingMapping>(
         "mapping", "scan-matching",
-        "Puts each scan of the laser where it fits best to the map so far, near what dead reckoning says.")
+        "Places each scan of the laser where it best fits the map so far, near the pose from dead reckoning.")
         .source(
             "E. Olson: Real-time correlative scan matching, 2009; H. Moravec, A. Elfes: High resolution maps "
             "from wide angle sonar, 1985.")

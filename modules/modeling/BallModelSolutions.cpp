@@ -57,7 +57,7 @@ using FilteredBall = PlainBallModeler<BallFilter, robotcontrol::FilteredBallPara
 const robotlink::SolutionRegistration kFiltered =
     robotlink::SolutionBuilder<FilteredBall>(
         "ball-model", "filtered",
-        "A Kalman filter over place and velocity of the ball in the frame of dead reckoning.")
+        "A Kalman filter over position and velocity of the ball in the frame of dead reckoning.")
         .source("R. E. Kalman: A new approach to linear filtering and prediction problems, 1960.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
@@ -87,7 +87,7 @@ class OracleBall final : public BallModeler {
 
 const robotlink::SolutionRegistration kOracleBall =
     robotlink::SolutionBuilder<OracleBall>("ball-model", "oracle",
-                                           "The ball's true place, from the simulator.")
+                                           "The ball's true position, from the simulator.")
         .source("The simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kBallModel)

@@ -20,9 +20,9 @@ namespace modules {
 // registers a solution.
 inline const robotlink::RobotDrawingKey kBallKey{
     "ball-model/ball",
-    "The ball's estimated position, its certainty, and where it rolls (drawn around the robot)"};
-inline const robotlink::PlotKey kBallPositionKey{"ball-model/position",
-                                                 "Place of the ball in the robot's frame, and its deviation"};
+    "The ball's estimated position with its uncertainty, and where it rolls (drawn around the robot)"};
+inline const robotlink::PlotKey kBallPositionKey{
+    "ball-model/position", "Position of the ball in the robot's frame, and its deviation"};
 inline const robotlink::PlotKey kBallAgeKey{"ball-model/age", "Seconds since the ball was seen"};
 
 /// The base of solutions of the task "ball-model": sends the estimate, and draws and plots it. Used by its

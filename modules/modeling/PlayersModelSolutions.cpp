@@ -43,7 +43,7 @@ class PerceptPlayers final : public SeenPlayers {
 const robotlink::SolutionRegistration kPercepts =
     robotlink::SolutionBuilder<PerceptPlayers>(
         "players-model", "percepts",
-        "Keeps the robots that were seen until they have not been seen for a while.")
+        "Remembers robots that were seen until they have been out of sight for a while.")
         .source("A method of this project.")
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)
@@ -71,7 +71,7 @@ class OraclePlayers final : public PlayersModeler {
 
 const robotlink::SolutionRegistration kOraclePlayers =
     robotlink::SolutionBuilder<OraclePlayers>("players-model", "oracle",
-                                              "The true places of the other robots, from the simulator.")
+                                              "The true positions of the other robots, from the simulator.")
         .source("The simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kPlayersModel)

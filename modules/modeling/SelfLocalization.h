@@ -13,12 +13,11 @@ namespace modules {
 // Debug keys shared by all solutions of the task. Inline, so that they are defined in every file that
 // registers a solution.
 inline const robotlink::FieldDrawingKey kLocatorPoseKey{
-    "self-localisation/pose", "The robot's estimated pose, and its certainty (drawn on the field)"};
+    "self-localisation/pose", "The robot's estimated pose with its uncertainty (drawn on the field)"};
 inline const robotlink::FieldDrawingKey kLocatorParticlesKey{
-    "self-localisation/particles",
-    "The poses that the filter weighs against each other (drawn on the field)"};
+    "self-localisation/particles", "The particles or hypotheses of the filter (drawn on the field)"};
 inline const robotlink::PlotKey kLocatorPlotKey{"self-localisation/plot",
-                                                "Place, heading and deviation of the robot"};
+                                                "Position, heading and deviation of the robot"};
 
 /// The base of solutions of the task "self-localisation": sends the pose estimate, and draws and plots it. A
 /// derived class computes an estimate in execute() and passes it to publish(). Used by its process's thread;

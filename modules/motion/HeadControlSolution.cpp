@@ -18,7 +18,7 @@ const robotlink::PlotKey kStateKey{"head-control/state",
                                    "0 still, 1 at the ball, 2 searching for it, 3 looking around (plot)"};
 const robotlink::RobotDrawingKey kGazeKey{
     "head-control/gaze",
-    "Where the head looks to, from above, and the ball that it tracks (drawn around the robot)"};
+    "Where the head looks, from above, and the ball that it tracks (drawn around the robot)"};
 
 /// The common part of both solutions: converts packages to the controller's values and back.
 class HeadControlSolution : public robotlink::Solution {
@@ -167,12 +167,12 @@ robotlink::SolutionDescription headSolution(const char* name, const char* help) 
 
 const robotlink::SolutionRegistration kSearchAndTrack =
     headSolution<SearchAndTrack>("search-and-track",
-                                 "Looks at the ball as long as it is known, searches for it in two sweeps, "
-                                 "far and near, when it is lost, and obeys the other head modes.");
+                                 "Looks at the ball while it is known, searches for it in two sweeps, far "
+                                 "and near, when it is lost, and follows the other head modes.");
 const robotlink::SolutionRegistration kLookAround =
     headSolution<LookAround>("look-around",
-                             "Sweeps from side to side at the height of beacons and goals whatever is "
-                             "requested, except for given angles: for tests of localization.");
+                             "Sweeps from side to side at the height of beacons and goals regardless of "
+                             "requests, except for given angles: for tests of localization.");
 
 }  // namespace
 }  // namespace modules

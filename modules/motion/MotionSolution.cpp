@@ -22,7 +22,8 @@ namespace {
 const robotlink::PlotKey kSpeedKey{"motion/speed",
                                    "The requested speed and that of the gait (plots x, y, rotation)"};
 const robotlink::PlotKey kPhaseKey{"motion/phase", "The phase of the gait's cycle, 0 to 1 (plot)"};
-const robotlink::PlotKey kUprightKey{"motion/upright", "How upright the robot feels, 1 is level (plot)"};
+const robotlink::PlotKey kUprightKey{"motion/upright",
+                                     "The robot's estimate of how upright it is, 1 is level (plot)"};
 const robotlink::PlotKey kJointsKey{"motion/joint-errors",
                                     "How far each leg's joints are from what was requested (plots, rad)"};
 const robotlink::RobotDrawingKey kPawsKey{
@@ -77,13 +78,13 @@ const robotlink::SolutionRegistration kHalfEllipse =
 
 const robotlink::SolutionRegistration kFast =
     described<RectangleMotion>("wheel-model-fast",
-                               "As wheel-model-rectangle, with a gait that was tuned for speed in games: "
+                               "Like wheel-model-rectangle, with a gait tuned for speed in games: "
                                "short, quick steps.");
 
 const robotlink::SolutionRegistration kTuned =
     described<RectangleMotion>("wheel-model-tuned",
-                               "As wheel-model-rectangle, with the stance and the steps that were found for "
-                               "its speed straight ahead by robotctl tune.");
+                               "Like wheel-model-rectangle, with the stance and steps that robotctl tune "
+                               "found for speed straight ahead.");
 
 WalkSpeed walkSpeed(const robotcontrol::Velocity2& from) {
   return {from.x(), from.y(), from.rotation()};

@@ -146,7 +146,7 @@ std::string GridPlanner::wrongWithGoal() const {
   if (!frame_.contains(column, row)) return "the goal is not on the map";
   if (passable(column, row)) return "";
   if (mapCosts_[frame_.index(column, row)] < kNever)
-    return "something that is not on the map is at the goal, or too near to it";
+    return "an obstacle that is not on the map is at the goal, or too near to it";
   if (walls_.at(*goal_) >= options_.clearance)
     return "the goal is forbidden: it lies in a forbidden area, or too near to one";
   return "the goal is too near to a wall for this robot";
@@ -187,8 +187,8 @@ PlannedPath GridPlanner::path(const Vector2& from) const {
   const std::optional<std::size_t> start = startCell(from, wave_);
   if (!start) {
     path.reason = startCell(from, mapWave_)
-                      ? "something that is not on the map blocks every way to the goal"
-                      : "no way leads to the goal that is wide enough and not forbidden";
+                      ? "an obstacle that is not on the map blocks every path to the goal"
+                      : "no path to the goal is wide enough and outside of forbidden areas";
     return path;
   }
   constexpr float kDetour = 0.5;

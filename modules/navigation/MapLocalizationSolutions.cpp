@@ -27,7 +27,7 @@ const FieldDrawingKey kRaysKey{"self-localisation/rays",
                                "Measurements, as seen from the robot's estimated pose (drawn on the field)"};
 const PlotKey kFilterKey{
     "self-localisation/filter",
-    "Share of the measurements that the pose explains, and the number of particles (plots)"};
+    "Fraction of the measurements that the pose explains, and the number of particles (plots)"};
 
 /// The limit of drawn particles.
 constexpr std::size_t kMaxDrawn = 1000;
@@ -203,7 +203,7 @@ class MonteCarloLocalization final : public SelfLocalization {
 const robotlink::SolutionRegistration kMonteCarlo =
     robotlink::SolutionBuilder<MonteCarloLocalization>(
         "self-localisation", "monte-carlo",
-        "A particle filter over odometry and what laser or sonars measure in the map; starts anywhere.")
+        "A particle filter over odometry and laser or sonar readings on the map; localizes globally.")
         .source(
             "F. Dellaert, D. Fox, W. Burgard, S. Thrun: Monte Carlo localization for mobile robots, 1999; D. "
             "Fox: Adapting the sample size in particle filters through KLD-sampling, 2003.")
@@ -256,7 +256,7 @@ class WheelLocalization final : public SelfLocalization {
 const robotlink::SolutionRegistration kWheels =
     robotlink::SolutionBuilder<WheelLocalization>(
         "self-localisation", "wheel-odometry",
-        "Dead reckoning by the wheels from the home of the map; its error only grows.")
+        "Dead reckoning from the wheels, starting at the home of the map; its error only grows.")
         .source("Dead reckoning: S. Thrun, W. Burgard, D. Fox: Probabilistic Robotics, 2005, chapter 5.")
         .needs(robotlink::kDriveState)
         .yields(robotlink::kRobotPose)

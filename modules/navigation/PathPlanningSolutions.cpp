@@ -25,14 +25,14 @@ using robotlink::Vector2;
 
 const robotlink::PlotKey kLengthKey{"path-planning/length", "How long the planned path is (plot, m)"};
 const FieldDrawingKey kPathKey{"path-planning/path",
-                               "The way to the goal, and the goal (drawn on the field)"};
+                               "The path to the goal, and the goal (drawn on the field)"};
 const FieldDrawingKey kWaveKey{
     "path-planning/wave",
     "How far each place is from the goal, from near (green) to far (blue) (drawn on the field)"};
 
 const FieldDrawingKey kObstaclesKey{
     "path-planning/obstacles",
-    "What the laser has recently seen and the map does not have (drawn on the field)"};
+    "What the laser has recently seen and the map does not show (drawn on the field)"};
 
 Vector2 goalOf(const robotcontrol::DriveGoal& goal) {
   return {goal.pose_in_field().x(), goal.pose_in_field().y()};
@@ -87,7 +87,7 @@ class PathPlanner : public robotlink::Solution {
   void planFor(const robotcontrol::DriveGoal& goal) {
     *sent_->mutable_goal() = goal;
     if (!pose_ || !(pose_->position_deviation() <= lostDeviation())) {
-      sent_->set_reason("the robot does not know well enough where it is");
+      sent_->set_reason("the robot is not localized well enough");
       return sayOnce(Level::kInfo, "to " + nameOf(goal) + ": " + sent_->reason() + " yet");
     }
     const robotlink::Pose2 robot = robotlink::pose2(pose_->robot_in_field());
@@ -258,9 +258,9 @@ class GridPathPlanner final : public PathPlanner {
 
 const robotlink::SolutionRegistration kGrid =
     robotlink::SolutionBuilder<GridPathPlanner>("path-planning", "grid",
-                                                "The way of least cost on the map's grid, away from walls "
-                                                "and from what the laser sees that is not on "
-                                                "the map, not through what is forbidden.")
+                                                "The path of least cost on the map's grid, away from walls "
+                                                "and from seen obstacles that are not on the map, outside of "
+                                                "forbidden areas.")
         .source(
             "E. W. Dijkstra: A note on two problems in connexion with graphs, 1959; P. Felzenszwalb, D. "
             "Huttenlocher: Distance transforms of sampled functions, 2012.")
@@ -283,7 +283,7 @@ class DirectPathPlanner final : public PathPlanner {
 
 const robotlink::SolutionRegistration kDirect =
     robotlink::SolutionBuilder<DirectPathPlanner>("path-planning", "direct",
-                                                  "Straight to the goal, whatever is in between.")
+                                                  "Straight to the goal, ignoring obstacles.")
         .source("A method of this project.")
         .needs(robotlink::kRobotPose)
         .uses(robotlink::kDriveGoal)

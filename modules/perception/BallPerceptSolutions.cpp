@@ -20,7 +20,7 @@ using robotlink::PlotKey;
 using robotlink::RobotDrawingKey;
 
 const ImageDrawingKey kDiscKey{"ball-percept/disc",
-                               "The disc in the image that was taken for the ball (drawn in the image)"};
+                               "The disc in the image that was recognized as the ball (drawn in the image)"};
 const RobotDrawingKey kPlaceKey{"ball-percept/place",
                                 "Where the ball is on the ground (drawn around the robot)"};
 const PlotKey kDistanceKey{"ball-percept/distance", "Distance of the ball, and confidence in it"};
@@ -110,7 +110,7 @@ class RegionBallPerceptor final : public BallPerceptor {
 const robotlink::SolutionRegistration kRegion =
     robotlink::SolutionBuilder<RegionBallPerceptor>(
         "ball-percept", "region",
-        "Takes the orange region whose shape, size and place suit a ball on the ground best.")
+        "Chooses the orange region whose shape, size and position best match a ball on the ground.")
         .source("A method of this project.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
@@ -151,8 +151,8 @@ class CircleFitBallPerceptor final : public BallPerceptor {
 
 const robotlink::SolutionRegistration kCircleFit =
     robotlink::SolutionBuilder<CircleFitBallPerceptor>("ball-percept", "circle-fit",
-                                                       "Follows rays from the middle of orange regions to "
-                                                       "the ball's edge and fits a circle to it, robustly.")
+                                                       "Follows rays from the center of orange regions to "
+                                                       "the ball's edge and robustly fits a circle to it.")
         .source("I. K\u00e5sa: A circle fitting procedure and its error analysis, 1976.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)

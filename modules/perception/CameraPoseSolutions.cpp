@@ -25,8 +25,8 @@ using robotlink::ImageDrawingKey;
 using robotlink::PlotKey;
 using robotlink::RobotDrawingKey;
 
-const ImageDrawingKey kHorizonKey{
-    "camera-pose/horizon", "The horizon, where the camera's pose puts it in the image (drawn in the image)"};
+const ImageDrawingKey kHorizonKey{"camera-pose/horizon",
+                                  "The horizon, computed from the camera's pose (drawn in the image)"};
 const RobotDrawingKey kViewKey{
     "camera-pose/view", "The camera, and the part of the ground that it sees (drawn around the robot)"};
 const PlotKey kCameraKey{"camera-pose/camera",
@@ -172,9 +172,10 @@ class KinematicCameraPose final : public HeadCameraPose {
 };
 
 const robotlink::SolutionRegistration kKinematic =
-    robotlink::SolutionBuilder<KinematicCameraPose>("camera-pose", "kinematic",
-                                                    "Follows the neck's joints from a body whose height and "
-                                                    "slope come from its legs' joints and paw contacts.")
+    robotlink::SolutionBuilder<KinematicCameraPose>(
+        "camera-pose", "kinematic",
+        "Computed along the neck's joints from a body whose "
+        "height and tilt come from its leg joints and paw contacts.")
         .source("T. R\u00f6fer et al.: GermanTeam RoboCup 2002, team report, 2002.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kJointStates)
@@ -233,8 +234,8 @@ class AccelerometerCameraPose final : public HeadCameraPose {
 const robotlink::SolutionRegistration kAccelerometer =
     robotlink::SolutionBuilder<AccelerometerCameraPose>(
         "camera-pose", "accelerometer",
-        "Follows the neck's joints from a body whose slope comes from the legs in the short run and from the "
-        "accelerometer in the long run.")
+        "Computed along the neck's joints from a body whose tilt comes from the legs in the short term and "
+        "from the accelerometer in the long term.")
         .source(
             "R. Mahony, T. Hamel, J.-M. Pflimlin: Nonlinear complementary filters on the special orthogonal "
             "group, 2008.")
@@ -262,7 +263,7 @@ class FixedStanceCameraPose final : public HeadCameraPose {
 const robotlink::SolutionRegistration kFixedStance =
     robotlink::SolutionBuilder<FixedStanceCameraPose>(
         "camera-pose", "fixed-stance",
-        "Follows the neck's joints from a body that always has the height and slope of the stance.")
+        "Computed along the neck's joints from a body that always has the height and tilt of the stance.")
         .source("A method of this project.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kJointStates)
@@ -309,8 +310,8 @@ class MountedCameraPose final : public CameraPoseEstimator {
 
 const robotlink::SolutionRegistration kMounted =
     robotlink::SolutionBuilder<MountedCameraPose>("camera-pose", "mounted",
-                                                  "The camera's place in the robot's description, as one on "
-                                                  "a tripod has it; height and angles can be tuned.")
+                                                  "The fixed camera pose in the robot's description, as for "
+                                                  "one on a tripod; height and angles can be tuned.")
         .source("A method of this project.")
         .needs(robotlink::kCameraImage)
         .yields(robotlink::kCameraPose)
@@ -342,7 +343,7 @@ class OracleCameraPose final : public CameraPoseEstimator {
 
 const robotlink::SolutionRegistration kOracle =
     robotlink::SolutionBuilder<OracleCameraPose>("camera-pose", "oracle",
-                                                 "The camera's true place and angles, from the simulator.")
+                                                 "The camera's true position and angles, from the simulator.")
         .source("The simulator.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kOracleWorld)

@@ -116,8 +116,8 @@ class ColorBandsLandmarkPerceptor final : public LandmarkPerceptor {
 const robotlink::SolutionRegistration kColorBands =
     robotlink::SolutionBuilder<ColorBandsLandmarkPerceptor>(
         "landmark-percepts", "color-bands",
-        "Takes two regions upon each other for a beacon, and the largest other region in a goal's color for "
-        "the goal.")
+        "Recognizes two regions on top of each other as a beacon, and the largest other region in a goal's "
+        "color as the goal.")
         .source(
             "A method of this project, on regions as J. Bruce, T. Balch and M. Veloso find them: Fast and "
             "inexpensive color image segmentation for interactive robots, 2000.")
@@ -164,8 +164,8 @@ class HorizonScanLandmarkPerceptor final : public LandmarkPerceptor {
 const robotlink::SolutionRegistration kHorizonScan =
     robotlink::SolutionBuilder<HorizonScanLandmarkPerceptor>(
         "landmark-percepts", "horizon-scan",
-        "Reads scan lines across the horizon as sequences of colors and gathers those that beacons and "
-        "goals have.")
+        "Reads scan lines across the horizon as sequences "
+        "of colors and collects those of beacons and goals.")
         .source(
             "T. R\u00f6fer, M. J\u00fcngel: Vision-based fast and reactive Monte-Carlo localization, ICRA "
             "2003.")

@@ -98,7 +98,7 @@ class PatchRobotPerceptor final : public RobotPerceptor {
 
 const robotlink::SolutionRegistration kPatches =
     robotlink::SolutionBuilder<PatchRobotPerceptor>("robot-percepts", "patches",
-                                                    "Takes every patch of a team's color for a robot.")
+                                                    "Counts every patch of a team's color as a robot.")
         .source("A method of this project.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
@@ -120,7 +120,7 @@ class ClusterRobotPerceptor final : public RobotPerceptor {
 const robotlink::SolutionRegistration kClusters =
     robotlink::SolutionBuilder<ClusterRobotPerceptor>(
         "robot-percepts", "patch-clusters",
-        "Takes patches of a team's color that are less than a robot's length apart for one robot.")
+        "Counts patches of a team's color less than a robot's length apart as one robot.")
         .source("A method of this project.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)

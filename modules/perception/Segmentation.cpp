@@ -19,8 +19,7 @@ using robotlink::ImageDrawingKey;
 using robotlink::ImageKey;
 using robotlink::PlotKey;
 
-const ImageKey kClassesKey{"segmentation/classes",
-                           "The image in the colors of the classes its pixels were sorted into"};
+const ImageKey kClassesKey{"segmentation/classes", "The image in the colors of its pixels' classes"};
 const ImageDrawingKey kRegionsKey{
     "segmentation/regions", "The boxes of all regions, in the colors of their classes (drawn in the image)"};
 const PlotKey kCountKey{"segmentation/count", "How many regions were found"};
@@ -131,7 +130,7 @@ class WholeImageSegmentation final : public Segmentation {
 const robotlink::SolutionRegistration kWholeImage =
     robotlink::SolutionBuilder<WholeImageSegmentation>(
         "segmentation", "whole-image",
-        "Sorts every pixel into a color class by the color table and joins touching runs of equal class to "
+        "Assigns every pixel a color class by the color table and joins touching runs of equal class into "
         "regions.")
         .source(
             "J. Bruce, T. Balch, M. Veloso: Fast and inexpensive color image segmentation for interactive "
@@ -163,7 +162,7 @@ const robotlink::SolutionRegistration kScanLines =
     robotlink::SolutionBuilder<ScanLineSegmentation>(
         "segmentation", "scan-lines",
         "Reads vertical scan lines by the color table and groups runs of equal class on neighboring lines "
-        "to regions.")
+        "into regions.")
         .source("A method of this project.")
         .needs(robotlink::kCameraImage)
         .uses(robotlink::kColorTable)

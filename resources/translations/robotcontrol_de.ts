@@ -98,7 +98,7 @@
         <translation>Hebt das Ziel des gewählten Roboters auf</translation>
     </message>
     <message>
-        <source>Changes the light that cameras see; 1 0 is the scene&apos;s own</source>
+        <source>Changes the light that cameras see; 1 0 restores the scene&apos;s own</source>
         <translation>Ändert das Licht, das Kameras sehen; 1 0 ist das der Szene</translation>
     </message>
     <message>
@@ -110,7 +110,7 @@
         <translation>Wählt, wie neue Dateien komprimiert werden</translation>
     </message>
     <message>
-        <source>Chooses how the table is made</source>
+        <source>Chooses the method that makes the table</source>
         <translation>Wählt, wie die Tabelle entsteht</translation>
     </message>
     <message>
@@ -126,11 +126,11 @@
         <translation>Wählt den Ordner für neue Aufzeichnungen</translation>
     </message>
     <message>
-        <source>Chooses the language of the window, from its next start on</source>
+        <source>Chooses the language of the window, used from its next start on</source>
         <translation>Wählt die Sprache des Fensters, ab seinem nächsten Start</translation>
     </message>
     <message>
-        <source>Chooses the process whose frames are stepped and counted</source>
+        <source>Chooses the process whose frames are counted and stepped through</source>
         <translation>Wählt den Prozess, dessen Frames schrittweise gezeigt und gezählt werden</translation>
     </message>
     <message>
@@ -138,7 +138,7 @@
         <translation>Wählt, was aufgezeichnet wird; leer: alles, was eine Wiedergabe braucht</translation>
     </message>
     <message>
-        <source>Chooses what the head of the robot that was taken over does</source>
+        <source>Chooses how the robot that was taken over moves its head</source>
         <translation>Wählt, was der Kopf des übernommenen Roboters tut</translation>
     </message>
     <message>
@@ -150,11 +150,11 @@
         <translation>Wählt, ob jede neue Tabelle sofort an den Roboter gesendet wird</translation>
     </message>
     <message>
-        <source>Chooses whether the next strokes must not be of the class</source>
+        <source>Chooses whether the next strokes mark colors that must not be of the class</source>
         <translation>Wählt, ob die nächsten Striche nicht zur Klasse gehören dürfen</translation>
     </message>
     <message>
-        <source>Closes all views of a kind; they keep their places</source>
+        <source>Closes all views of a kind; their positions are remembered</source>
         <translation>Schließt alle Ansichten einer Art; sie behalten ihre Plätze</translation>
     </message>
     <message>
@@ -170,7 +170,7 @@
         <translation>Verbindet einen Pioneer über TCP oder eine serielle Leitung und führt sein Programm hier aus; er bleibt verbunden, bis etwas anderes geöffnet wird</translation>
     </message>
     <message>
-        <source>Connects robots that run remotely, beside those that are open here</source>
+        <source>Connects remote robots, in addition to those that are open here</source>
         <translation>Verbindet Roboter, deren Programme anderswo laufen, neben denen, die hier offen sind</translation>
     </message>
     <message>
@@ -206,7 +206,7 @@
         <translation>Beendet die Suche; Gefundenes bleibt</translation>
     </message>
     <message>
-        <source>Ends the sweep of a parameter, which gets its former value</source>
+        <source>Ends the sweep of a parameter and restores its previous value</source>
         <translation>Beendet den Durchlauf eines Parameters, der seinen früheren Wert bekommt</translation>
     </message>
     <message>
@@ -214,11 +214,11 @@
         <translation>Löst STOP für alle Roboter aus oder hebt es auf: ihre Plattformen halten sie an, was auch immer die Programme tun</translation>
     </message>
     <message>
-        <source>Exchanges the selected key frame with another one</source>
+        <source>Swaps the selected key frame with another one</source>
         <translation>Vertauscht den ausgewählten Keyframe mit einem anderen</translation>
     </message>
     <message>
-        <source>Fails with what differs between what is chosen now and a preset</source>
+        <source>Lists how the current choices differ from a preset, and fails if they do</source>
         <translation>Scheitert mit dem, worin sich die jetzige Wahl von einer Voreinstellung unterscheidet</translation>
     </message>
     <message>
@@ -254,19 +254,19 @@
         <translation>Lässt andere beobachten und steuern, was hier offen ist, als Clients des Foxglove-WebSocket-Protokolls</translation>
     </message>
     <message>
-        <source>Lets the robot that was taken over stand</source>
+        <source>Makes the robot that was taken over stand still</source>
         <translation>Lässt den übernommenen Roboter stehen</translation>
     </message>
     <message>
-        <source>Lets the robot that was taken over walk or drive until another command</source>
+        <source>Makes the robot that was taken over walk or drive until another command</source>
         <translation>Lässt den übernommenen Roboter bis zum nächsten Befehl gehen oder fahren</translation>
     </message>
     <message>
-        <source>Lets the selected robot play the motion of its files again</source>
+        <source>Makes the selected robot play the motion from its own files again</source>
         <translation>Lässt den gewählten Roboter wieder die Bewegung aus seinen Dateien abspielen</translation>
     </message>
     <message>
-        <source>Limits what remote robots send, for lines that are narrow or shared; it is remembered</source>
+        <source>Limits the data rate of remote robots, for slow or shared links; the limits are remembered</source>
         <translation>Begrenzt, was entfernte Roboter senden, für schmale oder geteilte Leitungen; es wird gemerkt</translation>
     </message>
     <message>
@@ -274,11 +274,11 @@
         <translation>Wiederholt das ganze Log oder den ausgewählten Bereich</translation>
     </message>
     <message>
-        <source>Marks in the timeline and in plots when messages were written that match</source>
+        <source>Marks the times of matching text messages in the timeline and in plots</source>
         <translation>Markiert in Zeitleiste und Kurven, wann passende Meldungen geschrieben wurden</translation>
     </message>
     <message>
-        <source>Marks the shown instant in the recording; without one, saves the last seconds with the mark</source>
+        <source>Marks the shown instant in the recording; if none is running, saves the last seconds with the mark</source>
         <translation>Markiert den gezeigten Zeitpunkt in der Aufzeichnung; ohne Aufzeichnung werden die letzten Sekunden mit der Markierung gespeichert</translation>
     </message>
     <message>
@@ -294,7 +294,7 @@
         <translation>Öffnet eine Kamera dieses Rechners und führt die Wahrnehmung auf ihren Bildern aus</translation>
     </message>
     <message>
-        <source>Opens a door of the simulation for its time, or closes it at once</source>
+        <source>Opens a door of the simulation for its set time, or closes it at once</source>
         <translation>Öffnet eine Tür der Simulation für ihre Zeit oder schließt sie sofort</translation>
     </message>
     <message>
@@ -302,11 +302,11 @@
         <translation>Öffnet ein Log, ein Video oder einen Ordner mit Bildern, angehalten am ersten Bild; schließt, was offen war</translation>
     </message>
     <message>
-        <source>Opens a motion in the editor, or imports one of another team</source>
+        <source>Opens a motion in the editor, or imports another team&apos;s</source>
         <translation>Öffnet eine Bewegung im Editor, oder importiert eine eines anderen Teams</translation>
     </message>
     <message>
-        <source>Opens a motion that the program of the selected robot has</source>
+        <source>Opens a motion of the selected robot&apos;s program in the editor</source>
         <translation>Öffnet eine Bewegung, die das Programm des gewählten Roboters hat</translation>
     </message>
     <message>
@@ -318,7 +318,7 @@
         <translation>Öffnet eine Szene nach ihrem Pfad oder dem Namen einer mitgelieferten</translation>
     </message>
     <message>
-        <source>Opens one more view of a kind</source>
+        <source>Opens another view of a kind</source>
         <translation>Öffnet eine weitere Ansicht einer Art</translation>
     </message>
     <message>
@@ -358,7 +358,7 @@
         <translation>Spielt die Bewegung einmal auf dem übernommenen Roboter ab</translation>
     </message>
     <message>
-        <source>Reads the motion in the editor from its file again; unsaved changes are lost</source>
+        <source>Reloads the motion in the editor from its file; unsaved changes are lost</source>
         <translation>Liest die Bewegung im Editor wieder aus ihrer Datei; nicht gespeicherte Änderungen gehen verloren</translation>
     </message>
     <message>
@@ -370,7 +370,7 @@
         <translation>Stellt wieder her, was rückgängig gemacht wurde</translation>
     </message>
     <message>
-        <source>Releases all joints of the robot that was taken over, so that it is posed by hand, or lets them hold</source>
+        <source>Releases all joints of the robot that was taken over, so that you can pose it by hand, or makes them hold</source>
         <translation>Gibt alle Gelenke des übernommenen Roboters frei, damit er von Hand in Pose gebracht wird, oder lässt sie halten</translation>
     </message>
     <message>
@@ -402,7 +402,7 @@
         <translation>Setzt alle Parameter des Programms des gewählten Roboters auf ihre Vorgaben zurück</translation>
     </message>
     <message>
-        <source>Resets everything to the start</source>
+        <source>Resets everything to its initial state</source>
         <translation>Setzt alles auf den Anfang zurück</translation>
     </message>
     <message>
@@ -414,7 +414,7 @@
         <translation>Startet die Programme der Roboter in einem anderen Prozesslayout neu, nach seinem Pfad oder dem Namen eines mitgelieferten</translation>
     </message>
     <message>
-        <source>Runs the program of a robot here whose body is remote, where &apos;robotctl platform ... --listen&apos; runs</source>
+        <source>Runs a robot&apos;s program here, for a remote body that &apos;robotctl platform ... --listen&apos; offers</source>
         <translation>Führt hier das Programm eines Roboters aus, dessen Körper anderswo ist, wo &apos;robotctl platform ... --listen&apos; läuft</translation>
     </message>
     <message>
@@ -450,7 +450,7 @@
         <translation>Speichert die Bewegung im Editor in ihrer Datei</translation>
     </message>
     <message>
-        <source>Saves the samples of the color table to the file they are from</source>
+        <source>Saves the samples of the color table to their file</source>
         <translation>Speichert die Proben der Farbtabelle in der Datei, aus der sie sind</translation>
     </message>
     <message>
@@ -458,7 +458,7 @@
         <translation>Speichert die Proben der Farbtabelle</translation>
     </message>
     <message>
-        <source>Saves what was changed of the parameters to the files that the program reads at its start; their comments stay</source>
+        <source>Saves changed parameters to the files that the program reads when it starts; their comments stay</source>
         <translation>Speichert geänderte Parameter in den Dateien, die das Programm bei seinem Start liest; ihre Kommentare bleiben</translation>
     </message>
     <message>
@@ -466,11 +466,11 @@
         <translation>Sucht die Bilder, in denen die Tabelle am verdächtigsten aussieht</translation>
     </message>
     <message>
-        <source>Searches the whole of the open logs for where a condition is true, without playing them; fails if it never is</source>
+        <source>Finds where a condition is true in the open logs, without playing them; fails if it never is</source>
         <translation>Durchsucht die offenen Logs vollständig danach, wo eine Bedingung gilt, ohne sie abzuspielen; scheitert, wenn sie nie gilt</translation>
     </message>
     <message>
-        <source>Searches the whole of the open logs in the view Search, without playing them</source>
+        <source>Searches the open logs in the view Search, without playing them</source>
         <translation>Durchsucht die offenen Logs vollständig in der Ansicht Suche, ohne sie abzuspielen</translation>
     </message>
     <message>
@@ -482,7 +482,7 @@
         <translation>Wählt einen Bereich aus, etwa um ihn zu wiederholen; gleiche Zeiten heben die Auswahl auf</translation>
     </message>
     <message>
-        <source>Selects another key frame; a robot that was taken over turns to its pose</source>
+        <source>Selects another key frame; a robot that was taken over moves to its pose</source>
         <translation>Wählt einen anderen Keyframe aus; ein übernommener Roboter nimmt seine Pose ein</translation>
     </message>
     <message>
@@ -514,11 +514,11 @@
         <translation>Setzt einen Parameter einer Lösung des Programms des gewählten Roboters</translation>
     </message>
     <message>
-        <source>Sets a parameter to one value after the other and measures a figure at each</source>
+        <source>Sets a parameter to one value after another and measures a quantity at each</source>
         <translation>Setzt einen Parameter auf einen Wert nach dem anderen und misst jeweils eine Größe</translation>
     </message>
     <message>
-        <source>Sets an option of how the table is made</source>
+        <source>Sets an option of that method</source>
         <translation>Setzt eine Option dafür, wie die Tabelle entsteht</translation>
     </message>
     <message>
@@ -534,11 +534,11 @@
         <translation>Setzt, mit welchem Vielfachen der Echtzeit die Simulation läuft; 0 ist so schnell wie möglich</translation>
     </message>
     <message>
-        <source>Sets how much of what robots have sent before is kept on disk; it is remembered</source>
+        <source>Sets how much older history of the robots is kept on disk; the setting is remembered</source>
         <translation>Setzt, wie viel des früher von Robotern Gesendeten auf dem Datenträger behalten wird; es wird gemerkt</translation>
     </message>
     <message>
-        <source>Sets how much of what robots have sent is kept in memory; it is remembered</source>
+        <source>Sets how much history of the robots is kept in memory; the setting is remembered</source>
         <translation>Setzt, wie viel des von Robotern Gesendeten im Speicher behalten wird; es wird gemerkt</translation>
     </message>
     <message>
@@ -598,7 +598,7 @@
         <translation>Zeigt die jetzige Perspektive, wie sie mitgeliefert ist</translation>
     </message>
     <message>
-        <source>Shows what the robots send now again</source>
+        <source>Returns all views to what the robots send now</source>
         <translation>Zeigt wieder, was die Roboter jetzt senden</translation>
     </message>
     <message>
@@ -626,7 +626,7 @@
         <translation>Beginnt, in eine neue Datei aufzuzeichnen, oder beendet die Aufzeichnung</translation>
     </message>
     <message>
-        <source>Steers a robot that others can steer, too, from now on; or gives it up</source>
+        <source>Takes control of a robot that other clients can also steer, or releases it</source>
         <translation>Steuert ab jetzt einen Roboter, den auch andere steuern können; oder gibt ihn ab</translation>
     </message>
     <message>
@@ -634,7 +634,7 @@
         <translation>Führt die Simulation einen Schritt von 8 ms weiter</translation>
     </message>
     <message>
-        <source>Steps to where a value changes, or passes a number: in the open logs, without playing them, or in what is kept of robots, while they continue</source>
+        <source>Steps to where a value changes, or crosses a threshold: in the open logs, without playing them, or in the history of live robots, while they continue</source>
         <translation>Geht dorthin, wo sich ein Wert ändert oder eine Zahl überschreitet: in den offenen Logs, ohne sie abzuspielen, oder in dem, was von Robotern behalten ist, während sie weiterlaufen</translation>
     </message>
     <message>
@@ -662,7 +662,7 @@
         <translation>Schaltet die Sonare des gewählten Roboters auf Rädern</translation>
     </message>
     <message>
-        <source>Takes the selected robot over, so that it obeys you, or gives it back</source>
+        <source>Takes manual control of the selected robot, or gives it back</source>
         <translation>Übernimmt den gewählten Roboter zur manuellen Steuerung oder gibt ihn zurück</translation>
     </message>
     <message>
@@ -694,7 +694,7 @@
         <translation>Schreibt die gezeigte Perspektive in eine Datei</translation>
     </message>
     <message>
-        <source>Cancels the export of a view; a video is removed, images that were written stay</source>
+        <source>Cancels the export of a view; an unfinished video is deleted, written images stay</source>
         <translation>Bricht den Export einer Ansicht ab; ein Video wird gelöscht, schon geschriebene Bilder bleiben</translation>
     </message>
     <message>
@@ -706,7 +706,7 @@
         <translation>Zeigt einen Wert als Kurve in der Zeitleiste</translation>
     </message>
     <message>
-        <source>Writes a view over time as a video: of the open logs, or of what is kept of live robots</source>
+        <source>Writes a view over time as a video, from the open logs or the history of live robots</source>
         <translation>Schreibt eine Ansicht über der Zeit als Video: von den offenen Logs, oder von dem, was von laufenden Robotern aufbewahrt wird</translation>
     </message>
     <message>
@@ -722,11 +722,11 @@
         <translation>Speichert, was eine Ansicht zeigt: Bild, Tabelle oder Text, Punkte von Kurven, Pakete</translation>
     </message>
     <message>
-        <source>Changes the text of a bookmark of the open logs; of several with this text the first</source>
+        <source>Changes the text of a bookmark of the open logs; if several have this text, the first</source>
         <translation>Ändert den Text eines Lesezeichens der offenen Logs; von mehreren mit diesem Text das erste</translation>
     </message>
     <message>
-        <source>Checks or unchecks a drawing in the list of a view; one that is off at the robot is switched on there</source>
+        <source>Checks or unchecks a drawing in the list of a view; checking one that is off on the robot switches it on there</source>
         <translation>Hakt eine Zeichnung in der Liste einer Ansicht an oder ab; ist sie beim Roboter aus, wird sie dort eingeschaltet</translation>
     </message>
     <message>
@@ -734,11 +734,11 @@
         <translation>Wählt, welche Bilder eine Ansicht Bild zeigt</translation>
     </message>
     <message>
-        <source>Chooses where the program of the selected robot, of another one or of all runs, and how the processes of all programs are executed; the programs are started again</source>
+        <source>Chooses where the program of the selected robot, of another one or of all runs, and how the processes of all programs are executed; the programs are restarted</source>
         <translation>Wählt, wo das Programm des gewählten Roboters, eines anderen oder aller läuft und wie die Prozesse aller Programme ausgeführt werden; die Programme werden neu gestartet</translation>
     </message>
     <message>
-        <source>Chooses whether sensors, cameras and odometry have errors; the simulation is opened again and begins at its start</source>
+        <source>Chooses whether sensors, cameras and odometry have errors; the simulation restarts from the beginning</source>
         <translation>Wählt, ob Sensoren, Kameras und Odometrie Fehler haben; die Simulation wird neu geöffnet und beginnt von vorn</translation>
     </message>
     <message>
@@ -750,15 +750,15 @@
         <translation>Vergleicht die Werte in einer Ansicht Daten mit anderen</translation>
     </message>
     <message>
-        <source>Places a robot or the ball of the simulation; with a height, roll or pitch also tilted, such as lying</source>
+        <source>Places a robot or the ball of the simulation; with a height, roll or pitch also tilted, or lying on its side</source>
         <translation>Setzt einen Roboter oder den Ball der Simulation an einen Ort; mit Höhe, Roll- oder Nickwinkel auch gekippt, etwa liegend</translation>
     </message>
     <message>
-        <source>Redoes what was undone there</source>
+        <source>Redoes the last edit undone there</source>
         <translation>Stellt wieder her, was dort rückgängig gemacht wurde</translation>
     </message>
     <message>
-        <source>Removes a bookmark of the open logs; of several with this text the first</source>
+        <source>Removes a bookmark of the open logs; if several have this text, the first</source>
         <translation>Entfernt ein Lesezeichen der offenen Logs; von mehreren mit diesem Text das erste</translation>
     </message>
     <message>
@@ -774,7 +774,7 @@
         <translation>Zeigt nur Meldungen, deren Text oder Quelle einen Text enthält</translation>
     </message>
     <message>
-        <source>Starts the program of the selected robot, of another one or of all again; keys, solutions and parameters stay</source>
+        <source>Restarts the program of the selected robot, of another one or of all; keys, solutions and parameters stay</source>
         <translation>Startet das Programm des gewählten Roboters, eines anderen oder aller neu; Schlüssel, Lösungen und Parameter bleiben</translation>
     </message>
     <message>
@@ -786,7 +786,7 @@
         <translation>Macht die letzte Änderung bei den Parametern der Ansicht Lösungen rückgängig</translation>
     </message>
     <message>
-        <source>Writes a part of an open log as images, a table (CSV), JSON lines or texts</source>
+        <source>Exports a part of an open log as images, a table (CSV), JSON lines or texts</source>
         <translation>Schreibt einen Teil eines offenen Logs als Bilder, Tabelle (CSV), JSON-Zeilen oder Texte</translation>
     </message>
     <message>
@@ -798,11 +798,11 @@
         <translation>Wählt, an welche Pose eines Roboters eine Ansicht seine Zeichnungen setzt</translation>
     </message>
     <message>
-        <source>Puts a value in place of a package that the program of the selected robot, of another one or of all offers</source>
+        <source>Substitutes a value for a package in the program of the selected robot, of another one or of all</source>
         <translation>Setzt einen Wert an die Stelle eines Pakets, das das Programm des gewählten, eines anderen oder aller Roboter anbietet</translation>
     </message>
     <message>
-        <source>Saves what is chosen now as a preset: debug keys, solutions, parameters, views and settings of the camera</source>
+        <source>Saves the current choices as a preset: debug keys, solutions, parameters, views and camera settings</source>
         <translation>Speichert, was jetzt gewählt ist, als Voreinstellung: Debug-Schlüssel, Lösungen, Parameter, Ansichten und Einstellungen der Kamera</translation>
     </message>
     <message>
@@ -814,7 +814,7 @@
         <translation>Speichert, was der gewählte Roboter kartiert hat, als Karte für Lokalisierung und Planung; ihr Startplatz ist, wo der Roboter ist</translation>
     </message>
     <message>
-        <source>Switches a digital output of the selected robot, if it has some</source>
+        <source>Switches a digital output of the selected robot, if it has any</source>
         <translation>Schaltet einen digitalen Ausgang des Benutzeranschlusses des gewählten Pioneers</translation>
     </message>
     <message>
@@ -830,7 +830,7 @@
         <translation>Lässt Programme einen Aktor wieder stellen</translation>
     </message>
     <message>
-        <source>Reads the scene&apos;s file again, after an edit, and goes on in it: what has not changed stays as it is</source>
+        <source>Reloads the scene&apos;s file after an edit, and continues in it: what has not changed stays as it is</source>
         <translation>Liest die Datei der Szene nach einer Änderung erneut und läuft in ihr weiter: was sich nicht geändert hat, bleibt wie es ist</translation>
     </message>
     <message>
@@ -846,7 +846,7 @@
         <translation>Zeigt die Werte einer Liste als Säulen</translation>
     </message>
     <message>
-        <source>Adds a copy of an object to the text of the simulated scene, half a meter beside it</source>
+        <source>Adds a copy of an object to the text of the simulated scene, half a meter away</source>
         <translation>Fügt dem Text der simulierten Szene eine Kopie eines Objekts hinzu, einen halben Meter daneben</translation>
     </message>
     <message>
@@ -854,15 +854,15 @@
         <translation>Fügt der laufenden Szene ein Modell hinzu; das Programm eines Roboters startet mit ihm</translation>
     </message>
     <message>
-        <source>Adds an object to the text of the simulated scene, and goes on in it; nothing is saved</source>
+        <source>Adds an object to the text of the simulated scene, and applies it; nothing is saved</source>
         <translation>Fügt dem Text der simulierten Szene ein Objekt hinzu und macht darin weiter; nichts wird gespeichert</translation>
     </message>
     <message>
-        <source>Adds another model like this one beside it</source>
+        <source>Adds a copy of a model next to it</source>
         <translation>Stellt ein weiteres Modell wie dieses daneben</translation>
     </message>
     <message>
-        <source>Chooses how an object is drawn, with all that belongs to it</source>
+        <source>Chooses how an object and everything in it is drawn</source>
         <translation>Wählt, wie ein Objekt mit allem, was dazugehört, gezeichnet wird</translation>
     </message>
     <message>
@@ -870,55 +870,55 @@
         <translation>Wählt, wie die Oberflächen einer Ansicht der Szene gezeichnet werden</translation>
     </message>
     <message>
-        <source>Clicks at a place of the simulated scene, for its controllers: along a ray, whose first hit counts</source>
+        <source>Clicks in the simulated scene, for its controllers: on whatever a ray hits first</source>
         <translation>Klickt für die Steuerungen der simulierten Szene auf eine Stelle: entlang eines Strahls, dessen erster Treffer zählt</translation>
     </message>
     <message>
-        <source>Does again what was undone last</source>
+        <source>Redoes the last change undone</source>
         <translation>Stellt das zuletzt Zurückgenommene wieder her</translation>
     </message>
     <message>
-        <source>Ends running the programs again up to a snapshot; the simulation is paused then</source>
+        <source>Cancels replaying the programs up to a snapshot, and pauses the simulation</source>
         <translation>Beendet das erneute Ausführen der Programme bis zu einer Momentaufnahme; die Simulation pausiert dann</translation>
     </message>
     <message>
-        <source>Forgets a snapshot in memory</source>
+        <source>Deletes a snapshot in memory</source>
         <translation>Vergisst eine Momentaufnahme im Speicher</translation>
     </message>
     <message>
-        <source>Goes back in the paused simulation by some seconds; the robots&apos; programs run on</source>
+        <source>Rewinds the paused simulation by some seconds; the robots&apos; programs keep running</source>
         <translation>Geht in der pausierten Simulation um einige Sekunden zurück; die Programme der Roboter laufen weiter</translation>
     </message>
     <message>
-        <source>Has the simulation go on in the texts of the scene editor as they are, without saving them</source>
+        <source>Applies the texts of the scene editor to the running simulation without saving them</source>
         <translation>Lässt die Simulation in den Texten des Szeneneditors weiterlaufen, wie sie sind, ohne sie zu speichern</translation>
     </message>
     <message>
-        <source>Hides an object of the scene, with all that belongs to it</source>
+        <source>Hides an object of the scene and everything in it</source>
         <translation>Blendet ein Objekt der Szene mit allem aus, was dazugehört</translation>
     </message>
     <message>
-        <source>Holds an object of the simulation where it is, whatever pushes it</source>
+        <source>Pins an object of the simulation where it is, so that nothing can move it</source>
         <translation>Hält ein Objekt der Simulation fest, wo es ist, was auch immer daran schiebt</translation>
     </message>
     <message>
-        <source>Keeps the present state of the simulation, in memory by a name or, where there is a slash or the suffix .snapshot, in a file</source>
+        <source>Takes a snapshot of the simulation: in memory under a name or, if there is a slash or the suffix .snapshot, in a file</source>
         <translation>Bewahrt den jetzigen Zustand der Simulation auf, im Speicher unter einem Namen oder, mit Schrägstrich oder der Endung .snapshot, in einer Datei</translation>
     </message>
     <message>
-        <source>Lets an object be seen through</source>
+        <source>Makes an object transparent</source>
         <translation>Lässt ein Objekt durchscheinen</translation>
     </message>
     <message>
-        <source>Lets an object of the simulation go that is dragged</source>
+        <source>Releases a dragged object of the simulation</source>
         <translation>Lässt ein Objekt der Simulation los, das gezogen wird</translation>
     </message>
     <message>
-        <source>Lets the camera of a view follow an object</source>
+        <source>Makes the camera of a view follow an object</source>
         <translation>Lässt die Kamera einer Ansicht einem Objekt folgen</translation>
     </message>
     <message>
-        <source>Limits a view to an object, with all that belongs to it</source>
+        <source>Limits a view to an object and everything in it</source>
         <translation>Beschränkt eine Ansicht auf ein Objekt mit allem, was dazugehört</translation>
     </message>
     <message>
@@ -930,19 +930,19 @@
         <translation>Drückt eine Taste für die Steuerungen der simulierten Szene, wie in der Ansicht Szene</translation>
     </message>
     <message>
-        <source>Pulls the middle of an object of the simulation by a spring to a point, until it is let go</source>
+        <source>Pulls the center of an object of the simulation toward a point by a spring, until it is released</source>
         <translation>Zieht die Mitte eines Objekts der Simulation mit einer Feder zu einem Punkt, bis es losgelassen wird</translation>
     </message>
     <message>
-        <source>Pushes the middle of an object of the simulation with a force</source>
+        <source>Pushes the center of an object of the simulation with a force</source>
         <translation>Schiebt die Mitte eines Objekts der Simulation mit einer Kraft</translation>
     </message>
     <message>
-        <source>Puts the world of the simulation back to a snapshot. The robots&apos; programs run on; with --programs on they are run again from the start, with everything that was asked since then, until they are there, too</source>
+        <source>Restores the world of the simulation from a snapshot. The robots&apos; programs keep running; with --programs on they are replayed from the start, with all requests since then, up to the snapshot</source>
         <translation>Setzt die Welt der Simulation auf eine Momentaufnahme zurück. Die Programme der Roboter laufen weiter; mit --programs on werden sie vom Start an erneut ausgeführt, mit allem, was seitdem verlangt wurde, bis auch sie dort sind</translation>
     </message>
     <message>
-        <source>Removes an object from the text of the simulated scene, and goes on in it; nothing is saved</source>
+        <source>Removes an object from the text of the simulated scene, and applies it; nothing is saved</source>
         <translation>Entfernt ein Objekt aus dem Text der simulierten Szene und macht darin weiter; nichts wird gespeichert</translation>
     </message>
     <message>
@@ -954,11 +954,11 @@
         <translation>Setzt ein Modell der Simulation in Bewegung</translation>
     </message>
     <message>
-        <source>Shows an object again that was hidden</source>
+        <source>Shows a hidden object again</source>
         <translation>Zeigt ein ausgeblendetes Objekt wieder</translation>
     </message>
     <message>
-        <source>Shows or leaves out something in views of the scene</source>
+        <source>Shows or hides something in views of the scene</source>
         <translation>Zeigt etwas in Ansichten der Szene oder lässt es weg</translation>
     </message>
     <message>
@@ -966,19 +966,19 @@
         <translation>Nimmt ein Modell aus der laufenden Szene; das Programm eines Roboters endet</translation>
     </message>
     <message>
-        <source>Takes back the last scene.add, scene.remove or scene.duplicate: what was removed stands and moves again as it did</source>
+        <source>Undoes the last scene.add, scene.remove or scene.duplicate: a removed model returns to its pose and motion</source>
         <translation>Nimmt das letzte scene.add, scene.remove oder scene.duplicate zurück: Was entfernt wurde, steht und bewegt sich wieder wie zuvor</translation>
     </message>
     <message>
-        <source>Turns a model of the simulation where it stands</source>
+        <source>Turns a model of the simulation in place</source>
         <translation>Dreht ein Modell der Simulation auf der Stelle</translation>
     </message>
     <message>
-        <source>Undoes the last thing that was done to the scene by hand or by these commands</source>
+        <source>Undoes the last change of the scene, made by hand or by these commands</source>
         <translation>Nimmt das Letzte zurück, was von Hand oder mit diesen Befehlen an der Szene geändert wurde</translation>
     </message>
     <message>
-        <source>Writes into the text of the simulated scene that an object begins where it is now; nothing is saved</source>
+        <source>Makes the present pose of an object its initial one in the text of the simulated scene; nothing is saved</source>
         <translation>Schreibt in den Text der simulierten Szene, dass ein Objekt dort beginnt, wo es jetzt ist; nichts wird gespeichert</translation>
     </message>
     <message>
@@ -1002,7 +1002,7 @@
         <translation>Lässt die Roboter für einen Anstoß auf ihre Plätze gehen; nach dem Ende einer Halbzeit beginnt die nächste</translation>
     </message>
     <message>
-        <source>Lets the robots play</source>
+        <source>Starts play</source>
         <translation>Lässt die Roboter spielen</translation>
     </message>
     <message>
@@ -1010,7 +1010,7 @@
         <translation>Setzt einen bestraften Roboter wieder ins Spiel</translation>
     </message>
     <message>
-        <source>Puts the robots to their places and the ball to the middle; they wait</source>
+        <source>Places the robots at their positions and the ball at the center; the robots wait</source>
         <translation>Setzt die Roboter auf ihre Plätze und den Ball in die Mitte; sie warten</translation>
     </message>
     <message>
@@ -1022,19 +1022,19 @@
         <translation>Setzt die Tore eines Teams</translation>
     </message>
     <message>
-        <source>Takes a robot out of the game for the time that the rules say</source>
+        <source>Takes a robot out of the game for the time that the rules set</source>
         <translation>Nimmt einen Roboter für die Zeit aus dem Spiel, die die Regeln sagen</translation>
     </message>
     <message>
-        <source>Runs a solution beside the one that is used for its task, or ends that; what it publishes is below shadow/</source>
+        <source>Runs a solution in the shadow of its task&apos;s active one, or stops it; what it publishes is under shadow/</source>
         <translation>Führt eine Lösung neben der aus, die für ihre Aufgabe benutzt wird, oder beendet das; was sie veröffentlicht, steht unter shadow/</translation>
     </message>
     <message>
-        <source>Holds an actuator of the simulation at a value, whatever the robot&apos;s program asks for; of one with several values those that are left out are 0</source>
+        <source>Holds an actuator of the simulation at a value, regardless of the robot&apos;s program; omitted values of an actuator with several are 0</source>
         <translation>Hält einen Aktor der Simulation auf einem Wert, was das Programm des Roboters auch verlangt; bei mehreren Werten sind weggelassene 0</translation>
     </message>
     <message>
-        <source>Changes errors of a sensor of the simulation from now on; what is left out stays. With the sensor alone, it measures what is true. Numbers are in the unit of its readings; of a camera only noise, delay, rate and dropout count</source>
+        <source>Changes the errors of a simulated sensor from now on; omitted ones stay as they are. Given the sensor alone, it measures the true values. Numbers are in the unit of its readings; cameras use only noise, delay, rate and dropout</source>
         <translation>Ändert von jetzt an Fehler eines Sensors der Simulation; was wegbleibt, bleibt, wie es ist. Mit dem Sensor allein misst er, was wahr ist. Zahlen sind in der Einheit seiner Messwerte; bei einer Kamera zählen nur noise, delay, rate und dropout</translation>
     </message>
     <message>
@@ -1258,7 +1258,7 @@
         <translation>geschlossen</translation>
     </message>
     <message>
-        <source>%1; nothing new since %2 s</source>
+        <source>%1; nothing new for %2 s</source>
         <translation>%1; nichts Neues seit %2 s</translation>
     </message>
     <message>
@@ -1434,15 +1434,15 @@
 <context>
     <name>PlaceNotice</name>
     <message>
-        <source>%1 does not know yet where it is, and stands: release its stop button or STOP, so that it can drive around.</source>
+        <source>%1 is not localized yet, and is stopped: release its stop button or STOP, so that it can drive around.</source>
         <translation>%1 weiß noch nicht, wo er ist, und steht: den Stopptaster oder STOP lösen, damit er umherfahren kann.</translation>
     </message>
     <message>
-        <source>%1 does not know yet where it is: switch its motors on (Robot state), then send it anywhere (G, and a click on the map). It drives around until it has localized itself.</source>
+        <source>%1 is not localized yet: switch its motors on (Robot state), then send it anywhere (G, and a click on the map). It drives around until it has localized itself.</source>
         <translation>%1 weiß noch nicht, wo er ist: die Motoren einschalten (Roboterzustand), dann irgendwohin schicken (G und ein Klick auf die Karte). Er fährt umher, bis er sich lokalisiert hat.</translation>
     </message>
     <message>
-        <source>%1 does not know yet where it is: send it anywhere (G, and a click on the map), and it drives around until it has localized itself; or steer it with the motion tester.</source>
+        <source>%1 is not localized yet: send it anywhere (G, and a click on the map), and it drives around until it has localized itself; or steer it with the motion tester.</source>
         <translation>%1 weiß noch nicht, wo er ist: irgendwohin schicken (G und ein Klick auf die Karte), dann fährt er umher, bis er sich lokalisiert hat; oder mit dem Bewegungstester steuern.</translation>
     </message>
     <message>
@@ -1505,11 +1505,11 @@
         <translation>&amp;Größe:</translation>
     </message>
     <message>
-        <source>8101 is the first robot&apos;s, 8102 the next one&apos;s</source>
+        <source>8101 for the first robot, 8102 for the next</source>
         <translation>8101 ist der des ersten Roboters, 8102 der des nächsten</translation>
     </message>
     <message>
-        <source>A map has no robots of its own: there will be none.</source>
+        <source>A map contains no robots: set how many to add.</source>
         <translation>Eine Karte hat keine eigenen Roboter: es wird keine geben.</translation>
     </message>
     <message>
@@ -1521,7 +1521,7 @@
         <translation>Eine mitgelieferte Szene nach ihrem Namen, oder eine Datei: eine SDFormat-Welt oder die Karte eines Gebäudes (.map)</translation>
     </message>
     <message>
-        <source>A simulated robot, or one whose line a computer forwards</source>
+        <source>A simulated robot, or one whose serial line a computer forwards</source>
         <translation>Ein simulierter Roboter, oder einer, dessen Leitung ein Rechner weiterleitet</translation>
     </message>
     <message>
@@ -1541,7 +1541,7 @@
         <translation>Wer diesen Rechner über das Netzwerk erreicht, kann diese Roboter fahren.</translation>
     </message>
     <message>
-        <source>As set in the robot; Pioneers start with 9600</source>
+        <source>As set in the robot; Pioneers use 9600 by default</source>
         <translation>Wie im Roboter eingestellt; Pioneers beginnen mit 9600</translation>
     </message>
     <message>
@@ -1589,7 +1589,7 @@
         <translation>Wie die Kamera ihre Bilder sendet</translation>
     </message>
     <message>
-        <source>How the processes of the programs are executed: lockstep, one after the other and reproducible; or threads, one each, with the layout&apos;s priorities</source>
+        <source>How the processes of the programs are executed: lockstep, one after another and reproducible; or threads, one each, with the layout&apos;s priorities</source>
         <translation>Wie die Prozesse der Programme ausgeführt werden: lockstep, nacheinander und reproduzierbar; oder threads, je einer, mit den Prioritäten des Layouts</translation>
     </message>
     <message>
@@ -1597,7 +1597,7 @@
         <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>Kind of the robots to add to the world; by default that of the robots in it</source>
+        <source>Kind of the robots to add to the world; by default the kind of the robots in it</source>
         <translation>Art der Roboter, die der Welt hinzugefügt werden; als Vorgabe die der Roboter darin</translation>
     </message>
     <message>
@@ -1609,7 +1609,7 @@
         <translation>Leitung:</translation>
     </message>
     <message>
-        <source>Map of where the robot drives, for localization; may be empty</source>
+        <source>Map of the area where the robot drives, for localization; may be empty</source>
         <translation>Karte dessen, wo der Roboter fährt, zur Lokalisierung; darf leer sein</translation>
     </message>
     <message>
@@ -1617,7 +1617,7 @@
         <translation>Karten (*.map)</translation>
     </message>
     <message>
-        <source>More images a second at large sizes, with the losses of JPEG</source>
+        <source>More images per second at large sizes, but lossy (JPEG)</source>
         <translation>Mehr Bilder pro Sekunde bei großen Formaten, mit den Verlusten von JPEG</translation>
     </message>
     <message>
@@ -1633,7 +1633,7 @@
         <translation>Name oder Adresse des Rechners; localhost ist dieser</translation>
     </message>
     <message>
-        <source>No loss, but few images a second at large sizes</source>
+        <source>Lossless, but few images per second at large sizes</source>
         <translation>Kein Verlust, aber wenige Bilder pro Sekunde bei großen Formaten</translation>
     </message>
     <message>
@@ -1653,7 +1653,7 @@
         <translation>Öffnet eine Szene oder eine Karte und fügt ihr Roboter hinzu</translation>
     </message>
     <message>
-        <source>Pixels; the camera takes the nearest size that it has</source>
+        <source>Pixels; the camera uses the nearest size that it supports</source>
         <translation>Pixel; die Kamera nimmt die nächste Größe, die sie hat</translation>
     </message>
     <message>
@@ -1697,7 +1697,7 @@
         <translation>Simulieren</translation>
     </message>
     <message>
-        <source>TCP port of the first robot that speaks ARCOS, at which external programs find it; the next robot has the next one</source>
+        <source>TCP port at which external programs reach the first ARCOS robot; each further robot has the next port</source>
         <translation>TCP-Port des ersten Roboters, der ARCOS spricht, unter dem externe Programme ihn finden; der nächste Roboter hat den nächsten</translation>
     </message>
     <message>
@@ -1709,15 +1709,15 @@
         <translation>Teams:</translation>
     </message>
     <message>
-        <source>The program of each robot runs in a process of its own: if it crashes or hangs, only that robot stands</source>
+        <source>The program of each robot runs in its own process: if it crashes or hangs, only that robot stops</source>
         <translation>Das Programm jedes Roboters läuft in einem eigenen Prozess: stürzt es ab oder hängt es, steht nur dieser Roboter</translation>
     </message>
     <message>
-        <source>Which process does which tasks: a layout file or the name of a shipped one; empty: perception</source>
+        <source>Process layout (which process runs which tasks): a file or the name of a shipped one; empty: perception</source>
         <translation>Welcher Prozess welche Aufgaben erledigt: eine Layoutdatei oder der Name eines mitgelieferten; leer: perception</translation>
     </message>
     <message>
-        <source>Which process of the robot&apos;s program does which tasks: a layout file or the name of a shipped one; empty: the robot&apos;s</source>
+        <source>Process layout (which process runs which tasks): a file or the name of a shipped one; empty: the robot&apos;s</source>
         <translation>Welcher Prozess des Roboterprogramms welche Aufgaben erledigt: eine Layoutdatei oder der Name eines mitgelieferten; leer: das des Roboters</translation>
     </message>
     <message>
@@ -1745,7 +1745,7 @@
         <translation>eine Layoutdatei oder der Name eines mitgelieferten; &apos;&apos;: das des Roboters</translation>
     </message>
     <message>
-        <source>a map of where it drives, or &apos;&apos;</source>
+        <source>a map of the area where it drives, or &apos;&apos;</source>
         <translation>eine Karte dessen, wo er fährt, oder &apos;&apos;</translation>
     </message>
     <message>
@@ -1801,15 +1801,15 @@
         <translation>Port</translation>
     </message>
     <message>
-        <source>that was printed there, or &apos;&apos;</source>
+        <source>the token printed there, or &apos;&apos;</source>
         <translation>das dort ausgegeben wurde, oder &apos;&apos;</translation>
     </message>
     <message>
-        <source>the best that the camera has</source>
+        <source>the camera&apos;s best</source>
         <translation>das beste, das die Kamera hat</translation>
     </message>
     <message>
-        <source>whose body it is; &apos;&apos;: the first that is offered</source>
+        <source>the robot whose body it is; &apos;&apos;: the first one offered</source>
         <translation>wessen Körper es ist; &apos;&apos;: der erste, der angeboten wird</translation>
     </message>
     <message>
@@ -1821,7 +1821,7 @@
         <translation>Sensoren mit Rauschen</translation>
     </message>
     <message>
-        <source>Sensors, cameras and odometry have errors, as the scene says; without, they measure what is true</source>
+        <source>Sensors, cameras and odometry have the errors set in the scene; otherwise they measure the true values</source>
         <translation>Sensoren, Kameras und Odometrie haben Fehler, wie die Szene sie angibt; ohne messen sie, was wahr ist</translation>
     </message>
     <message>
@@ -1872,15 +1872,15 @@
         <translation>Der Debug-Schlüssel ist aus; das Hinzufügen der Kurve schaltet ihn ein.</translation>
     </message>
     <message>
-        <source>No solution that has it runs; see the view Solutions.</source>
+        <source>No running solution provides it; see the view Solutions.</source>
         <translation>Es läuft keine Lösung, die das hat; siehe die Ansicht Lösungen.</translation>
     </message>
     <message>
-        <source>What it holds is known when it has been played for the first time.</source>
+        <source>Its contents are known once it has been played.</source>
         <translation>Der Inhalt ist bekannt, sobald es zum ersten Mal abgespielt wurde.</translation>
     </message>
     <message>
-        <source>The log has it, at other times; its curve is read from the file.</source>
+        <source>The log has it at other times; its curve is read from the file.</source>
         <translation>Das Log enthält es zu anderen Zeiten; die Kurve wird aus der Datei gelesen.</translation>
     </message>
 </context>
@@ -1964,7 +1964,7 @@
         <translation>%1 ist keine Zahl; das Dezimaltrennzeichen ist ein Punkt</translation>
     </message>
     <message>
-        <source>No body has these moments of inertia: about its principal axes they are positive, and none of the three exceeds the sum of the other two</source>
+        <source>These moments of inertia are impossible: about the principal axes they must be positive, and none may exceed the sum of the other two</source>
         <translation>Kein Körper hat diese Trägheitsmomente: Um seine Hauptachsen sind sie positiv, und keines der drei ist größer als die Summe der beiden anderen</translation>
     </message>
     <message>
@@ -2082,11 +2082,11 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>stands: STOP is engaged</source>
+        <source>stopped: STOP is engaged</source>
         <translation>steht: STOP ist ausgelöst</translation>
     </message>
     <message>
-        <source>stands: emergency stop at the robot</source>
+        <source>stopped: emergency stop on the robot</source>
         <translation>steht: Not-Halt am Roboter</translation>
     </message>
     <message>
@@ -2255,7 +2255,7 @@
         <translation>Zurückweisung</translation>
     </message>
     <message>
-        <source>Votes a class needs at least; larger: more colors are of no class</source>
+        <source>Minimum votes for a class; larger: more colors have no class</source>
         <translation>Stimmen, die eine Klasse mindestens braucht; größer: mehr Farben gehören zu keiner Klasse</translation>
     </message>
     <message>
@@ -2279,7 +2279,7 @@
         <translation>Grauschutz</translation>
     </message>
     <message>
-        <source>How sure the color of a ball, a goal or a robot must be where it is nearly gray, as walls and shadows are</source>
+        <source>Confidence that nearly gray colors, like those of walls and shadows, need to count as ball, goal or robot</source>
         <translation>Wie sicher die Farbe eines Balls, eines Tors oder eines Roboters sein muss, wo sie fast grau ist wie Wände und Schatten</translation>
     </message>
     <message>
@@ -2287,7 +2287,7 @@
         <translation>Abstand²</translation>
     </message>
     <message>
-        <source>Squared Mahalanobis distance beyond which a color is of no class</source>
+        <source>Squared Mahalanobis distance beyond which a color has no class</source>
         <translation>Quadrierter Mahalanobis-Abstand, jenseits dessen eine Farbe zu keiner Klasse gehört</translation>
     </message>
     <message>
@@ -2295,7 +2295,7 @@
         <translation>Kosten</translation>
     </message>
     <message>
-        <source>Cost of a sample on the wrong side; larger: follows single samples more closely</source>
+        <source>Cost of a misclassified sample; larger: follows single samples more closely</source>
         <translation>Kosten einer Probe auf der falschen Seite; größer: folgt einzelnen Proben genauer</translation>
     </message>
     <message>
@@ -2311,7 +2311,7 @@
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>A color that is farther from all samples is of no class</source>
+        <source>A color farther than this from all samples has no class</source>
         <translation>Eine Farbe, die von allen Proben weiter entfernt ist, gehört zu keiner Klasse</translation>
     </message>
 </context>
@@ -2470,7 +2470,7 @@
         <translation>Bewegungstester</translation>
     </message>
     <message>
-        <source>Takes over the robot and steers it by mouse, keys and gamepad.</source>
+        <source>Takes over the robot and steers it with mouse, keys or gamepad.</source>
         <translation>Übernimmt den Roboter und steuert ihn mit Maus, Tasten und Gamepad.</translation>
     </message>
     <message>
@@ -2562,7 +2562,7 @@
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Calibrates a camera: its lens by a chessboard, its place by a board or by marks of the field; and changes its exposure, gain and white balance</source>
+        <source>Calibrates a camera: its lens with a chessboard, its pose with a board or field marks; and sets its exposure, gain and white balance</source>
         <translation>Kalibriert eine Kamera: ihr Objektiv mit einem Schachbrett, ihre Lage mit einem Brett oder mit Marken des Feldes; und ändert Belichtung, Verstärkung und Weißabgleich</translation>
     </message>
     <message>
@@ -2594,7 +2594,7 @@
         <translation>Szeneneditor</translation>
     </message>
     <message>
-        <source>Edits the files of simulated scenes, and lets the simulation go on with the changes.</source>
+        <source>Edits the files of simulated scenes, and applies the changes to the running simulation.</source>
         <translation>Bearbeitet die Dateien simulierter Szenen und lässt die Simulation mit den Änderungen weiterlaufen.</translation>
     </message>
     <message>
@@ -2618,7 +2618,7 @@
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Shows how far the robot&apos;s percepts and models are from the truth that the simulator knows, for each solution.</source>
+        <source>Shows the errors of the robot&apos;s percepts and models against the simulator&apos;s ground truth, for each solution.</source>
         <translation>Zeigt für jede Lösung, wie weit Perzepte und Modelle des Roboters von der Wahrheit abweichen, die der Simulator kennt.</translation>
     </message>
 </context>
@@ -2715,7 +2715,7 @@
         <translation>Die Eingabetaste führt es aus.</translation>
     </message>
     <message>
-        <source>Where to go: words of the title of a view</source>
+        <source>Go to: words of a view&apos;s title</source>
         <translation>Wohin: Wörter aus dem Titel einer Ansicht</translation>
     </message>
 </context>
@@ -2802,7 +2802,7 @@ Schließen und wieder öffnen, um es noch einmal zu versuchen; gehört sie zu ei
         <translation>Hört auf Roboter im Netzwerk…</translation>
     </message>
     <message>
-        <source>No robot announces itself. Robots do if they were started with --listen and an address of the network, such as --listen 0.0.0.0:8765.</source>
+        <source>No robots found. Robots announce themselves if they were started with --listen and a network address, such as --listen 0.0.0.0:8765.</source>
         <translation>Kein Roboter kündigt sich an. Roboter tun das, wenn sie mit --listen und einer Adresse des Netzwerks gestartet wurden, etwa --listen 0.0.0.0:8765.</translation>
     </message>
 </context>
@@ -2882,7 +2882,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Wie das &amp;System</translation>
     </message>
     <message>
-        <source>The language of the window from the next start on; commands and scripts stay as they are</source>
+        <source>The language of the window from the next start on; commands and scripts do not change</source>
         <translation>Die Sprache des Fensters ab dem nächsten Start; Befehle und Skripte bleiben, wie sie sind</translation>
     </message>
     <message>
@@ -2901,7 +2901,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Wieder öffnen</translation>
     </message>
     <message>
-        <source>Opens what was open before, instead of what runs here</source>
+        <source>Opens what was open before, in place of what is open now</source>
         <translation>Öffnet, was vorher offen war, anstelle dessen, was hier läuft</translation>
     </message>
     <message>
@@ -3384,7 +3384,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Ansicht &amp;maximieren oder wiederherstellen</translation>
     </message>
     <message>
-        <source>Maximizes the view that was used last or is under the mouse; again: restores the layout</source>
+        <source>Maximizes the view that was used last or is under the mouse; a second time restores the layout</source>
         <translation>Maximiert die Ansicht, die zuletzt benutzt wurde oder unter der Maus ist; noch einmal: stellt die Anordnung wieder her</translation>
     </message>
     <message>
@@ -3520,7 +3520,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>&amp;Farbtabelle laden…</translation>
     </message>
     <message>
-        <source>The selected robot&apos;s program uses it from its next image on</source>
+        <source>The selected robot&apos;s program uses it from the next image on</source>
         <translation>Das Programm des gewählten Roboters verwendet sie ab seinem nächsten Bild</translation>
     </message>
     <message>
@@ -3668,7 +3668,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Beginnt im Szeneneditor einen Raum mit Wänden, Licht und einem Roboter</translation>
     </message>
     <message>
-        <source>The simulation goes on with what is saved. The editor keeps unsaved changes: %1; scene.apply has it go on with them.</source>
+        <source>The simulation continues with the saved files. The editor keeps unsaved changes: %1; scene.apply applies them.</source>
         <translation>Die Simulation geht mit dem weiter, was gespeichert ist. Der Editor behält nicht gespeicherte Änderungen: %1; mit scene.apply geht sie mit ihnen weiter.</translation>
     </message>
     <message>
@@ -3676,7 +3676,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>&amp;Gehe zu Ansicht…</translation>
     </message>
     <message>
-        <source>Lists the open views, of which one is found by its title and brought to the front</source>
+        <source>Lists the open views; type a part of a title to bring that view to the front</source>
         <translation>Listet die offenen Ansichten auf, von denen eine nach ihrem Titel gefunden und nach vorne geholt wird</translation>
     </message>
 </context>
@@ -3707,7 +3707,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Shows the page before</source>
+        <source>Shows the previous page</source>
         <translation>Zeigt die vorige Seite</translation>
     </message>
     <message>
@@ -3715,7 +3715,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Vor</translation>
     </message>
     <message>
-        <source>Shows the page after this one</source>
+        <source>Shows the next page</source>
         <translation>Zeigt die nächste Seite</translation>
     </message>
 </context>
@@ -3726,7 +3726,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Diese Sitzung anbieten</translation>
     </message>
     <message>
-        <source>Others watch and steer what is open here: with RobotControl (Robot &gt; Connect…), robotctl watch, or any program that speaks the Foxglove WebSocket protocol.</source>
+        <source>Others can watch and steer what is open here: with RobotControl (Robot &gt; Connect…), robotctl watch, or any client of the Foxglove WebSocket protocol.</source>
         <translation>Andere beobachten und steuern, was hier offen ist: mit RobotControl (Roboter &gt; Verbinden…), robotctl watch oder jedem Programm, das das Foxglove-WebSocket-Protokoll spricht.</translation>
     </message>
     <message>
@@ -3746,7 +3746,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Port</translation>
     </message>
     <message>
-        <source>8765 is the usual one; 0: any that is free</source>
+        <source>Usually 8765; 0: any free port</source>
         <translation>8765 ist üblich; 0: ein beliebiger freier</translation>
     </message>
     <message>
@@ -3790,7 +3790,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Wie es geschützt ist</translation>
     </message>
     <message>
-        <source>Copy the one to &amp;control</source>
+        <source>Copy the token to &amp;control</source>
         <translation>Zum &amp;Steuern</translation>
     </message>
     <message>
@@ -3798,7 +3798,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Kopiert das Token derer, die alles dürfen, in die Zwischenablage</translation>
     </message>
     <message>
-        <source>Copy the one to &amp;watch</source>
+        <source>Copy the token to &amp;watch</source>
         <translation>Zum Be&amp;obachten</translation>
     </message>
     <message>
@@ -3822,7 +3822,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Wer abgewiesen wurde</translation>
     </message>
     <message>
-        <source>nothing is offered</source>
+        <source>not offered</source>
         <translation>es wird nichts angeboten</translation>
     </message>
     <message>
@@ -3838,7 +3838,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>unbenannt</translation>
     </message>
     <message>
-        <source>%1 (may only watch)</source>
+        <source>%1 (watch only)</source>
         <translation>%1 (darf nur beobachten)</translation>
     </message>
     <message>
@@ -3846,7 +3846,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>%1/s</translation>
     </message>
     <message>
-        <source>Offered. Nobody is connected yet.</source>
+        <source>Offered. No client is connected yet.</source>
         <translation>Angeboten. Noch ist niemand verbunden.</translation>
     </message>
     <message>
@@ -3922,7 +3922,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Version</translation>
     </message>
     <message>
-        <source>What it does, or why it is not in use</source>
+        <source>What it does, or why it is not loaded</source>
         <translation>Was es tut, oder warum es nicht verwendet wird</translation>
     </message>
     <message>
@@ -4032,11 +4032,11 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Gelöscht</translation>
     </message>
     <message>
-        <source>There is no preset yet. Type a name, choose what belongs to it, and save.</source>
+        <source>There is no preset yet. Type a name, choose its parts, and save.</source>
         <translation>Es gibt noch keine Voreinstellung. Einen Namen eingeben, wählen, was dazugehört, und speichern.</translation>
     </message>
     <message>
-        <source>Everything is as in this preset.</source>
+        <source>The current settings match this preset.</source>
         <translation>Alles ist wie in dieser Voreinstellung.</translation>
     </message>
     <message>
@@ -4044,7 +4044,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>&amp;Kamera</translation>
     </message>
     <message>
-        <source>The settings of the camera; they are known while the view Camera is open</source>
+        <source>The settings of the camera, known only while the view Camera is open</source>
         <translation>Die Einstellungen der Kamera; bekannt, solange die Ansicht Kamera offen ist</translation>
     </message>
 </context>
@@ -4067,7 +4067,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Der Bericht enthält auch, was folgt. Er wird gespeichert oder kopiert und nirgendwohin gesendet; er enthält Namen von Dateien und Robotern, daher vor dem Weitergeben lesen.</translation>
     </message>
     <message>
-        <source>What the report has</source>
+        <source>Contents of the report</source>
         <translation>Was der Bericht enthält</translation>
     </message>
     <message>
@@ -4098,7 +4098,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Opens the recording as a log, instead of what runs here</source>
+        <source>Opens the recording as a log, in place of what is open now</source>
         <translation>Öffnet die Aufzeichnung als Log, anstelle dessen, was hier läuft</translation>
     </message>
     <message>
@@ -4448,7 +4448,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Ends fetching; the next time it continues where it stopped</source>
+        <source>Stops the download; the next one resumes where it stopped</source>
         <translation>Beendet das Holen; beim nächsten Mal geht es weiter, wo es aufgehört hat</translation>
     </message>
     <message>
@@ -4456,7 +4456,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>&amp;Holen</translation>
     </message>
     <message>
-        <source>Copies the selected recordings from the robot, with a check of every byte</source>
+        <source>Downloads the selected recordings from the robot, and verifies their checksums</source>
         <translation>Kopiert die ausgewählten Aufzeichnungen vom Roboter und prüft dabei jedes Byte</translation>
     </message>
     <message>
@@ -4476,7 +4476,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Löscht die ausgewählten Aufzeichnungen beim Roboter</translation>
     </message>
     <message>
-        <source>This robot&apos;s program keeps no recordings: it has to be started with --recordings FOLDER.</source>
+        <source>This robot&apos;s program keeps no recordings. Restart it with --recordings FOLDER.</source>
         <translation>Das Programm dieses Roboters bewahrt keine Aufzeichnungen auf: es muss mit --recordings FOLDER gestartet werden.</translation>
     </message>
     <message>
@@ -4504,23 +4504,23 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>eine andere Datei</translation>
     </message>
     <message>
-        <source>Fetching %1 was canceled. The next time it continues where it stopped.</source>
+        <source>The download of %1 was canceled. The next one resumes where it stopped.</source>
         <translation>Das Holen von %1 wurde abgebrochen. Beim nächsten Mal geht es weiter, wo es aufgehört hat.</translation>
     </message>
     <message>
-        <source>, %1 of them from before</source>
+        <source>, %1 of them from an earlier download</source>
         <translation>, davon %1 von vorher</translation>
     </message>
     <message>
-        <source>%1 was fetched: %2%3; the checksum is that of the robot.</source>
+        <source>%1 was downloaded: %2%3; the checksum matches the robot&apos;s.</source>
         <translation>%1 wurde geholt: %2%3; die Prüfsumme ist die des Roboters.</translation>
     </message>
     <message>
-        <source>%1 was deleted at the robot.</source>
+        <source>%1 was deleted on the robot.</source>
         <translation>%1 wurde beim Roboter gelöscht.</translation>
     </message>
     <message>
-        <source>The robot records.</source>
+        <source>The robot is recording.</source>
         <translation>Der Roboter zeichnet auf.</translation>
     </message>
     <message>
@@ -4532,7 +4532,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Ordner für geholte Aufzeichnungen</translation>
     </message>
     <message>
-        <source>There is no folder %1: choose another one.</source>
+        <source>There is no folder %1. Choose another one.</source>
         <translation>Es gibt keinen Ordner %1: einen anderen wählen.</translation>
     </message>
     <message>
@@ -4548,15 +4548,15 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>diese %1 Aufzeichnungen</translation>
     </message>
     <message>
-        <source>Delete %1 at the robot? The copy here stays.</source>
+        <source>Delete %1 on the robot? The copy here stays.</source>
         <translation>%1 beim Roboter löschen? Die Kopie hier bleibt.</translation>
     </message>
     <message>
-        <source>Delete %1 at the robot? There is no copy here; it will be lost.</source>
+        <source>Delete %1 on the robot? There is no copy here; it will be lost.</source>
         <translation>%1 beim Roboter löschen? Hier gibt es keine Kopie; die Daten gehen verloren.</translation>
     </message>
     <message>
-        <source>Delete at the robot?</source>
+        <source>Delete on the robot?</source>
         <translation>Beim Roboter löschen?</translation>
     </message>
 </context>
@@ -4579,7 +4579,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Mit Robotern verbinden</translation>
     </message>
     <message>
-        <source>Robots that run remotely: there, robotctl sim or robotctl run was started with --listen, or somebody chose Robot &gt; Offer this session. They are shown beside those that are open here. Where only robotctl platform was started, the program runs here, in place of what is open. Those that announce themselves are listed; a click takes their address.</source>
+        <source>Connects remote robots: there, robotctl sim or robotctl run was started with --listen, or somebody chose Robot &gt; Offer this session. They are shown in addition to those that are open here. Where only robotctl platform was started, the program runs here, in place of what is open. Robots that announce themselves are listed; click one to use its address.</source>
         <translation>Roboter, deren Programme anderswo laufen: dort wurde robotctl sim oder robotctl run mit --listen gestartet, oder jemand hat Roboter &gt; Diese Sitzung anbieten gewählt. Sie werden neben denen gezeigt, die hier offen sind. Wo nur robotctl platform gestartet wurde, läuft das Programm hier, anstelle dessen, was offen ist. Roboter, die sich ankündigen, sind aufgelistet; ein Klick übernimmt ihre Adresse.</translation>
     </message>
     <message>
@@ -4627,7 +4627,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Token</translation>
     </message>
     <message>
-        <source>The robot prints it when it is made. A robot that wants one asks for it, and it can be remembered then</source>
+        <source>The robot prints it when it creates it. A robot that needs one asks for it; it can be remembered then</source>
         <translation>Der Roboter gibt es aus, wenn es erzeugt wird. Ein Roboter, der eines will, fragt danach, und es lässt sich dann merken</translation>
     </message>
     <message>
@@ -4647,11 +4647,11 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>How the robots at this URL send images; JPEG needs a tenth of the line</source>
+        <source>How the robots at this URL send images; JPEG needs a tenth of the bandwidth</source>
         <translation>Wie die Roboter dieser URL Bilder senden; JPEG braucht ein Zehntel der Leitung</translation>
     </message>
     <message>
-        <source>raw, as JPEG where the line is too narrow</source>
+        <source>raw, or JPEG if the link is too slow</source>
         <translation>roh, als JPEG wo die Leitung zu schmal ist</translation>
     </message>
     <message>
@@ -4671,7 +4671,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>How many images a second of each stream the robots at this URL send at most. What is left out counts as thinned</source>
+        <source>Maximum images per second of each stream from the robots at this URL. Images left out count as thinned</source>
         <translation>Wie viele Bilder pro Sekunde jedes Datenstroms die Roboter dieser URL höchstens senden. Ausgelassenes zählt als ausgedünnt</translation>
     </message>
     <message>
@@ -4687,7 +4687,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Grenze</translation>
     </message>
     <message>
-        <source>What the robots at this URL may send at most. Newer images and states then replace those that wait; texts and results come late</source>
+        <source>Maximum data rate of the robots at this URL. Newer images and states replace those still waiting; texts and results arrive late</source>
         <translation>Was die Roboter dieser URL höchstens senden dürfen. Neuere Bilder und Zustände ersetzen dann wartende; Texte und Ergebnisse kommen spät</translation>
     </message>
     <message>
@@ -4723,7 +4723,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>T&amp;rennen</translation>
     </message>
     <message>
-        <source>Ends the selected connection; its robots leave the window</source>
+        <source>Ends the selected connection and removes its robots from the window</source>
         <translation>Beendet die ausgewählte Verbindung; ihre Roboter verlassen das Fenster</translation>
     </message>
     <message>
@@ -4751,7 +4751,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>%1 hat eine Frage, bevor die Verbindung angenommen wird.</translation>
     </message>
     <message>
-        <source>everything was sent</source>
+        <source>everything sent</source>
         <translation>alles wurde gesendet</translation>
     </message>
     <message>
@@ -4784,7 +4784,7 @@ Neuer Versuch…</translation>
         <translation>Verbindungen</translation>
     </message>
     <message>
-        <source>nobody is connected</source>
+        <source>no client is connected</source>
         <translation>niemand ist verbunden</translation>
     </message>
     <message>
@@ -4804,7 +4804,7 @@ Neuer Versuch…</translation>
         <translation>Diese Sitzung wird unter %1 angeboten: %2</translation>
     </message>
     <message>
-        <source>Offer of this session</source>
+        <source>State of the offered session</source>
         <translation>Angebot dieser Sitzung</translation>
     </message>
     <message>
@@ -4824,7 +4824,7 @@ Neuer Versuch…</translation>
         <translation>Wer steuert</translation>
     </message>
     <message>
-        <source>The milliseconds include the wait behind data on its way: on a narrow line most of them are that.</source>
+        <source>The milliseconds include waiting behind other data: on a slow link that is most of them.</source>
         <translation>In den Millisekunden steckt das Warten hinter Daten, die unterwegs sind: Auf einer schmalen Leitung ist es der größte Teil.</translation>
     </message>
     <message>
@@ -4869,7 +4869,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Auf&amp;zeichnungen beim Roboter…</translation>
     </message>
     <message>
-        <source>Begins, fetches, opens and deletes recordings in the storage of remote robots</source>
+        <source>Starts, downloads, opens and deletes recordings in the storage of remote robots</source>
         <translation>Startet, holt, öffnet und löscht Aufzeichnungen im Speicher entfernter Roboter</translation>
     </message>
     <message>
@@ -4896,7 +4896,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Name der Gruppe</translation>
     </message>
     <message>
-        <source>For people, such as Home game</source>
+        <source>A name for display, such as Home game</source>
         <translation>Für Menschen, etwa Heimspiel</translation>
     </message>
     <message>
@@ -4908,7 +4908,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>&amp;Neu</translation>
     </message>
     <message>
-        <source>Begins a set without robots</source>
+        <source>Starts a set without robots</source>
         <translation>Beginnt eine Gruppe ohne Roboter</translation>
     </message>
     <message>
@@ -4976,7 +4976,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>The set has no robots yet. Add gives it one; a double click on a robot below takes that.</source>
+        <source>The set has no robots yet. Click Add, or double click a robot below.</source>
         <translation>Die Gruppe hat noch keine Roboter. „Hinzufügen“ gibt ihr einen; ein Doppelklick auf einen Roboter unten übernimmt diesen.</translation>
     </message>
     <message>
@@ -5004,7 +5004,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Ver&amp;binden</translation>
     </message>
     <message>
-        <source>Connects all robots that are ticked</source>
+        <source>Connects all checked robots</source>
         <translation>Verbindet alle angekreuzten Roboter</translation>
     </message>
     <message>
@@ -5012,7 +5012,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>T&amp;rennen</translation>
     </message>
     <message>
-        <source>Disconnects all that are ticked</source>
+        <source>Disconnects all checked robots</source>
         <translation>Trennt alle angekreuzten</translation>
     </message>
     <message>
@@ -5020,7 +5020,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>&amp;Prüfen</translation>
     </message>
     <message>
-        <source>Compares the files of the robots that are ticked with those here, by their checksums</source>
+        <source>Compares the files on the checked robots with those here, by checksum</source>
         <translation>Vergleicht die Dateien der angekreuzten Roboter mit denen hier, anhand ihrer Prüfsummen</translation>
     </message>
     <message>
@@ -5028,7 +5028,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Ver&amp;teilen</translation>
     </message>
     <message>
-        <source>Sends what differs to the robots that are ticked, and compares again</source>
+        <source>Sends the files that differ to the checked robots, and compares again</source>
         <translation>Sendet den angekreuzten Robotern, was abweicht, und vergleicht noch einmal</translation>
     </message>
     <message>
@@ -5036,7 +5036,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Neu st&amp;arten</translation>
     </message>
     <message>
-        <source>Starts the programs of the robots that are ticked again, if they have not read yet what was deployed; these robots stand meanwhile</source>
+        <source>Restarts the programs of the checked robots that have not read the deployed files yet; these robots are stopped meanwhile</source>
         <translation>Startet die Programme der angekreuzten Roboter neu, wenn sie noch nicht gelesen haben, was verteilt wurde; diese Roboter stehen währenddessen</translation>
     </message>
     <message>
@@ -5052,11 +5052,11 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Was die Roboter haben</translation>
     </message>
     <message>
-        <source>File at the robot</source>
+        <source>File on the robot</source>
         <translation>Datei beim Roboter</translation>
     </message>
     <message>
-        <source>Compared with the one here</source>
+        <source>Compared with the file here</source>
         <translation>Verglichen mit der hier</translation>
     </message>
     <message>
@@ -5128,7 +5128,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>the same; takes effect when the program starts again</source>
+        <source>the same; takes effect when the program restarts</source>
         <translation>gleich; gilt, wenn das Programm neu startet</translation>
     </message>
     <message>
@@ -5148,7 +5148,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>%1 ist nicht verbunden.</translation>
     </message>
     <message>
-        <source>%1 takes no files: its program has to be started with --resources FOLDER.</source>
+        <source>%1 takes no files. Restart its program with --resources FOLDER.</source>
         <translation>%1 nimmt keine Dateien an: das Programm muss mit --resources FOLDER gestartet werden.</translation>
     </message>
     <message>
@@ -5269,7 +5269,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Stops all robots at their platforms, whatever their programs do, until released; pauses a log (Shift+Esc, Pause)</source>
+        <source>Stops all robots at their platforms, regardless of their programs, until released; pauses a log (Shift+Esc, Pause)</source>
         <translation>Hält alle Roboter an ihrer Plattform an, was auch immer ihre Programme tun, bis zum Lösen; hält ein Log an (Umschalt+Esc, Pause)</translation>
     </message>
     <message>
@@ -5325,7 +5325,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>1 s zurückspulen</translation>
     </message>
     <message>
-        <source>Which process of the selected robot&apos;s program does which tasks; another one is for all robots, whose programs start again</source>
+        <source>Process layout of the selected robot&apos;s program: which process runs which tasks. Choosing another restarts the programs of all robots</source>
         <translation>Welcher Prozess des Programms des gewählten Roboters welche Aufgaben erledigt; ein anderes gilt für alle Roboter, deren Programme neu starten</translation>
     </message>
     <message>
@@ -5348,7 +5348,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>&amp;Schnappschuss aufnehmen</translation>
     </message>
     <message>
-        <source>Keeps the present state of the world, until the scene is closed</source>
+        <source>Keeps the present state of the world until the scene is closed</source>
         <translation>Bewahrt den jetzigen Zustand der Welt auf, bis die Szene geschlossen wird</translation>
     </message>
     <message>
@@ -5372,7 +5372,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>%1: bei %2 s</translation>
     </message>
     <message>
-        <source>&amp;Cancel running the programs again (%1 %)</source>
+        <source>&amp;Cancel replaying the programs (%1 %)</source>
         <translation>Wiederholen der Programme &amp;abbrechen (%1 %)</translation>
     </message>
     <message>
@@ -5392,7 +5392,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Zurück mit den &amp;Programmen</translation>
     </message>
     <message>
-        <source>Runs the programs again from their start, with all that was asked, until they are there, too</source>
+        <source>Also replays the programs from their start, with all requests, up to this snapshot</source>
         <translation>Lässt die Programme von ihrem Start an mit allem, was verlangt wurde, noch einmal laufen, bis auch sie dort sind</translation>
     </message>
     <message>
@@ -5431,7 +5431,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
 <context>
     <name>app::StallWatch</name>
     <message>
-        <source>Stalls of the window: how many took more than %1 ms, and the longest one</source>
+        <source>Stalls of the window: number longer than %1 ms, and the longest one</source>
         <translation>Wie lange das Fenster nicht geantwortet hat: wie oft länger als %1 ms, und die längste Zeit</translation>
     </message>
     <message>
@@ -5580,7 +5580,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Datenströme</translation>
     </message>
     <message>
-        <source>Current streams; checked ones are recorded</source>
+        <source>Current streams; check those to record</source>
         <translation>Jetzige Datenströme; angekreuzte werden aufgezeichnet</translation>
     </message>
 </context>
@@ -5595,7 +5595,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Lösung</translation>
     </message>
     <message>
-        <source>A task, for its active solution, or one of them</source>
+        <source>A task (for its active solution), or TASK/SOLUTION</source>
         <translation>Eine Aufgabe, für ihre aktive Lösung, oder eine der Lösungen</translation>
     </message>
     <message>
@@ -5647,7 +5647,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Je S&amp;ekunden:</translation>
     </message>
     <message>
-        <source>What was measured</source>
+        <source>Results</source>
         <translation>Was gemessen wurde</translation>
     </message>
     <message>
@@ -5714,15 +5714,15 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
 <context>
     <name>app::TokenDialog</name>
     <message>
-        <source>The robot at %1 only accepts clients with its token. It printed two when they were made: one to control, and one to watch.</source>
+        <source>The robot at %1 only accepts clients with its token. It printed two when it created them: one to control, and one to watch.</source>
         <translation>Der Roboter unter %1 lässt nur ein, wer sein Token zeigt. Er hat zwei ausgegeben, als sie erzeugt wurden: eines zum Steuern und eines zum Beobachten.</translation>
     </message>
     <message>
-        <source>The robot at %1 does not accept this token. Enter one of the two that it printed when they were made.</source>
+        <source>The robot at %1 does not accept this token. Enter one of the two that it printed when it created them.</source>
         <translation>Der Roboter unter %1 nimmt dieses Token nicht an. Eines der beiden eingeben, die er beim Erzeugen ausgegeben hat.</translation>
     </message>
     <message>
-        <source>The robot at %1 does not accept the token that is remembered here any more. Enter one of the two that it printed when they were made.</source>
+        <source>The robot at %1 does not accept the remembered token any more. Enter one of the two that it printed when it created them.</source>
         <translation>Der Roboter unter %1 nimmt das hier gemerkte Token nicht mehr an. Eines der beiden eingeben, die er beim Erzeugen ausgegeben hat.</translation>
     </message>
     <message>
@@ -5801,7 +5801,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Abspielen, anhalten, Einzelschritt</translation>
     </message>
     <message>
-        <source>F5 starts, F6 pauses, F10 takes one step of 8 ms, Ctrl+R starts again. Shift+Esc is STOP: the robot stands, whatever its program wants.</source>
+        <source>F5 starts, F6 pauses, F10 takes one step of 8 ms, Ctrl+R resets. Shift+Esc is STOP: it halts the robot, whatever its program does.</source>
         <translation>F5 startet, F6 hält an, F10 geht einen Schritt von 8 ms, Strg+R beginnt von vorn. Umschalt+Esc ist STOP: der Roboter steht, was auch immer sein Programm will.</translation>
     </message>
     <message>
@@ -5809,7 +5809,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Debug-Schlüssel</translation>
     </message>
     <message>
-        <source>Type &quot;ball&quot;, choose a key and press Enter: the program then publishes this drawing, plot or package, and views show it. In Solutions, beside it, a click lets a task be done in another way.</source>
+        <source>Type &quot;ball&quot;, choose a key and press Enter: the program then publishes this drawing, plot or package, and views show it. In Solutions, next to it, a click switches a task to another solution.</source>
         <translation>„ball“ eingeben, einen Schlüssel wählen und die Eingabetaste drücken: das Programm veröffentlicht dann diese Zeichnung, Kurve oder dieses Paket, und Ansichten zeigen es. Daneben, in Lösungen, lässt ein Klick eine Aufgabe anders lösen.</translation>
     </message>
     <message>
@@ -5817,7 +5817,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Ctrl+Space holds what all views show, while the robot goes on. In the timeline you then go back and forth, for live robots as for logs; &quot;live&quot; returns to now.</source>
+        <source>Ctrl+Space freezes all views, while the robot continues. In the timeline you then go back and forth, for live robots as for logs; &quot;live&quot; returns to now.</source>
         <translation>Strg+Leertaste hält an, was alle Ansichten zeigen, während der Roboter weiterläuft. In der Zeitleiste geht es dann vor und zurück, bei laufenden Robotern wie bei Logs; „live“ kehrt zu jetzt zurück.</translation>
     </message>
     <message>
@@ -5825,7 +5825,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Ansichten und Perspektiven</translation>
     </message>
     <message>
-        <source>The menu View has all views; drag their tabs to arrange them, also out of the window. Window &gt; Perspective has arrangements for one job: colors, motions, logs, and your own.</source>
+        <source>The menu View lists all views; drag their tabs to arrange them, even out of the window. Window &gt; Perspective has arrangements for one job: colors, motions, logs, and your own.</source>
         <translation>Das Menü Ansicht enthält alle Ansichten; ihre Reiter lassen sich ziehen, auch aus dem Fenster heraus. Fenster &gt; Perspektive hat Anordnungen für je einen Zweck: Farben, Bewegungen, Logs und eigene.</translation>
     </message>
     <message>
@@ -5837,11 +5837,11 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Eine Logdatei auf das Fenster ziehen, um sie zu öffnen. Roboter &gt; Verbinden… findet Roboter im Netzwerk; Strg+Umschalt+R zeichnet auf, was der Roboter sendet, und das Log läuft wieder durch das Programm.</translation>
     </message>
     <message>
-        <source>Everything by its words</source>
+        <source>Find everything by name</source>
         <translation>Alles nach seinen Wörtern</translation>
     </message>
     <message>
-        <source>Ctrl+P finds every command and menu entry. F1 opens the manual at the page of the view that you are in. Help &gt; Tour shows this again.</source>
+        <source>Ctrl+P finds every command and menu entry. F1 opens the manual at the page of the focused view. Help &gt; Tour shows this again.</source>
         <translation>Strg+P findet jeden Befehl und Menüeintrag. F1 öffnet das Handbuch auf der Seite der benutzten Ansicht. Hilfe &gt; Tour zeigt dies noch einmal.</translation>
     </message>
     <message>
@@ -5864,15 +5864,15 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Ein neuer Roboter</translation>
     </message>
     <message>
-        <source>Another robot than before?</source>
+        <source>Not the same robot as before?</source>
         <translation>Ein anderer Roboter als vorher?</translation>
     </message>
     <message>
-        <source>This computer has never connected to the robot at %1. It printed a fingerprint at its start: is it this one? If so it is remembered, and known again the next time.</source>
+        <source>This computer has never connected to the robot at %1. Is this the fingerprint that the robot printed at its start? If so, it is remembered for the next connections.</source>
         <translation>Der Roboter unter %1 war von hier noch nie verbunden. Er hat beim Start einen Fingerabdruck ausgegeben: ist es dieser? Dann wird er gemerkt und beim nächsten Mal wiedererkannt.</translation>
     </message>
     <message>
-        <source>The robot at %1 shows another certificate than before. Either it was set up again, or somebody else answers in its place, and would see the token and all that is sent.</source>
+        <source>The certificate of the robot at %1 has changed. Either the robot was set up again, or someone else is answering in its place and would see the token and everything that is sent.</source>
         <translation>Der Roboter unter %1 zeigt ein anderes Zertifikat als vorher. Entweder wurde er neu eingerichtet, oder jemand anderes antwortet an seiner Stelle und würde das Token und alles Gesendete sehen.</translation>
     </message>
     <message>
@@ -6013,7 +6013,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Blockiert: %1</translation>
     </message>
     <message>
-        <source>What it moves has met an obstacle since its last command</source>
+        <source>It has hit an obstacle since its last command</source>
         <translation>Was er bewegt, ist seit seinem letzten Kommando auf ein Hindernis gestoßen</translation>
     </message>
 </context>
@@ -6060,7 +6060,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Odometrie zurücksetzen</translation>
     </message>
     <message>
-        <source>Makes this place the odometry&apos;s origin</source>
+        <source>Makes this pose the odometry&apos;s origin</source>
         <translation>Macht diesen Ort zum Ursprung der Odometrie</translation>
     </message>
     <message>
@@ -6112,7 +6112,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Not-Halt</translation>
     </message>
     <message>
-        <source>The button at the robot, and STOP of this workbench</source>
+        <source>The button on the robot, and STOP of this workbench</source>
         <translation>Der Taster am Roboter und STOP dieser Werkbank</translation>
     </message>
     <message>
@@ -6140,7 +6140,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Odometrie</translation>
     </message>
     <message>
-        <source>Pose by the wheels: x, y, heading</source>
+        <source>Pose from the wheels: x, y, heading</source>
         <translation>Pose nach den Rädern: x, y, Richtung</translation>
     </message>
     <message>
@@ -6156,7 +6156,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Wirklich</translation>
     </message>
     <message>
-        <source>As the wheels turn: forward, and counter-clockwise</source>
+        <source>From the wheels: forward, and counterclockwise</source>
         <translation>Wie sich die Räder drehen: vorwärts und gegen den Uhrzeigersinn</translation>
     </message>
     <message>
@@ -6176,7 +6176,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Whether packets come</source>
+        <source>Whether packets arrive</source>
         <translation>Ob Datenpakete kommen</translation>
     </message>
     <message>
@@ -6224,7 +6224,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Umlaufzeit</translation>
     </message>
     <message>
-        <source>Until the last request was answered</source>
+        <source>Time until the last request was answered</source>
         <translation>Bis die letzte Anfrage beantwortet war</translation>
     </message>
     <message>
@@ -6316,7 +6316,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>STOP ist in dieser Werkbank ausgelöst</translation>
     </message>
     <message>
-        <source>pressed at the robot</source>
+        <source>pressed on the robot</source>
         <translation>am Roboter gedrückt</translation>
     </message>
     <message>
@@ -6418,7 +6418,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Freigeben</translation>
     </message>
     <message>
-        <source>The behavior decides again</source>
+        <source>Releases the behavior, so that it decides again</source>
         <translation>Das Verhalten entscheidet wieder</translation>
     </message>
     <message>
@@ -6551,7 +6551,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Zeit des Bildes</translation>
     </message>
     <message>
-        <source>What is seen</source>
+        <source>What the camera sees</source>
         <translation>Was zu sehen ist</translation>
     </message>
     <message>
@@ -6579,7 +6579,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Erst das Objektiv kalibrieren: Sein Öffnungswinkel ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>Select a mark and click it in the image; at least %1 are needed, and not all on one line.</source>
+        <source>Select a mark and click it in the image; you need at least %1, not all on one line.</source>
         <translation>Eine Marke auswählen und im Bild anklicken; mindestens %1 sind nötig, und nicht alle auf einer Geraden.</translation>
     </message>
     <message>
@@ -6708,7 +6708,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Hintergrund</translation>
     </message>
     <message>
-        <source>Pixels of no class. Strokes of the background keep classes apart from it.</source>
+        <source>Pixels without a class. Strokes of the background keep the classes separate from it.</source>
         <translation>Pixel keiner Klasse. Striche des Hintergrunds halten Klassen davon getrennt.</translation>
     </message>
     <message>
@@ -6716,11 +6716,11 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Ein Klick auf die Farbe ändert sie; F2 oder ein Doppelklick bearbeitet den Namen</translation>
     </message>
     <message>
-        <source>Share of its strokes&apos; pixels that the other strokes find</source>
+        <source>Percentage of its strokes&apos; pixels that the other strokes find</source>
         <translation>Anteil der Pixel ihrer Striche, den die anderen Striche finden</translation>
     </message>
     <message>
-        <source>Not known: a class needs two strokes, so that one can be tried with the other</source>
+        <source>Not known: a class needs two strokes, to test one against the other</source>
         <translation>Nicht bekannt: eine Klasse braucht zwei Striche, damit sich einer am anderen erproben lässt</translation>
     </message>
 </context>
@@ -6870,7 +6870,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Datei…</translation>
     </message>
     <message>
-        <source>Compares with a table in a file, also of other teams</source>
+        <source>Compares with a table in a file, even another team&apos;s</source>
         <translation>Vergleicht mit einer Tabelle in einer Datei, auch anderer Teams</translation>
     </message>
     <message>
@@ -6894,7 +6894,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
         <translation>Im Bild</translation>
     </message>
     <message>
-        <source>Shows beside the image which of its pixels are of another class</source>
+        <source>Shows next to the image which of its pixels have another class</source>
         <translation>Zeigt neben dem Bild, welche seiner Pixel zu einer anderen Klasse gehören</translation>
     </message>
     <message>
@@ -6947,7 +6947,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt ihre Datenraten</translation>
     </message>
     <message>
         <source>There is no table to compare with.
-Take one from a file, or keep the current one and go on drawing.</source>
+Open one from a file, or keep the current one and continue drawing.</source>
         <translation>Es gibt keine Tabelle zum Vergleichen.
 Eine aus einer Datei nehmen, oder die jetzige behalten und weiterzeichnen.</translation>
     </message>
@@ -6987,11 +6987,11 @@ Eine aus einer Datei nehmen, oder die jetzige behalten und weiterzeichnen.</tran
         <translation>Ausreißer verwerfen</translation>
     </message>
     <message>
-        <source>Removes from the stroke what the table knew as another class: what the brush touched beside a thin line</source>
+        <source>Removes pixels of other classes from the stroke: what the brush touched next to a thin line</source>
         <translation>Entfernt aus dem Strich, was die Tabelle als andere Klasse kannte: was der Pinsel neben einer dünnen Linie berührt hat</translation>
     </message>
     <message>
-        <source>what was of no class</source>
+        <source>pixels without a class</source>
         <translation>was zu keiner Klasse gehörte</translation>
     </message>
     <message>
@@ -7098,7 +7098,7 @@ Eine aus einer Datei nehmen, oder die jetzige behalten und weiterzeichnen.</tran
         <translation>Tabelle &amp;exportieren…</translation>
     </message>
     <message>
-        <source>Writes the table to a .c64 file, with the names of its classes beside it</source>
+        <source>Writes the table to a .c64 file, with the names of its classes in a file next to it</source>
         <translation>Schreibt die Tabelle in eine .c64-Datei, mit den Namen ihrer Klassen daneben</translation>
     </message>
     <message>
@@ -7106,7 +7106,7 @@ Eine aus einer Datei nehmen, oder die jetzige behalten und weiterzeichnen.</tran
         <translation>Exportierte Zellen dürfen &amp;mehrere Klassen haben</translation>
     </message>
     <message>
-        <source>Where classes are close, an exported cell is of all of them</source>
+        <source>Where classes are close, an exported cell belongs to all of them</source>
         <translation>Wo Klassen nah beieinander sind, gehört eine exportierte Zelle zu allen</translation>
     </message>
     <message>
@@ -7114,11 +7114,11 @@ Eine aus einer Datei nehmen, oder die jetzige behalten und weiterzeichnen.</tran
         <translation>Mit Tabelle &amp;vergleichen…</translation>
     </message>
     <message>
-        <source>Reads a table to compare with; yours stays as it is</source>
+        <source>Reads a table to compare with; yours does not change</source>
         <translation>Liest eine Tabelle zum Vergleichen; die eigene bleibt, wie sie ist</translation>
     </message>
     <message>
-        <source>More with files</source>
+        <source>More file actions</source>
         <translation>Mehr mit Dateien</translation>
     </message>
     <message>
@@ -7159,7 +7159,7 @@ Eine aus einer Datei nehmen, oder die jetzige behalten und weiterzeichnen.</tran
 … und %1 weitere</translation>
     </message>
     <message>
-        <source>Only a part of %1 could be read. It is open without a name, so that the file stays as it is:</source>
+        <source>Only a part of %1 could be read. It was opened without a name, so that the file is not overwritten:</source>
         <translation>Nur ein Teil von %1 war lesbar. Er ist ohne Namen geöffnet, damit die Datei bleibt, wie sie ist:</translation>
     </message>
     <message>
@@ -7184,7 +7184,7 @@ Eine aus einer Datei nehmen, oder die jetzige behalten und weiterzeichnen.</tran
     </message>
     <message>
         <source>
-Cells of several classes, one of them above %1, that keep only the best one, since the format has no room for more: %2</source>
+Cells of several classes, one of them above %1, that keep only the best one, because the format has no room for more: %2</source>
         <translation>
 Zellen mehrerer Klassen, eine davon über %1, die nur die beste behalten, da das Format keinen Platz für mehr hat: %2</translation>
     </message>
@@ -7199,7 +7199,7 @@ Die Korrekturen von Kameras und Vignettierung sind nicht Teil der Tabelle</trans
         <translation>Verglichen mit %1</translation>
     </message>
     <message>
-        <source>; its classes %1 are not among yours and count as none</source>
+        <source>; its classes %1 are not among yours and are ignored</source>
         <translation>; ihre Klassen %1 sind nicht unter den eigenen und zählen als keine</translation>
     </message>
     <message>
@@ -7273,7 +7273,7 @@ Die Korrekturen von Kameras und Vignettierung sind nicht Teil der Tabelle</trans
         <translation>Live</translation>
     </message>
     <message>
-        <source>Shows the newest images again, not those of the history</source>
+        <source>Returns to the newest images, from those of the history</source>
         <translation>Zeigt wieder die neuesten Bilder, nicht die des Verlaufs</translation>
     </message>
     <message>
@@ -7281,7 +7281,7 @@ Die Korrekturen von Kameras und Vignettierung sind nicht Teil der Tabelle</trans
         <translation>Klassen</translation>
     </message>
     <message>
-        <source>Which classes are searched: those of objects, not ground and walls</source>
+        <source>Which classes are searched: those of objects, but not ground and walls</source>
         <translation>Welche Klassen gesucht werden: die von Objekten, nicht Boden und Wände</translation>
     </message>
     <message>
@@ -7361,8 +7361,8 @@ Die Korrekturen von Kameras und Vignettierung sind nicht Teil der Tabelle</trans
         <translation>Nichts Verdächtiges gefunden.</translation>
     </message>
     <message>
-        <source>Search lists the images with most suspicious pixels first:
-specks, ambiguous colors, and what another color encloses.</source>
+        <source>Search lists the images with the most suspicious pixels first:
+specks, ambiguous colors, and areas enclosed by another color.</source>
         <translation>Die Suche listet die Bilder mit den meisten verdächtigen Pixeln zuerst auf:
 Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translation>
     </message>
@@ -7394,7 +7394,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Sammeln</translation>
     </message>
     <message>
-        <source>Collects this image in the strip, to come back to it</source>
+        <source>Adds this image to the strip, to return to it later</source>
         <translation>Sammelt dieses Bild im Streifen, um darauf zurückzukommen</translation>
     </message>
     <message>
@@ -7402,7 +7402,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Zwei Bilder</translation>
     </message>
     <message>
-        <source>Shows the classified image beside it</source>
+        <source>Shows the classified image next to it</source>
         <translation>Zeigt das klassifizierte Bild daneben</translation>
     </message>
     <message>
@@ -7514,7 +7514,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Ob das Bild live, eingefroren oder aus dem Streifen ist</translation>
     </message>
     <message>
-        <source>Pixel under the cursor: position, color, class, how sure it is, cell</source>
+        <source>Pixel under the cursor: position, color, class, confidence, cell</source>
         <translation>Pixel unter dem Mauszeiger: Position, Farbe, Klasse, wie sicher sie ist, Zelle</translation>
     </message>
     <message>
@@ -7538,7 +7538,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Es gibt noch keine Tabelle zum Vergleichen</translation>
     </message>
     <message>
-        <source>Other than by %1; magenta: none now</source>
+        <source>Different from %1; magenta: no class now</source>
         <translation>Anders als nach %1; magenta: jetzt keine</translation>
     </message>
     <message>
@@ -7585,7 +7585,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Bilder mit Klassen…</translation>
     </message>
     <message>
-        <source>Scores the table over a folder of images with labels: gray PNGs of the same name with the numbers of the classes</source>
+        <source>Scores the table on a folder of images with labels: gray PNGs of the same name with the numbers of the classes</source>
         <translation>Bewertet die Tabelle über einen Ordner von Bildern mit wahren Klassen: graue PNGs gleichen Namens mit den Nummern der Klassen</translation>
     </message>
     <message>
@@ -7641,11 +7641,11 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Bilder der Simulation: %1</translation>
     </message>
     <message>
-        <source>Based on %1, at least %2 of a class and %3 of the background; each counts the same, however large it is.</source>
+        <source>Based on %1, at least %2 per class and %3 of the background; each counts the same, regardless of size.</source>
         <translation>Auf der Grundlage von %1, mindestens %2 einer Klasse und %3 des Hintergrunds; jeder zählt gleich viel, wie groß er auch ist.</translation>
     </message>
     <message>
-        <source> That is few: the figures are only a hint.</source>
+        <source> That is not much: the figures are only a rough guide.</source>
         <translation> Das ist wenig: die Zahlen sind nur ein Hinweis.</translation>
     </message>
     <message>
@@ -7653,7 +7653,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>die eigene ist besser</translation>
     </message>
     <message>
-        <source>both are alike</source>
+        <source>both are equal</source>
         <translation>beide sind gleich gut</translation>
     </message>
     <message>
@@ -7681,11 +7681,11 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>In den %1 gesehenen Bildern</translation>
     </message>
     <message>
-        <source>%1 no color is where it cannot be.</source>
+        <source>%1 no color is in an impossible place.</source>
         <translation>%1 ist keine Farbe, wo sie nicht sein kann.</translation>
     </message>
     <message>
-        <source>%1 %2 % of the pixels have the color of a thing where none can be, mostly %3 (%4 %); the view Find frames shows where.</source>
+        <source>%1 %2 % of the pixels have the color of an object where none can be, mostly %3 (%4 %); the view Find frames shows where.</source>
         <translation>%1 haben %2 % der Pixel die Farbe eines Dings, wo keines sein kann, meist %3 (%4 %); die Ansicht Bilder finden zeigt, wo.</translation>
     </message>
     <message>
@@ -7705,11 +7705,11 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Vom Hintergrund hält sie für eine Klasse: %1.</translation>
     </message>
     <message>
-        <source>The labeled images beside this are the better judge.</source>
+        <source>The labeled images next to this are more reliable.</source>
         <translation>Die Bilder mit wahren Klassen daneben urteilen besser.</translation>
     </message>
     <message>
-        <source>Too little to judge %1 by: draw a second stroke, so that one can be tried with the other.</source>
+        <source>Not enough strokes to judge %1: draw a second one, to test one against the other.</source>
         <translation>Zu wenig, um %1 zu beurteilen: einen zweiten Strich zeichnen, damit sich einer am anderen erproben lässt.</translation>
     </message>
     <message>
@@ -7729,11 +7729,11 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Wird ermittelt…</translation>
     </message>
     <message>
-        <source>Waiting for the simulated camera. Only a simulated robot, or its log, knows true classes.</source>
+        <source>Waiting for the simulated camera. Only a simulated robot, or its log, has true classes.</source>
         <translation>Wartet auf die simulierte Kamera. Nur ein simulierter Roboter oder sein Log kennt wahre Klassen.</translation>
     </message>
     <message>
-        <source>No labeled images. Open a folder of them, or take those of the simulator.</source>
+        <source>No labeled images. Open a folder of them, or use those of the simulator.</source>
         <translation>Keine Bilder mit wahren Klassen. Einen Ordner davon öffnen oder die des Simulators nehmen.</translation>
     </message>
 </context>
@@ -7763,7 +7763,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Beleuchtung…</translation>
     </message>
     <message>
-        <source>Names the light in which the images of the selected strokes were taken</source>
+        <source>Names the lighting of the images of the selected strokes</source>
         <translation>Benennt das Licht, in dem die Bilder der ausgewählten Striche aufgenommen wurden</translation>
     </message>
     <message>
@@ -7823,7 +7823,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Das Licht, in dem diese Bilder aufgenommen wurden:</translation>
     </message>
     <message>
-        <source>The image %1 is not here: it was not collected, and its time is not on the timeline. Open its log to see it.</source>
+        <source>The image %1 is not available: it was not collected, and its time is not on the timeline. Open its log to see it.</source>
         <translation>Das Bild %1 ist nicht hier: es wurde nicht gesammelt, und seine Zeit ist nicht auf der Zeitleiste. Sein Log öffnen, um es zu sehen.</translation>
     </message>
     <message>
@@ -7878,7 +7878,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>%1 lehnt sie ab: %2</translation>
     </message>
     <message>
-        <source>%1 got something else (%2 instead of %3); send it again</source>
+        <source>%1 received something else (%2 instead of %3); send it again</source>
         <translation>%1 hat etwas anderes bekommen (%2 statt %3); noch einmal senden</translation>
     </message>
     <message>
@@ -7893,7 +7893,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Farbraum</translation>
     </message>
     <message>
-        <source>Drag: turn; right or middle button: move; wheel: zoom; double click: reset. Shift and drag: select what is inside (with Control: add, with Alt: remove); Escape: clear the selection</source>
+        <source>Drag: turn; right or middle button: move; wheel: zoom; double click: reset. Shift+drag: select what is inside (with Control: add, with Alt: remove); Escape: clear the selection</source>
         <translation>Ziehen: drehen; rechte oder mittlere Taste: verschieben; Mausrad: zoomen; Doppelklick: zurücksetzen. Umschalt und ziehen: auswählen, was darin ist (mit Strg: hinzufügen, mit Alt: entfernen); Esc: Auswahl aufheben</translation>
     </message>
 </context>
@@ -7972,7 +7972,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
         <translation>Anderer Teil</translation>
     </message>
     <message>
-        <source>Shows what is cut off instead</source>
+        <source>Shows the other side of the cut</source>
         <translation>Zeigt stattdessen, was abgeschnitten ist</translation>
     </message>
     <message>
@@ -8131,7 +8131,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Punkt</translation>
     </message>
     <message>
-        <source>The pixel that is clicked is of the class</source>
+        <source>The clicked pixel belongs to the class</source>
         <translation>Das angeklickte Pixel gehört zur Klasse</translation>
     </message>
     <message>
@@ -8139,7 +8139,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Pinsel</translation>
     </message>
     <message>
-        <source>What is painted over is of the class</source>
+        <source>Painted pixels belong to the class</source>
         <translation>Was übermalt wird, gehört zur Klasse</translation>
     </message>
     <message>
@@ -8147,7 +8147,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Rechteck</translation>
     </message>
     <message>
-        <source>What a rectangle covers is of the class</source>
+        <source>The pixels of a rectangle belong to the class</source>
         <translation>Was ein Rechteck überdeckt, gehört zur Klasse</translation>
     </message>
     <message>
@@ -8155,7 +8155,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>What a line goes around is of the class</source>
+        <source>The pixels inside a drawn line belong to the class</source>
         <translation>Was eine Linie umfährt, gehört zur Klasse</translation>
     </message>
     <message>
@@ -8163,7 +8163,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Zauberstab</translation>
     </message>
     <message>
-        <source>Similar colors around the click, up to an edge, are of the class</source>
+        <source>Similar colors around the click, up to an edge, belong to the class</source>
         <translation>Ähnliche Farben um den Klick herum, bis zu einer Kante, gehören zur Klasse</translation>
     </message>
     <message>
@@ -8179,7 +8179,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Farben auswählen</translation>
     </message>
     <message>
-        <source>Selects the colors of what a line goes around, here and in the color space</source>
+        <source>Selects the colors inside a drawn line, here and in the color space</source>
         <translation>Wählt die Farben dessen aus, was eine Linie umfährt, hier und im Farbraum</translation>
     </message>
     <message>
@@ -8199,7 +8199,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Sorgfältiger Pinsel</translation>
     </message>
     <message>
-        <source>The brush snaps to thin lines and leaves out other colors, such as the field beside a line</source>
+        <source>The brush snaps to thin lines and skips other colors, such as the field next to a line</source>
         <translation>Der Pinsel rastet an dünnen Linien ein und lässt andere Farben aus, etwa das Feld neben einer Linie</translation>
     </message>
     <message>
@@ -8207,7 +8207,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Klasse</translation>
     </message>
     <message>
-        <source>Class of the strokes; digits choose it, too</source>
+        <source>Class of the strokes; digit keys also choose it</source>
         <translation>Klasse der Striche; auch Ziffern wählen sie</translation>
     </message>
     <message>
@@ -8227,7 +8227,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source>How far colors may differ for the magic wand to take them</source>
+        <source>How far colors may differ for the magic wand to include them</source>
         <translation>Wie stark sich Farben unterscheiden dürfen, damit der Zauberstab sie nimmt</translation>
     </message>
     <message>
@@ -8356,7 +8356,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Zweites Bild</translation>
     </message>
     <message>
-        <source>With which images they are compared: another camera, another robot, or the logged ones (logged/…) where the program runs again</source>
+        <source>Images to compare with: another camera, another robot, or the logged ones (logged/…) if the program recomputes them</source>
         <translation>Mit welchen Bildern verglichen wird: einer anderen Kamera, einem anderen Roboter, oder den aufgezeichneten (logged/…), wo das Programm wieder läuft</translation>
     </message>
     <message>
@@ -8376,7 +8376,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Festhalten</translation>
     </message>
     <message>
-        <source>Holds the second image while the first one goes on, also over jumps in a log</source>
+        <source>Holds the second image while the first one continues, even across jumps in a log</source>
         <translation>Hält das zweite Bild fest, während das erste weiterläuft, auch über Sprünge in einem Log</translation>
     </message>
     <message>
@@ -8415,7 +8415,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>ohne Klasse</translation>
     </message>
     <message>
-        <source>A second stroke of %1 is needed to try one with the other</source>
+        <source>A second stroke of %1 is needed, to test one against the other</source>
         <translation>Ein zweiter Strich von %1 wird gebraucht, um einen am anderen zu erproben</translation>
     </message>
     <message>
@@ -8442,7 +8442,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Was zu diesen Zahlen zu wissen ist</translation>
     </message>
     <message>
-        <source>%1: true classes in rows, found ones in columns, shares in percent</source>
+        <source>%1: true classes in rows, found ones in columns, in percent</source>
         <translation>%1: wahre Klassen in Zeilen, erkannte in Spalten, Anteile in Prozent</translation>
     </message>
     <message>
@@ -8450,7 +8450,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Mittlere Trefferquote %1    Falsche Farben %2</translation>
     </message>
     <message>
-        <source>Mean recall: over the classes, what share of their pixels is found. False colors: the share of the background that is found to be of a color of objects, such as orange or blue.</source>
+        <source>Mean recall: the share of a class&apos;s pixels that is found, averaged over the classes. False colors: the share of the background that is classified as a color of objects, such as orange or blue.</source>
         <translation>Mittlere Trefferquote: über die Klassen, welcher Anteil ihrer Pixel gefunden wird. Falsche Farben: der Anteil des Hintergrunds, der als Farbe von Objekten erkannt wird, etwa Orange oder Blau.</translation>
     </message>
 </context>
@@ -8477,7 +8477,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Ausgabe von Befehlen</translation>
     </message>
     <message>
-        <source>Type a command below: Tab completes it, Up brings back what was typed before. help lists all commands.</source>
+        <source>Type a command below: Tab completes it, Up recalls earlier ones. help lists all commands.</source>
         <translation>Unten einen Befehl eingeben: Tab vervollständigt ihn, Pfeil nach oben holt frühere Eingaben zurück. help listet alle Befehle auf.</translation>
     </message>
     <message>
@@ -8740,7 +8740,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Als JSON kopieren</translation>
     </message>
     <message>
-        <source>Copies the row with all below it</source>
+        <source>Copies the row and everything below it</source>
         <translation>Kopiert die Zeile mit allem darunter</translation>
     </message>
     <message>
@@ -8760,7 +8760,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Vergleichen mit</translation>
     </message>
     <message>
-        <source>Shows other values beside and marks what differs; timestamps do not count</source>
+        <source>Shows other values next to these and marks differences; timestamps do not count</source>
         <translation>Zeigt andere Werte daneben und markiert Unterschiede; Zeitstempel zählen nicht</translation>
     </message>
     <message>
@@ -8859,7 +8859,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Voreinstellung speichern</translation>
     </message>
     <message>
-        <source>Keeps the keys that are on under the name in the field</source>
+        <source>Saves the keys that are on under the name in the field</source>
         <translation>Behält die eingeschalteten Schlüssel unter dem Namen im Feld</translation>
     </message>
     <message>
@@ -8927,7 +8927,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Bei allen Robotern</translation>
     </message>
     <message>
-        <source>Switches this key, or all keys below this row, in the other robots as it is here</source>
+        <source>Copies the mode of this key, or of all keys below this row, to the other robots</source>
         <translation>Schaltet diesen Schlüssel, oder alle unter dieser Zeile, bei den anderen Robotern wie hier</translation>
     </message>
     <message>
@@ -8962,7 +8962,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Die Nachrichten dieses Stroms, in dem Koordinatensystem, das sie nennen</translation>
     </message>
     <message>
-        <source>Of a solution in the shadow: its lines are dashed</source>
+        <source>From a shadow solution: its lines are dashed</source>
         <translation>Von einer Lösung im Schatten: Ihre Linien sind gestrichelt</translation>
     </message>
 </context>
@@ -8981,7 +8981,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Zeichnungen</translation>
     </message>
     <message>
-        <source>Checked drawings are shown; what is lower in the list lies on top. Gray ones are off at the robot: check one to switch it on</source>
+        <source>Checked drawings are shown; those lower in the list are on top. Gray ones are off on the robot: check one to switch it on</source>
         <translation>Angekreuzte Zeichnungen werden gezeigt; was weiter unten in der Liste steht, liegt darüber. Graue sind am Roboter aus: eine ankreuzen, um sie einzuschalten</translation>
     </message>
     <message>
@@ -9021,7 +9021,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Nach unten</translation>
     </message>
     <message>
-        <source>Puts the drawing below the one before it</source>
+        <source>Moves the drawing below the previous one</source>
         <translation>Legt die Zeichnung unter die davor</translation>
     </message>
     <message>
@@ -9029,7 +9029,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Nach oben</translation>
     </message>
     <message>
-        <source>Puts the drawing on top of the next one</source>
+        <source>Moves the drawing on top of the next one</source>
         <translation>Legt die Zeichnung über die nächste</translation>
     </message>
 </context>
@@ -9124,7 +9124,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>% der Zeit</translation>
     </message>
     <message>
-        <source>What is compared; relative errors are shares of the distance, delays pass until something that happens is reported</source>
+        <source>What is compared; relative errors are fractions of the distance, delays the time until an event is reported</source>
         <translation>Was verglichen wird; relative Fehler sind Anteile der Entfernung, Verzögerungen vergehen, bis gemeldet wird, was geschieht</translation>
     </message>
 </context>
@@ -9179,11 +9179,11 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Kein Roboter. Starten Sie eine Simulation oder verbinden Sie sich mit einem Roboter und wählen Sie ihn in der Werkzeugleiste.</translation>
     </message>
     <message>
-        <source>Nothing was compared yet. Errors come while the robot&apos;s program runs.</source>
+        <source>Nothing compared yet. Errors appear while the robot&apos;s program runs.</source>
         <translation>Es wurde noch nichts verglichen. Fehler kommen, während das Programm des Roboters läuft.</translation>
     </message>
     <message>
-        <source>There is no ground truth for this robot. The simulator does; a log has it if oracle/world was recorded.</source>
+        <source>There is no ground truth for this robot. The simulator has it; a log has it if oracle/world was recorded.</source>
         <translation>Niemand kennt die Wahrheit über diesen Roboter. Der Simulator kennt sie; ein Log hat sie, wenn oracle/world aufgezeichnet wurde.</translation>
     </message>
     <message>
@@ -9206,7 +9206,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Ends the export; a video is removed, written images stay</source>
+        <source>Cancels the export; a video is deleted, written images stay</source>
         <translation>Beendet den Export; ein Video wird gelöscht, geschriebene Bilder bleiben</translation>
     </message>
     <message>
@@ -9329,7 +9329,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Alles</translation>
     </message>
     <message>
-        <source>All of the log, or all that is kept of live robots</source>
+        <source>The whole log, or the whole history of live robots</source>
         <translation>Das ganze Log, oder alles, was von laufenden Robotern aufbewahrt wird</translation>
     </message>
     <message>
@@ -9353,7 +9353,7 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Rate</translation>
     </message>
     <message>
-        <source>Pictures for each second; also that of the video</source>
+        <source>Pictures per second; also the video&apos;s frame rate</source>
         <translation>Bilder pro Sekunde; auch die des Videos</translation>
     </message>
     <message>
@@ -9438,7 +9438,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Feld</translation>
     </message>
     <message>
-        <source>Wheel: zoom; drag: move the picture; click a robot: select it; drag a robot or the ball (Shift: always): place it, wheel: turn it; Control and click: send the robot there; arrows: move; F: fit; R: turn</source>
+        <source>Wheel: zoom; drag: move the picture; click a robot: select it; drag a robot or the ball (Shift: always): place it, wheel: turn it; Control+click: send the robot there; arrows: move; F: fit; R: turn</source>
         <translation>Mausrad: zoomen; ziehen: Bild verschieben; Roboter anklicken: auswählen; Roboter oder Ball ziehen (Umschalt: immer): platzieren, Mausrad: drehen; Strg und Klick: den Roboter dorthin schicken; Pfeile: verschieben; F: einpassen; R: drehen</translation>
     </message>
 </context>
@@ -9460,7 +9460,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Aktualisieren</translation>
     </message>
     <message>
-        <source>Makes the table again, up to now</source>
+        <source>Rebuilds the table, up to now</source>
         <translation>Bildet die Tabelle neu, bis jetzt</translation>
     </message>
     <message>
@@ -9468,7 +9468,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Ends making the table</source>
+        <source>Cancels the table</source>
         <translation>Beendet das Bilden der Tabelle</translation>
     </message>
     <message>
@@ -9627,7 +9627,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>%1 px/m</translation>
     </message>
     <message>
-        <source>Shows where everything was in the last seconds; the arrow chooses how many, and of what</source>
+        <source>Shows the paths of the last seconds; the arrow chooses how long, and of what</source>
         <translation>Zeigt, wo in den letzten Sekunden alles war; der Pfeil wählt wie lange und was</translation>
     </message>
     <message>
@@ -9663,7 +9663,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Shows lines from where the robot and the ball are to where the robot believes them</source>
+        <source>Shows lines from the true to the estimated positions of robot and ball</source>
         <translation>Zeigt Linien von dort, wo Roboter und Ball sind, dorthin, wo der Roboter sie vermutet</translation>
     </message>
 </context>
@@ -9694,7 +9694,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Vorige</translation>
     </message>
     <message>
-        <source>Finds the place before</source>
+        <source>Finds the previous match</source>
         <translation>Findet die vorige Stelle</translation>
     </message>
     <message>
@@ -9702,7 +9702,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Nächste</translation>
     </message>
     <message>
-        <source>Finds the next place</source>
+        <source>Finds the next match</source>
         <translation>Findet die nächste Stelle</translation>
     </message>
     <message>
@@ -9730,7 +9730,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Nicht gefunden</translation>
     </message>
     <message>
-        <source>Went on at the other end</source>
+        <source>Continued from the other end</source>
         <translation>Am anderen Ende weitergesucht</translation>
     </message>
     <message>
@@ -9784,7 +9784,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>The robots go to their places</source>
+        <source>Sends the robots to their positions</source>
         <translation>Die Roboter gehen auf ihre Plätze</translation>
     </message>
     <message>
@@ -9800,7 +9800,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Spielen</translation>
     </message>
     <message>
-        <source>The robots play</source>
+        <source>Starts play</source>
         <translation>Die Roboter spielen</translation>
     </message>
     <message>
@@ -9808,7 +9808,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>The half ends</source>
+        <source>Ends the half</source>
         <translation>Die Halbzeit endet</translation>
     </message>
     <message>
@@ -9816,7 +9816,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Neues Spiel</translation>
     </message>
     <message>
-        <source>No goals, first half, nobody is penalized</source>
+        <source>Restarts the game: no goals, first half, no penalties</source>
         <translation>Keine Tore, erste Halbzeit, niemand ist bestraft</translation>
     </message>
     <message>
@@ -9840,7 +9840,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Zurück ins Spiel</translation>
     </message>
     <message>
-        <source>The chosen robot plays again</source>
+        <source>Returns the chosen robot to the game</source>
         <translation>Der gewählte Roboter spielt wieder mit</translation>
     </message>
     <message>
@@ -9864,11 +9864,11 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Grund</translation>
     </message>
     <message>
-        <source>What the robot is penalized for</source>
+        <source>Reason for the penalty</source>
         <translation>Wofür der Roboter bestraft wird</translation>
     </message>
     <message>
-        <source>What happened last</source>
+        <source>The latest event</source>
         <translation>Was zuletzt geschah</translation>
     </message>
     <message>
@@ -9951,7 +9951,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Was ein leerer Befehl bedeutet</translation>
     </message>
     <message>
-        <source>Commands are those of the console. As shipped, a kicks and b is STOP; a single - does nothing. They work while the Motion tester is visible.</source>
+        <source>Commands are those of the console. By default, a kicks and b is STOP; a single - does nothing. They work while the Motion tester is visible.</source>
         <translation>Befehle sind die der Konsole. Ausgeliefert schießt a, und b ist STOP; ein einzelnes - tut nichts. Sie wirken, solange der Bewegungstester sichtbar ist.</translation>
     </message>
     <message>
@@ -9979,7 +9979,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>dreht nach links</translation>
     </message>
     <message>
-        <source>What full deflection is; negative: the other way round</source>
+        <source>Value at full deflection; negative: reversed</source>
         <translation>Was voller Ausschlag bedeutet; negativ: andersherum</translation>
     </message>
     <message>
@@ -10083,7 +10083,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Im Speicher</translation>
     </message>
     <message>
-        <source>What robots have sent is kept up to this size; what is older goes to the disk</source>
+        <source>History of the robots is kept in memory up to this size; older history goes to disk</source>
         <translation>Was Roboter gesendet haben, wird bis zu dieser Größe behalten; Älteres kommt auf den Datenträger</translation>
     </message>
     <message>
@@ -10091,7 +10091,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Auf dem Datenträger</translation>
     </message>
     <message>
-        <source>What no longer fits into memory is in the folder for temporary files up to this size, until the program ends; what is older is dropped. 0 puts nothing there</source>
+        <source>History that no longer fits into memory is kept in the folder for temporary files up to this size, until the program ends; older history is dropped. 0: none</source>
         <translation>Was nicht mehr in den Speicher passt, liegt bis zu dieser Größe im Ordner für temporäre Dateien, bis das Programm endet; Älteres wird verworfen. 0 legt dort nichts ab</translation>
     </message>
     <message>
@@ -10125,7 +10125,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Wo das Programm läuft</translation>
     </message>
     <message>
-        <source>Calls that led there</source>
+        <source>Call stack</source>
         <translation>Aufrufe, die dorthin führten</translation>
     </message>
     <message>
@@ -10141,7 +10141,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Neu starten</translation>
     </message>
     <message>
-        <source>Starts the program of this robot again; keys, solutions and parameters stay</source>
+        <source>Restarts the program of this robot; keys, solutions and parameters stay</source>
         <translation>Startet das Programm dieses Roboters neu; Schlüssel, Lösungen und Parameter bleiben</translation>
     </message>
     <message>
@@ -10149,7 +10149,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Eigener Prozess</translation>
     </message>
     <message>
-        <source>Runs the program of this robot in a process of its own: if it crashes or hangs, nothing else is harmed</source>
+        <source>Runs the program of this robot in its own process: if it crashes or hangs, nothing else is harmed</source>
         <translation>Führt das Programm dieses Roboters in einem eigenen Prozess aus: stürzt es ab oder hängt es, nimmt nichts anderes Schaden</translation>
     </message>
     <message>
@@ -10157,15 +10157,15 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Threads</translation>
     </message>
     <message>
-        <source>Gives each process of the programs of all robots a thread, with the priority of the layout, in real time; otherwise they are executed one after the other, and the same input gives the same results</source>
+        <source>Gives each process of the programs of all robots a thread, with the priority of the layout, in real time; otherwise they are executed one after another, and the same input gives the same results</source>
         <translation>Gibt jedem Prozess der Programme aller Roboter einen Thread, mit der Priorität des Layouts, in Echtzeit; sonst werden sie nacheinander ausgeführt, und gleiche Eingaben geben gleiche Ergebnisse</translation>
     </message>
     <message>
-        <source>Each in a process of its own</source>
+        <source>Each in its own process</source>
         <translation>Jedes in einem eigenen Prozess</translation>
     </message>
     <message>
-        <source>Runs the program of each robot in a process of its own</source>
+        <source>Runs the program of each robot in its own process</source>
         <translation>Führt das Programm jedes Roboters in einem eigenen Prozess aus</translation>
     </message>
     <message>
@@ -10177,11 +10177,11 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Führt alle Programme in der Werkbank aus</translation>
     </message>
     <message>
-        <source>The program runs in a process of its own, number %1. A debugger looks at it with: gdb -p %1</source>
+        <source>The program runs in its own process, ID %1. To attach a debugger: gdb -p %1</source>
         <translation>Das Programm läuft in einem eigenen Prozess mit der Nummer %1. Ein Debugger sieht es sich an mit: gdb -p %1</translation>
     </message>
     <message>
-        <source>The program runs in the workbench, each of its processes in a thread of its own.</source>
+        <source>The program runs in the workbench, each of its processes in its own thread.</source>
         <translation>Das Programm läuft in der Werkbank, jeder seiner Prozesse in einem eigenen Thread.</translation>
     </message>
     <message>
@@ -10303,7 +10303,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>%1 % von %2</translation>
     </message>
     <message>
-        <source>%1 % of the pixels differ from %2, by %3 at most</source>
+        <source>%1 % of the pixels differ from %2, by at most %3</source>
         <translation>%1 % der Pixel unterscheiden sich von %2, um höchstens %3</translation>
     </message>
     <message>
@@ -10398,7 +10398,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Grad pro Sekunde</translation>
     </message>
     <message>
-        <source>Torque, N m, of robots that measure it</source>
+        <source>Torque, N m, if the robot measures it</source>
         <translation>Drehmoment, N m, bei Robotern, die es messen</translation>
     </message>
     <message>
@@ -10449,7 +10449,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Schlaff</translation>
     </message>
     <message>
-        <source>Releases all joints, so that the robot is posed by hand; again: they hold</source>
+        <source>Releases all joints, to pose the robot by hand; click again to hold them</source>
         <translation>Gibt alle Gelenke frei, damit der Roboter von Hand in Pose gebracht wird; noch einmal: sie halten</translation>
     </message>
     <message>
@@ -10457,7 +10457,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Stehen</translation>
     </message>
     <message>
-        <source>Lets the robot stand; no single joint is turned any more</source>
+        <source>Makes the robot stand, and releases the joints you turned</source>
         <translation>Lässt den Roboter stehen; kein einzelnes Gelenk wird mehr gedreht</translation>
     </message>
     <message>
@@ -10505,7 +10505,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Dauer</translation>
     </message>
     <message>
-        <source>How long the motion takes to this pose</source>
+        <source>How long the motion takes to reach this pose</source>
         <translation>Wie lange die Bewegung bis zu dieser Pose braucht</translation>
     </message>
     <message>
@@ -10622,7 +10622,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Inaktiv: keine seiner Lösungen läuft. Die Einstellung gilt, sobald eine eingeschaltet wird.</translation>
     </message>
     <message>
-        <source>Asked for by: %1</source>
+        <source>Requested by: %1</source>
         <translation>Angefordert von: %1</translation>
     </message>
     <message>
@@ -10705,7 +10705,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Mittlere Zeit auf der Uhr des Roboters, vom Zeitstempel der Messung bis zum Beginn des Durchlaufs, der den Befehl gesendet hat</translation>
     </message>
     <message>
-        <source>Mean real time from the beginning of that frame to the command; in lockstep, where the robot&apos;s clock stands meanwhile, also what the processes before took</source>
+        <source>Mean real time from the beginning of that frame to the command; in lockstep, where the robot&apos;s clock is stopped meanwhile, it includes earlier processes</source>
         <translation>Mittlere wirkliche Zeit vom Beginn dieses Durchlaufs bis zum Befehl; im Gleichschritt, wo die Uhr des Roboters inzwischen steht, auch das, was die Prozesse davor gebraucht haben</translation>
     </message>
 </context>
@@ -10716,7 +10716,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Layout</translation>
     </message>
     <message>
-        <source>The process layout that a robot or a team gets</source>
+        <source>The process layout for a robot or a team</source>
         <translation>Das Prozess-Layout, das ein Roboter oder ein Team bekommt</translation>
     </message>
     <message>
@@ -10724,7 +10724,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Für den Roboter</translation>
     </message>
     <message>
-        <source>The program of the chosen robot starts again in this layout</source>
+        <source>Restarts the program of the chosen robot in this layout</source>
         <translation>Das Programm des gewählten Roboters beginnt in diesem Layout von neuem</translation>
     </message>
     <message>
@@ -10732,7 +10732,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Für sein Team</translation>
     </message>
     <message>
-        <source>The programs of the chosen robot&apos;s team start again in this layout</source>
+        <source>Restarts the programs of the chosen robot&apos;s team in this layout</source>
         <translation>Die Programme des Teams dieses Roboters beginnen in diesem Layout von neuem</translation>
     </message>
 </context>
@@ -10775,7 +10775,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Nimmt die Ansicht des Brettes auf, die jetzt zu sehen ist</translation>
     </message>
     <message>
-        <source>Take by itself</source>
+        <source>Capture automatically</source>
         <translation>Von selbst aufnehmen</translation>
     </message>
     <message>
@@ -10811,7 +10811,7 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Ansichten des Brettes</translation>
     </message>
     <message>
-        <source>Each with its error; remove those that are much worse than others</source>
+        <source>Each view with its error; remove those that are much worse than the others</source>
         <translation>Jede mit ihrem Fehler; solche, die viel schlechter als andere sind, entfernen</translation>
     </message>
     <message>
@@ -11063,7 +11063,7 @@ Verzeichnung %8</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Stops adding messages; they arrive when it continues</source>
+        <source>Stops adding messages until it continues; none are lost</source>
         <translation>Fügt keine Meldungen mehr hinzu; sie kommen, wenn es weitergeht</translation>
     </message>
     <message>
@@ -11236,7 +11236,7 @@ Verzeichnung %8</translation>
         <translation>Öffnen…</translation>
     </message>
     <message>
-        <source>Opens a motion, or imports one of another team (.pos, .mot)</source>
+        <source>Opens a motion, or imports another team&apos;s (.pos, .mot)</source>
         <translation>Öffnet eine Bewegung, oder importiert eine eines anderen Teams (.pos, .mot)</translation>
     </message>
     <message>
@@ -11260,7 +11260,7 @@ Verzeichnung %8</translation>
         <translation>Änderungen verwerfen</translation>
     </message>
     <message>
-        <source>Reads the motion from its file again</source>
+        <source>Reloads the motion from its file</source>
         <translation>Liest die Bewegung wieder aus ihrer Datei</translation>
     </message>
     <message>
@@ -11308,7 +11308,7 @@ Verzeichnung %8</translation>
         <translation>Früher</translation>
     </message>
     <message>
-        <source>Exchanges the key frame with the one before it</source>
+        <source>Swaps the key frame with the previous one</source>
         <translation>Vertauscht den Keyframe mit dem davor</translation>
     </message>
     <message>
@@ -11316,7 +11316,7 @@ Verzeichnung %8</translation>
         <translation>Später</translation>
     </message>
     <message>
-        <source>Exchanges the key frame with the one after it</source>
+        <source>Swaps the key frame with the next one</source>
         <translation>Vertauscht den Keyframe mit dem danach</translation>
     </message>
     <message>
@@ -11360,7 +11360,7 @@ Verzeichnung %8</translation>
         <translation>Zurücknehmen</translation>
     </message>
     <message>
-        <source>The robot plays the motion of its files again</source>
+        <source>Makes the robot play the motion from its own files again</source>
         <translation>Der Roboter spielt wieder die Bewegung aus seinen Dateien ab</translation>
     </message>
     <message>
@@ -11368,7 +11368,7 @@ Verzeichnung %8</translation>
         <translation>Voriger Keyframe</translation>
     </message>
     <message>
-        <source>Selects the key frame before; while you steer, the robot turns to its pose</source>
+        <source>Selects the previous key frame; while you steer, the robot moves to its pose</source>
         <translation>Wählt den vorigen Keyframe aus; bei manueller Steuerung nimmt der Roboter seine Pose ein</translation>
     </message>
     <message>
@@ -11384,7 +11384,7 @@ Verzeichnung %8</translation>
         <translation>Nächster Keyframe</translation>
     </message>
     <message>
-        <source>Selects the next key frame; while you steer, the robot turns to its pose</source>
+        <source>Selects the next key frame; while you steer, the robot moves to its pose</source>
         <translation>Wählt den nächsten Keyframe aus; bei manueller Steuerung nimmt der Roboter seine Pose ein</translation>
     </message>
     <message>
@@ -11546,7 +11546,7 @@ Verzeichnung %8</translation>
         <translation>%1 hat diese Bewegung</translation>
     </message>
     <message>
-        <source>%1 has another text of this motion</source>
+        <source>%1 has a different version of this motion</source>
         <translation>%1 hat einen anderen Text dieser Bewegung</translation>
     </message>
     <message>
@@ -11566,7 +11566,7 @@ Verzeichnung %8</translation>
         <translation>Das Programm von %1 spielt keine Bewegungen ab</translation>
     </message>
     <message>
-        <source>it does not answer; is its program running?</source>
+        <source>there is no answer; is its program running?</source>
         <translation>er antwortet nicht; läuft sein Programm?</translation>
     </message>
 </context>
@@ -11635,7 +11635,7 @@ Verzeichnung %8</translation>
         <translation>Not-Halt</translation>
     </message>
     <message>
-        <source>Stops the robot at its platform, whatever its program does; stays until released</source>
+        <source>Stops the robot at its platform, regardless of its program, until released</source>
         <translation>Hält den Roboter an seiner Plattform an, was auch immer sein Programm tut; gilt bis zum Lösen</translation>
     </message>
     <message>
@@ -11655,7 +11655,7 @@ Verzeichnung %8</translation>
         <translation>Drehen</translation>
     </message>
     <message>
-        <source>Turns as long as it is held: left is counter-clockwise</source>
+        <source>Turns while it is held: left is counterclockwise</source>
         <translation>Dreht, solange es gehalten wird: links ist gegen den Uhrzeigersinn</translation>
     </message>
     <message>
@@ -11667,7 +11667,7 @@ Verzeichnung %8</translation>
         <translation>Linker Stick geht, rechter Stick dreht, A schießt, B ist STOP</translation>
     </message>
     <message>
-        <source>Stops %1 at its platform, whatever its program does; stays until released</source>
+        <source>Stops %1 at its platform, regardless of its program, until released</source>
         <translation>Hält %1 an seiner Plattform an, was auch immer das Programm tut; gilt bis zum Lösen</translation>
     </message>
     <message>
@@ -11703,7 +11703,7 @@ Verzeichnung %8</translation>
         <translation>Die Verbindung zum Roboter ist verloren. Er steht und lässt sich steuern, sobald er wiedergefunden ist.</translation>
     </message>
     <message>
-        <source>The emergency stop is pressed: release it at the robot.</source>
+        <source>The emergency stop is pressed: release it on the robot.</source>
         <translation>Der Not-Halt ist gedrückt: am Roboter lösen.</translation>
     </message>
     <message>
@@ -11885,7 +11885,7 @@ Verzeichnung %8</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Stops adding packets; they arrive when it continues</source>
+        <source>Stops adding packets until it continues; none are lost</source>
         <translation>Fügt keine Datenpakete mehr hinzu; sie kommen, wenn es weitergeht</translation>
     </message>
     <message>
@@ -11917,7 +11917,7 @@ Verzeichnung %8</translation>
         <translation>Kommunikation speichern...</translation>
     </message>
     <message>
-        <source>Saves all packets of the list, whatever the filters, as a .wire file</source>
+        <source>Saves all packets of the list, regardless of the filters, as a .wire file</source>
         <translation>Speichert alle Datenpakete der Liste, ungeachtet der Filter, als .wire-Datei</translation>
     </message>
     <message>
@@ -12025,7 +12025,7 @@ Verzeichnung %8</translation>
         <translation>%1 Datenpakete</translation>
     </message>
     <message>
-        <source>; %1 came too fast to keep</source>
+        <source>; %1 arrived too fast to keep</source>
         <translation>; %1 kamen zu schnell, um sie zu behalten</translation>
     </message>
     <message>
@@ -12253,7 +12253,7 @@ Verzeichnung %8</translation>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Saves what was changed to the file that the program reads at its start; its comments stay</source>
+        <source>Saves changes to the file that the program reads when it starts; its comments stay</source>
         <translation>Speichert die Änderungen in der Datei, die das Programm bei seinem Start liest; ihre Kommentare bleiben</translation>
     </message>
     <message>
@@ -12343,7 +12343,7 @@ Verzeichnung %8</translation>
 <context>
     <name>widgets::PathCanvas</name>
     <message>
-        <source>Plot of values over each other</source>
+        <source>Plot of one value over another</source>
         <translation>Kurve von Werten übereinander</translation>
     </message>
 </context>
@@ -12377,7 +12377,7 @@ Verzeichnung %8</translation>
         <translation>Vergrößern</translation>
     </message>
     <message>
-        <source>Enlarges what is shown</source>
+        <source>Zooms in</source>
         <translation>Vergrößert, was gezeigt wird</translation>
     </message>
     <message>
@@ -12385,7 +12385,7 @@ Verzeichnung %8</translation>
         <translation>Verkleinern</translation>
     </message>
     <message>
-        <source>Makes what is shown smaller</source>
+        <source>Zooms out</source>
         <translation>Verkleinert, was gezeigt wird</translation>
     </message>
     <message>
@@ -12476,7 +12476,7 @@ Verzeichnung %8</translation>
         <translation>Aufnehmen</translation>
     </message>
     <message>
-        <source>Computes the place from the board that is seen now, and that lies on the ground</source>
+        <source>Computes the pose from the visible board, which must lie on the ground</source>
         <translation>Berechnet den Ort aus dem Brett, das jetzt zu sehen ist und auf dem Boden liegt</translation>
     </message>
     <message>
@@ -12484,7 +12484,7 @@ Verzeichnung %8</translation>
         <translation>Vergessen</translation>
     </message>
     <message>
-        <source>Forgets where the selected mark was clicked</source>
+        <source>Clears the click on the selected mark</source>
         <translation>Vergisst, wo die ausgewählte Marke angeklickt wurde</translation>
     </message>
     <message>
@@ -12492,7 +12492,7 @@ Verzeichnung %8</translation>
         <translation>Alle vergessen</translation>
     </message>
     <message>
-        <source>Forgets where all marks were clicked</source>
+        <source>Clears the clicks on all marks</source>
         <translation>Vergisst, wo alle Marken angeklickt wurden</translation>
     </message>
     <message>
@@ -12516,7 +12516,7 @@ Verzeichnung %8</translation>
         <translation>Höhe %1 m, Neigung %2°, Rollwinkel %3°; Fehler %4 px</translation>
     </message>
     <message>
-        <source>In the field at %1, %2 m, looking along %3°</source>
+        <source>On the field at %1, %2 m, looking along %3°</source>
         <translation>Im Feld bei %1, %2 m, Blick in Richtung %3°</translation>
     </message>
 </context>
@@ -12605,7 +12605,7 @@ Verzeichnung %8</translation>
         <translation>Zuerst unten eine Kurve auswählen.</translation>
     </message>
     <message>
-        <source>Select two curves below the plot first: the upper one is to the right, the lower one upwards.</source>
+        <source>Select two curves below the plot first: the upper one becomes the x axis, the lower one the y axis.</source>
         <translation>Zuerst unten zwei Kurven auswählen: die obere geht nach rechts, die untere nach oben.</translation>
     </message>
     <message>
@@ -12745,7 +12745,7 @@ Verzeichnung %8</translation>
         <translation>Voriger Ausschnitt</translation>
     </message>
     <message>
-        <source>Shows what was shown before</source>
+        <source>Shows the previous section</source>
         <translation>Zeigt, was vorher gezeigt wurde</translation>
     </message>
     <message>
@@ -12793,7 +12793,7 @@ Verzeichnung %8</translation>
         <translation>Übereinander</translation>
     </message>
     <message>
-        <source>Adds the lower one of two selected curves over the upper one, instead of over time</source>
+        <source>Plots the lower of two selected curves over the upper one, instead of over time</source>
         <translation>Fügt die untere zweier ausgewählter Kurven über der oberen hinzu, statt über der Zeit</translation>
     </message>
     <message>
@@ -12928,7 +12928,7 @@ Verzeichnung %8</translation>
         <translation>Der ü&amp;blichen Pose</translation>
     </message>
     <message>
-        <source>The true pose where it is known, else the robot&apos;s own estimate</source>
+        <source>The true pose if known, otherwise the robot&apos;s own estimate</source>
         <translation>Die wahre Pose, wo sie bekannt ist, sonst die eigene Schätzung des Roboters</translation>
     </message>
     <message>
@@ -13019,7 +13019,7 @@ Verzeichnung %8</translation>
         <translation>gehalten</translation>
     </message>
     <message>
-        <source>held: a value that was published in the view Data is in its place</source>
+        <source>held: replaced by a value published in the view Data</source>
         <translation>gehalten: Ein in der Ansicht Daten veröffentlichter Wert steht an seiner Stelle</translation>
     </message>
 </context>
@@ -13117,7 +13117,7 @@ Verzeichnung %8</translation>
         <translation>Debug-Verbindungen</translation>
     </message>
     <message>
-        <source>Shows the links of the debug process with all others, too</source>
+        <source>Also shows the links of the debug process with all others</source>
         <translation>Zeigt auch die Verbindungen des Debug-Prozesses mit allen anderen</translation>
     </message>
     <message>
@@ -13137,7 +13137,7 @@ Verzeichnung %8</translation>
         <translation>Aktualisieren</translation>
     </message>
     <message>
-        <source>Requests the robot&apos;s tables again</source>
+        <source>Reloads the robot&apos;s tables</source>
         <translation>Fordert die Tabellen des Roboters noch einmal an</translation>
     </message>
     <message>
@@ -13220,7 +13220,7 @@ Verzeichnung %8</translation>
         <translation>Reibung</translation>
     </message>
     <message>
-        <source>place at the start</source>
+        <source>initial position</source>
         <translation>Ort am Anfang</translation>
     </message>
     <message>
@@ -13288,7 +13288,7 @@ Verzeichnung %8</translation>
         <translation>Radradius</translation>
     </message>
     <message>
-        <source>Not in the file yet: Save to file writes it; it holds when the scene is opened again</source>
+        <source>Not in the file yet: Save to file writes it; it takes effect when the scene is opened again</source>
         <translation>Noch nicht in der Datei: „In Datei speichern“ schreibt es; es gilt, wenn die Szene wieder geöffnet wird</translation>
     </message>
     <message>
@@ -13308,7 +13308,7 @@ Verzeichnung %8</translation>
         <translation>Farbe: Rot, Grün, Blau, 0 bis 1</translation>
     </message>
     <message>
-        <source>share of lost readings</source>
+        <source>fraction of lost readings</source>
         <translation>Anteil verlorener Messwerte</translation>
     </message>
     <message>
@@ -13336,11 +13336,11 @@ Verzeichnung %8</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>It is placed with what it belongs to</source>
+        <source>It moves with the object it belongs to</source>
         <translation>Es wird mit dem bewegt, wozu es gehört</translation>
     </message>
     <message>
-        <source>%1 (cannot be changed here: no single number of the scene&apos;s files says it)</source>
+        <source>%1 (cannot be changed here: no single number in the scene&apos;s files sets it)</source>
         <translation>%1 (hier nicht zu ändern: Keine einzelne Zahl in den Dateien der Szene sagt es)</translation>
     </message>
     <message>
@@ -13380,7 +13380,7 @@ Verzeichnung %8</translation>
         <translation>Team</translation>
     </message>
     <message>
-        <source>damping of turns</source>
+        <source>rotational damping</source>
         <translation>Dämpfung der Drehung</translation>
     </message>
     <message>
@@ -13392,7 +13392,7 @@ Verzeichnung %8</translation>
         <translation>Trägheit: ixx, iyy, izz, ixy, ixz, iyz</translation>
     </message>
     <message>
-        <source>damping of moves</source>
+        <source>linear damping</source>
         <translation>Dämpfung der Bewegung</translation>
     </message>
     <message>
@@ -13411,7 +13411,7 @@ Verzeichnung %8</translation>
         <translation>In Datei speichern</translation>
     </message>
     <message>
-        <source>Writes what was changed, and nothing else, into the files of the scene</source>
+        <source>Writes only the changed properties into the files of the scene</source>
         <translation>Schreibt, was geändert wurde, und sonst nichts, in die Dateien der Szene</translation>
     </message>
     <message>
@@ -13423,7 +13423,7 @@ Verzeichnung %8</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Forgets what was changed and not saved</source>
+        <source>Discards unsaved changes</source>
         <translation>Vergisst, was geändert und nicht gespeichert wurde</translation>
     </message>
     <message>
@@ -13431,7 +13431,7 @@ Verzeichnung %8</translation>
         <translation>Pose behalten</translation>
     </message>
     <message>
-        <source>Saves with the other changes that the model begins where it is now</source>
+        <source>Makes the model&apos;s present pose its initial one, saved with the other changes</source>
         <translation>Speichert mit den anderen Änderungen, dass das Modell dort beginnt, wo es jetzt ist</translation>
     </message>
     <message>
@@ -13443,7 +13443,7 @@ Verzeichnung %8</translation>
         <translation>Eigenschaften</translation>
     </message>
     <message>
-        <source>What came of the changes</source>
+        <source>Result of the changes</source>
         <translation>Was aus den Änderungen wurde</translation>
     </message>
     <message>
@@ -13459,11 +13459,11 @@ Verzeichnung %8</translation>
         <translation>Dort kann es nicht stehen: %1</translation>
     </message>
     <message>
-        <source>The scene&apos;s file does not say where %1 begins.</source>
+        <source>The scene&apos;s file does not set the initial pose of %1.</source>
         <translation>Die Datei der Szene sagt nicht, wo %1 beginnt.</translation>
     </message>
     <message>
-        <source>Saved. It holds when the scene is opened again.</source>
+        <source>Saved. It takes effect when the scene is opened again.</source>
         <translation>Gespeichert. Es gilt, wenn die Szene wieder geöffnet wird.</translation>
     </message>
     <message>
@@ -13475,7 +13475,7 @@ Verzeichnung %8</translation>
         <translation>%1 verschieben</translation>
     </message>
     <message>
-        <source>It begins here from now on; save to keep that.</source>
+        <source>This is now its initial pose; save to keep that.</source>
         <translation>Es beginnt von jetzt an hier; speichern Sie, damit das so bleibt.</translation>
     </message>
     <message>
@@ -13487,7 +13487,7 @@ Verzeichnung %8</translation>
         <translation>%1 ändern</translation>
     </message>
     <message>
-        <source>The simulation goes on with it; save to keep it.</source>
+        <source>The simulation uses it now; save to keep it.</source>
         <translation>Die Simulation läuft damit weiter; speichern Sie, damit es so bleibt.</translation>
     </message>
     <message>
@@ -13522,7 +13522,7 @@ Verzeichnung %8</translation>
         <translation>Nachricht zurücksetzen</translation>
     </message>
     <message>
-        <source>Shows the message as it is by default</source>
+        <source>Resets all fields to their defaults</source>
         <translation>Zeigt die Nachricht, wie sie anfangs ist</translation>
     </message>
     <message>
@@ -13578,7 +13578,7 @@ Verzeichnung %8</translation>
         <translation>Halten</translation>
     </message>
     <message>
-        <source>Puts the package in place of all that the program offers, until it is released</source>
+        <source>Replaces every such package that the program sends, until it is released</source>
         <translation>Setzt das Paket an die Stelle aller, die das Programm anbietet, bis es freigegeben wird</translation>
     </message>
     <message>
@@ -13605,7 +13605,7 @@ Verzeichnung %8</translation>
         <translation>Radar</translation>
     </message>
     <message>
-        <source>What is around the robot. Blue: sonars, the older the paler; orange: laser; red: bumpers that are pressed and wheels that are stalled; green: where it drives in the next second. Wheel: zoom</source>
+        <source>The robot&apos;s surroundings. Blue: sonars, older ones paler; orange: laser; red: pressed bumpers and stalled wheels; green: where it drives in the next second. Wheel: zoom</source>
         <translation>Was um den Roboter herum ist. Blau: Sonare, je älter, desto blasser; orange: Laser; rot: gedrückte Stoßfänger und blockierte Räder; grün: wohin er in der nächsten Sekunde fährt. Mausrad: zoomen</translation>
     </message>
 </context>
@@ -13628,7 +13628,7 @@ Verzeichnung %8</translation>
         <translation>Ob die Daten alt sind</translation>
     </message>
     <message>
-        <source>The nearest things, from sonar and laser</source>
+        <source>The nearest obstacles, from sonar and laser</source>
         <translation>Die nächsten Dinge, nach Sonar und Laser</translation>
     </message>
     <message>
@@ -13636,7 +13636,7 @@ Verzeichnung %8</translation>
         <translation>Ort unter dem Mauszeiger, vom Roboter aus gesehen</translation>
     </message>
     <message>
-        <source>How far is shown</source>
+        <source>Range shown</source>
         <translation>Wie weit gezeigt wird</translation>
     </message>
     <message>
@@ -13711,7 +13711,7 @@ Verzeichnung %8</translation>
         <translation>Verzögerung</translation>
     </message>
     <message>
-        <source>How long a message takes</source>
+        <source>Delay of a message</source>
         <translation>Wie lange eine Nachricht braucht</translation>
     </message>
     <message>
@@ -13894,17 +13894,17 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
         <translation>kein Bild zu dieser Zeit</translation>
     </message>
     <message>
-        <source>an image that cannot be shown</source>
+        <source>the image cannot be shown</source>
         <translation>ein Bild, das nicht gezeigt werden kann</translation>
     </message>
     <message>
-        <source>No robot is here.
+        <source>There is no robot.
 Start a simulation, connect to a robot, or open a log with File &gt; Open log…</source>
         <translation>Hier ist kein Roboter.
 Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Datei &gt; Log öffnen…</translation>
     </message>
     <message>
-        <source>This log is of a robot without a description here. Its contents are shown in the views Data, Plots, Field and Scene.</source>
+        <source>There is no description of this log&apos;s robot. Its contents are shown in the views Data, Plots, Field and Scene.</source>
         <translation>Dieses Log ist von keinem unserer Roboter. Was es hat, zeigen die Ansichten Daten, Kurven, Feld und Szene.</translation>
     </message>
 </context>
@@ -13927,11 +13927,11 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Das Programm endete letztes Mal ohne zu speichern. Nicht gespeicherte Szenendateien wurden im Szeneneditor wiederhergestellt; speichern Sie sie, um sie zu behalten.</translation>
     </message>
     <message>
-        <source>%1 was changed by another program, and has unsaved changes here: saving it asks which of them to keep</source>
+        <source>%1 was changed by another program, and has unsaved changes here: saving asks which version to keep</source>
         <translation>%1 wurde von einem anderen Programm geändert und hat hier nicht gespeicherte Änderungen: Beim Speichern wird gefragt, welche davon bleiben sollen</translation>
     </message>
     <message>
-        <source>%1 was changed by another program, and was read again</source>
+        <source>%1 was changed by another program, and was reloaded</source>
         <translation>%1 wurde von einem anderen Programm geändert und neu gelesen</translation>
     </message>
 </context>
@@ -14000,7 +14000,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Die Datei %1 wurde von einem anderen Programm geändert, seit sie hier gelesen wurde.</translation>
     </message>
     <message>
-        <source>Overwrite it with the text of the editor, or read it again? Undo brings the text of the editor back.</source>
+        <source>Overwrite it with the text of the editor, or reload it? Undo restores the text of the editor.</source>
         <translation>Soll sie mit dem Text des Editors überschrieben oder neu gelesen werden? Rückgängig bringt den Text des Editors zurück.</translation>
     </message>
     <message>
@@ -14095,7 +14095,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Speichern und ausführen</translation>
     </message>
     <message>
-        <source>Saves the file; the simulation goes on with it where it is, or opens it</source>
+        <source>Saves the file; the running simulation continues with it, or the scene is opened</source>
         <translation>Speichert die Datei; die Simulation läuft mit ihr weiter, wo sie ist, oder öffnet sie</translation>
     </message>
     <message>
@@ -14211,7 +14211,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Um die Schreibmarke ist kein Objekt</translation>
     </message>
     <message>
-        <source>Goes back to what is saved, also in the simulation; undo brings the changes back</source>
+        <source>Goes back to the saved text, also in the simulation; undo restores the changes</source>
         <translation>Geht zu dem zurück, was gespeichert ist, auch in der Simulation; Rückgängig bringt die Änderungen zurück</translation>
     </message>
 </context>
@@ -14242,7 +14242,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Änderungen von %1 verwerfen</translation>
     </message>
     <message>
-        <source>The simulation goes on, but the scene cannot be opened as it begins: %1, or write where it is now into the scene (Ctrl+Shift+W)</source>
+        <source>The simulation continues, but the scene could not be opened from its initial state: %1, or write the present pose into the scene (Ctrl+Shift+W)</source>
         <translation>Die Simulation geht weiter, aber die Szene lässt sich so nicht öffnen: %1, oder schreiben Sie in die Szene, wo es jetzt ist (Strg+Umschalt+W)</translation>
     </message>
     <message>
@@ -14272,7 +14272,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Eigene Achsen</translation>
     </message>
     <message>
-        <source>The handles point where the object does, instead of where the field does</source>
+        <source>Aligns the handles with the object instead of the field</source>
         <translation>Die Griffe zeigen dorthin, wohin das Objekt zeigt, statt wohin das Feld zeigt</translation>
     </message>
     <message>
@@ -14324,7 +14324,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>In die Szene schreiben</translation>
     </message>
     <message>
-        <source>Writes into the scene&apos;s text that the object begins where it is now; the file is saved when you save it</source>
+        <source>Makes the object&apos;s present pose its initial one in the scene&apos;s text; save the file to keep it</source>
         <translation>Schreibt in den Text der Szene, dass das Objekt dort beginnt, wo es jetzt ist; die Datei wird gespeichert, wenn Sie sie speichern</translation>
     </message>
     <message>
@@ -14336,7 +14336,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Festhalten oder loslassen</translation>
     </message>
     <message>
-        <source>Holds the object where it is, whatever pushes it, or lets it go</source>
+        <source>Holds the object where it is, so that nothing can move it, or releases it</source>
         <translation>Hält das Objekt fest, wo es ist, was immer es schiebt, oder lässt es los</translation>
     </message>
     <message>
@@ -14388,7 +14388,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Neuer Name von %1:</translation>
     </message>
     <message>
-        <source>%1 begins here; save the scene to keep that</source>
+        <source>%1 now starts here; save the scene to keep that</source>
         <translation>%1 beginnt hier; speichern Sie die Szene, damit das so bleibt</translation>
     </message>
     <message>
@@ -14531,7 +14531,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Schwerpunkte</translation>
     </message>
     <message>
-        <source>Shows the center of mass of each link, the larger the heavier</source>
+        <source>Shows the center of mass of each link, larger if heavier</source>
         <translation>Zeigt den Schwerpunkt jedes Glieds, je schwerer, desto größer</translation>
     </message>
     <message>
@@ -14758,7 +14758,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Stereogramm</translation>
     </message>
     <message>
-        <source>Shows depths as a random dot stereogram, which is seen by looking through it</source>
+        <source>Shows depths as a random-dot stereogram: focus behind it to see them</source>
         <translation>Zeigt Tiefen als Zufallspunkt-Stereogramm, das man sieht, indem man hindurchsieht</translation>
     </message>
     <message>
@@ -14810,7 +14810,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>In 3-D zeigen</translation>
     </message>
     <message>
-        <source>Opens a view that shows this object alone, with all that belongs to it</source>
+        <source>Opens a view that shows only this object and everything in it</source>
         <translation>Öffnet eine Ansicht, die nur dieses Objekt zeigt, mit allem, was dazu gehört</translation>
     </message>
     <message>
@@ -14830,7 +14830,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>In 3-D ausblenden</translation>
     </message>
     <message>
-        <source>Leaves out the object, with all that belongs to it, in views of the scene</source>
+        <source>Hides the object and everything in it in views of the scene</source>
         <translation>Lässt das Objekt mit allem, was dazu gehört, in Ansichten der Szene weg</translation>
     </message>
     <message>
@@ -14870,7 +14870,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Ego-Perspektive</translation>
     </message>
     <message>
-        <source>The scene is seen out of the camera of the object, or out of the object</source>
+        <source>Shows the scene from the object&apos;s camera, or from the object itself</source>
         <translation>Die Szene wird aus der Kamera des Objekts gesehen oder aus dem Objekt selbst</translation>
     </message>
     <message>
@@ -14973,7 +14973,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Raster</translation>
     </message>
     <message>
-        <source>Shows lines every half meter beside the field</source>
+        <source>Shows lines every half meter around the field</source>
         <translation>Zeigt Linien alle halbe Meter neben dem Feld</translation>
     </message>
     <message>
@@ -15049,7 +15049,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Kameras und Abstände</translation>
     </message>
     <message>
-        <source>Shows what cameras see and ranges measure, of robots that no scene shows</source>
+        <source>Shows the fields of view of cameras and range sensors, for robots without a scene</source>
         <translation>Zeigt, was Kameras sehen und Abstandssensoren messen, bei Robotern, die keine Szene zeigt</translation>
     </message>
     <message>
@@ -15065,7 +15065,7 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Ego-Perspektive</translation>
     </message>
     <message>
-        <source>Looks out of the camera of what is followed, or out of the object itself</source>
+        <source>Looks from the camera of the followed object, or from the object itself</source>
         <translation>Blickt aus der Kamera des Verfolgten oder aus dem Objekt selbst</translation>
     </message>
     <message>
@@ -15332,7 +15332,7 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Resets all settings to their values when the camera was opened</source>
+        <source>Resets all settings to the values they had when the camera was opened</source>
         <translation>Setzt alle auf die Werte, mit denen die Kamera begonnen hat</translation>
     </message>
     <message>
@@ -15407,7 +15407,7 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <translation>%1, %2 %</translation>
     </message>
     <message>
-        <source>Runs %1 beside the active solution, on the same inputs and without being used. What it publishes is below shadow/%1; what it costs is in the next column.</source>
+        <source>Runs %1 in the shadow of the active solution, on the same inputs and without being used. What it publishes is under shadow/%1; its computing time is in the next column.</source>
         <translation>Führt %1 neben der aktiven Lösung aus, mit denselben Eingaben und ohne dass es benutzt wird. Was es veröffentlicht, ist unter shadow/%1; was es kostet, steht in der nächsten Spalte.</translation>
     </message>
     <message>
@@ -15525,7 +15525,7 @@ Ein Log mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster z
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>What the values are multiplied by: the flat top tells amplitudes best, none tells close frequencies apart, the others are between</source>
+        <source>Window function: flat top is best for amplitudes, none for close frequencies, the others are in between</source>
         <translation>Womit die Werte multipliziert werden: Flat-Top zeigt Amplituden am besten, keines trennt nahe Frequenzen am besten, die anderen liegen dazwischen</translation>
     </message>
     <message>
@@ -15602,7 +15602,7 @@ rad/s</translation>
         <translation>Was von hier angefordert wird</translation>
     </message>
     <message>
-        <source>How the robot moved in the last half second, as the simulator knows</source>
+        <source>How the robot really moved in the last half second (from the simulator)</source>
         <translation>Wie sich der Roboter in der letzten halben Sekunde bewegt hat, wie es der Simulator weiß</translation>
     </message>
     <message>
@@ -15657,11 +15657,11 @@ rad/s</translation>
         <translation>Andere steuern lassen</translation>
     </message>
     <message>
-        <source>You steer from now on; the robot stays still until you send a command</source>
+        <source>Takes control; the robot stays still until you send a command</source>
         <translation>Ab jetzt wird von hier gesteuert; der Roboter bleibt stehen, bis ein Befehl gesendet wird</translation>
     </message>
     <message>
-        <source>Others may steer from now on; the robot stops</source>
+        <source>Releases control to others; the robot stops</source>
         <translation>Andere dürfen ab jetzt steuern; der Roboter hält an</translation>
     </message>
 </context>
@@ -15744,7 +15744,7 @@ rad/s</translation>
         <translation>Debug-Schlüssel %1</translation>
     </message>
     <message>
-        <source>Memory taken by its messages per second</source>
+        <source>Size of its messages per second</source>
         <translation>Speicher, den seine Nachrichten einer Sekunde belegen</translation>
     </message>
     <message>
@@ -15778,7 +15778,7 @@ rad/s</translation>
         <translation>Datenströme suchen</translation>
     </message>
     <message>
-        <source>The check shows a stream in the timeline; a double click steps its messages</source>
+        <source>Check a stream to show it in the timeline; double click it to step its messages</source>
         <translation>Das Kreuz zeigt einen Datenstrom in der Zeitleiste; ein Doppelklick geht seine Nachrichten durch</translation>
     </message>
     <message>
@@ -15808,11 +15808,11 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Welche Datenströme gelistet werden</translation>
     </message>
     <message>
-        <source>Read by nobody</source>
+        <source>Not read</source>
         <translation>Von niemandem gelesen</translation>
     </message>
     <message>
-        <source>Not all arrived</source>
+        <source>With losses</source>
         <translation>Nicht alles angekommen</translation>
     </message>
     <message>
@@ -15895,11 +15895,11 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Hintergrund</translation>
     </message>
     <message>
-        <source>Share of its pixels that a table without this stroke finds right</source>
+        <source>Share of its pixels that a table without this stroke classifies correctly</source>
         <translation>Anteil seiner Pixel, die eine Tabelle ohne diesen Strich richtig erkennt</translation>
     </message>
     <message>
-        <source>Not known: it needs another stroke of its class to be compared with</source>
+        <source>Not known: it needs a second stroke of its class for comparison</source>
         <translation>Nicht bekannt: zum Vergleichen braucht es einen weiteren Strich seiner Klasse</translation>
     </message>
     <message>
@@ -15946,7 +15946,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Seine Zeit</translation>
     </message>
     <message>
-        <source>Suspicious pixels by their weights: specks count 1, enclosed ones 0.5, ambiguous ones 0.1, those of vast areas 0.02</source>
+        <source>Weighted suspicious pixels: specks count 1, enclosed ones 0.5, ambiguous ones 0.1, those of vast areas 0.02</source>
         <translation>Verdächtige Pixel nach ihren Gewichten: Sprenkel zählen 1, umschlossene 0.5, mehrdeutige 0.1, die riesiger Flächen 0.02</translation>
     </message>
     <message>
@@ -15962,11 +15962,11 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Pixel kleiner Flächen innerhalb eines Objekts anderer Farbe</translation>
     </message>
     <message>
-        <source>Pixels of colored classes that are nearly of another class, or of none</source>
+        <source>Pixels of colored classes that are close to another class, or to none</source>
         <translation>Pixel farbiger Klassen, die fast zu einer anderen Klasse oder zu keiner gehören</translation>
     </message>
     <message>
-        <source>Pixels of areas of one color that cover more of the image than objects do</source>
+        <source>Pixels of areas of one color that cover more of the image than an object could</source>
         <translation>Pixel von Flächen einer Farbe, die mehr vom Bild bedecken, als Objekte es tun</translation>
     </message>
 </context>
@@ -16013,7 +16013,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Farbklasse</translation>
     </message>
     <message>
-        <source>Cells that are of it now and were not</source>
+        <source>Cells that have this class now and did not before</source>
         <translation>Zellen, die jetzt dazugehören und es vorher nicht taten</translation>
     </message>
     <message>
@@ -16021,7 +16021,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Was sie waren</translation>
     </message>
     <message>
-        <source>Cells that were of it and are not now</source>
+        <source>Cells that had this class before and do not now</source>
         <translation>Zellen, die dazugehörten und es jetzt nicht mehr tun</translation>
     </message>
     <message>
@@ -16029,11 +16029,11 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Was sie sind</translation>
     </message>
     <message>
-        <source>Cells that are of it in the table that is compared with</source>
+        <source>Cells that have this class in the reference table</source>
         <translation>Zellen, die in der Vergleichstabelle dazugehören</translation>
     </message>
     <message>
-        <source>Cells that are of it now</source>
+        <source>Cells that have this class now</source>
         <translation>Zellen, die jetzt dazugehören</translation>
     </message>
 </context>
@@ -16251,7 +16251,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Reparieren in %1</translation>
     </message>
     <message>
-        <source>Value whose changes are stepped</source>
+        <source>Value whose changes are stepped through</source>
         <translation>Wert, dessen Änderungen durchgegangen werden</translation>
     </message>
     <message>
@@ -16339,7 +16339,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Folgen</translation>
     </message>
     <message>
-        <source>Keeps the playhead in sight</source>
+        <source>Keeps the playhead in view</source>
         <translation>Hält die Abspielmarke im Blick</translation>
     </message>
     <message>
@@ -16598,11 +16598,11 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Zeiten der Aufgaben</translation>
     </message>
     <message>
-        <source>State of the measuring</source>
+        <source>State of the measurement</source>
         <translation>Zustand des Messens</translation>
     </message>
     <message>
-        <source>The robot does not measure: %1</source>
+        <source>The robot does not measure its tasks: %1</source>
         <translation>Der Roboter misst nicht: %1</translation>
     </message>
     <message>
@@ -16610,11 +16610,11 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Kein Roboter. Eine Simulation starten oder mit einem Roboter verbinden und ihn in der Werkzeugleiste wählen.</translation>
     </message>
     <message>
-        <source>Waiting for the robot&apos;s times. They come while its program runs.</source>
+        <source>Waiting for the robot&apos;s times. They arrive while its program runs.</source>
         <translation>Wartet auf die Zeiten des Roboters. Sie kommen, während sein Programm läuft.</translation>
     </message>
     <message>
-        <source>The robot does not measure. Press “Measure”.</source>
+        <source>The robot does not measure its tasks. Press “Measure”.</source>
         <translation>Der Roboter misst nicht. „Messen“ drücken.</translation>
     </message>
     <message>
@@ -16654,7 +16654,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Wie Latenzen gemessen werden</translation>
     </message>
     <message>
-        <source>From a reading&apos;s own timestamp to when the first command that is based on it is sent: waiting, on the robot&apos;s clock, plus computing, in real time. In lockstep that clock stands while processes compute; then all that lies on the way counts as computing. What a process sends is taken to be based on the newest reading that reached it.</source>
+        <source>From a reading&apos;s own timestamp to when the first command that is based on it is sent: waiting, on the robot&apos;s clock, plus computing, in real time. In lockstep that clock is stopped while processes compute; then all time along the way counts as computing. The output of a process counts as based on the newest reading that reached it.</source>
         <translation>Vom eigenen Zeitstempel einer Messung bis zum Senden des ersten Befehls, der auf ihr beruht: Warten, auf der Uhr des Roboters, und Rechnen, in wirklicher Zeit. Im Gleichschritt steht diese Uhr, während Prozesse rechnen; dann zählt alles, was auf dem Weg liegt, als Rechnen. Was ein Prozess sendet, gilt als auf der neuesten Messung beruhend, die ihn erreicht hat.</translation>
     </message>
     <message>
@@ -16674,7 +16674,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Wie lange es dauert, bis Messungen, etwa Bilder, zu Befehlen werden</translation>
     </message>
     <message>
-        <source>No frame was measured at this time. “Follow” shows the present one.</source>
+        <source>No frame was measured at this time. “Follow” shows the current one.</source>
         <translation>Zu dieser Zeit wurde kein Durchlauf gemessen. „Folgen“ zeigt den gegenwärtigen.</translation>
     </message>
     <message>
@@ -16693,7 +16693,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Weitere Werkzeuge</translation>
     </message>
     <message>
-        <source>Tools for which there is no room</source>
+        <source>Tools that do not fit</source>
         <translation>Werkzeuge, für die kein Platz ist</translation>
     </message>
 </context>
@@ -16755,7 +16755,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Kernel-Stimmen</translation>
     </message>
     <message>
-        <source>Samples vote for the colors around them; the quickest, and good from a single stroke on</source>
+        <source>Samples vote for the colors around them; the fastest, and good from the first stroke on</source>
         <translation>Proben stimmen für die Farben um sie herum; am schnellsten, und schon ab einem einzigen Strich gut</translation>
     </message>
     <message>
@@ -16861,7 +16861,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>%1: %2 von %3 s</translation>
     </message>
     <message>
-        <source>Nothing was exported, or not all of it: %1</source>
+        <source>The export failed or is incomplete: %1</source>
         <translation>Es wurde nichts exportiert, oder nicht alles: %1</translation>
     </message>
     <message>
@@ -16869,7 +16869,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Abgebrochen; %1 sind in %2</translation>
     </message>
     <message>
-        <source>Canceled; nothing is left of %1</source>
+        <source>Canceled; %1 was deleted</source>
         <translation>Abgebrochen; von %1 ist nichts übrig</translation>
     </message>
     <message>
@@ -16880,7 +16880,7 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
 <context>
     <name>widgets::WalkPad</name>
     <message>
-        <source>Drag to walk, up is forward. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.</source>
+        <source>Drag to walk, up is forward. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves the speed.</source>
         <translation>Ziehen zum Gehen, oben ist vorwärts. Tasten: W/A/S/D oder die Pfeile gehen, Q und E drehen, Umschalt halbiert.</translation>
     </message>
     <message>

@@ -113,12 +113,12 @@ void ClientSession::tickConnected(Instant now) {
   const std::string limit =
       std::to_string(std::chrono::duration_cast<std::chrono::seconds>(options_.linkTimeout).count());
   if (now - packetAt_ >= options_.linkTimeout) {
-    lose({"arcos.lost", "nothing came from the robot for " + limit + " s", {}, {}}, now);
+    lose({"arcos.lost", "nothing was received from the robot for " + limit + " s", {}, {}}, now);
     return;
   }
   if (now - informationAt_ >= options_.linkTimeout) {
     lose({"arcos.lost-information",
-          "packets come from the robot, but no standard information for " + limit + " s",
+          "the robot sends packets, but no standard information packet for " + limit + " s",
           {},
           {}},
          now);

@@ -204,7 +204,10 @@ ClientSession::News ClientSession::applyHandshake(const Packet& packet, Instant 
   } else if (packet.id > 2) {
     // A late reply to an earlier SYNC is ignored; any other packet belongs to a connection that was never
     // closed.
-    const Error why{"arcos.busy", "the robot is in another connection, and does not close it", {}, {}};
+    const Error why{"arcos.busy",
+                    "the robot is in another connection, which it does not close; end the other client",
+                    {},
+                    {}};
     if (mayTryAgain(why, now)) resynchronize(now);
   }
   return News::kNothing;

@@ -14,8 +14,8 @@ Error ClientSession::silence() const {
   if (damages_ > 0 && !heard_) {
     return {
         "arcos.only-damage",
-        "bytes come from the robot, but no packet is whole: set the serial line to the robot's rate (9600 "
-        "usually), and check that this is a robot",
+        "the robot's bytes do not form valid packets: set the serial line to the robot's baud rate (usually "
+        "9600), and check that this is a robot",
         {},
         {}};
   }

@@ -85,8 +85,8 @@ Result<void> PioneerConnection::greet(const ByteStream& line, Duration timeLimit
   while (!inspect([](const auto& c) { return c.client_.isConnected(); })) {
     if (clock_->now() >= limit) {
       return lose(line, {"pioneer.no-robot",
-                         "the line is open, but no robot answered in time: is it switched on, and is its "
-                         "speed the line's (baud)?",
+                         "the line is open, but no robot answered in time: is it switched on, and does the "
+                         "baud rate match?",
                          {},
                          {}});
     }
@@ -101,7 +101,7 @@ Result<void> PioneerConnection::greet(const ByteStream& line, Duration timeLimit
 /// A robot serves one program; a simulator hangs up on a second one without explanation.
 tl::unexpected<Error> PioneerConnection::refused(Error why) {
   why.id = "pioneer.refused";
-  why.text += ". It hung up before it greeted: does another program drive this robot?";
+  why.text += ". It closed the connection before the handshake: is another program driving this robot?";
   const std::lock_guard lock(mutex_);
   problem_ = why.text;
   return tl::unexpected(std::move(why));

@@ -139,8 +139,7 @@ Result<void> PioneerRobot::setSonar(bool on) {
 }
 
 Result<void> PioneerRobot::setLaser(bool on) {
-  if (const auto simulated = requireSimulator("its laser has a line of its own"); !simulated)
-    return simulated;
+  if (const auto simulated = requireSimulator("its laser has its own line"); !simulated) return simulated;
   return connection_->sendBy([on](PioneerClient& client, Instant now) {
     if (!on) return client.stopLaser(now);
     return client.startLaser(-kPi / 2, kPi / 2, PioneerClient::LaserCommands::kUsual, now);
@@ -220,7 +219,7 @@ Result<void> PioneerRobot::selectAnalogInput(int number) {
                    "there is no analog input " + std::to_string(number) + ": they are numbered 0 to 7");
   if (isSimulated())
     return failure("pioneer.simulated",
-                   "simulated robots have no analog inputs: their command is the laser's there");
+                   "simulated robots have no analog inputs: they use that command for the laser");
   return write(command(CommandId::kAdSel, number));
 }
 
@@ -230,7 +229,7 @@ Result<void> PioneerRobot::putAt(const Pose2& pose) {
 }
 
 Result<void> PioneerRobot::setTruePose(bool on) {
-  if (const auto simulated = requireSimulator("nobody knows its true pose"); !simulated) return simulated;
+  if (const auto simulated = requireSimulator("its true pose is not known"); !simulated) return simulated;
   return write(command(CommandId::kSimStat, on ? 2 : 0));
 }
 

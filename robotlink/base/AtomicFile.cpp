@@ -40,7 +40,7 @@ Result<std::string> readAll(int file, const std::filesystem::path& path, std::si
     const int ready = ::poll(&waiting, 1, static_cast<int>(pipePatience.count()));
     if (ready == 0)
       return failure("file.io",
-                     "nothing came through this pipe; start what writes to it first, or name a file",
+                     "this pipe is empty; start the program that writes to it first, or name a file",
                      {path.string(), 0, 0});
     const ssize_t bytes = ready < 0 ? -1 : ::read(file, buffer, sizeof buffer);
     if (bytes < 0 && (errno == EINTR || errno == EAGAIN)) continue;

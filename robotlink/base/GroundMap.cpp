@@ -104,7 +104,7 @@ class Parser {
 
   void fail(int column, std::string id, std::string text) {
     if (errors_.size() + 1 == kMaxErrors) {
-      text += "; what else is wrong is not listed";
+      text += "; further problems are not listed";
       stopped_ = true;
     }
     errors_.push_back({std::move(id), std::move(text), {}, {file_, line_, column}});
@@ -135,7 +135,7 @@ class Parser {
   void parseCount(std::string_view text, Promise& promise) {
     const auto value = parsedNumberWithSign<double>(trimmed(text));
     if (!value || !(*value >= 0 && *value <= 1e15))
-      return note(line_, "this is not a number of lines or points: they are counted");
+      return note(line_, "this is not a number of lines or points; they are counted instead");
     promise.line = promise.line == 0 ? line_ : promise.line;
     promise.count += *value;
   }

@@ -39,7 +39,7 @@ Result<void> checkResources() {
   if (const char* chosen = environment("ROBOTCONTROL_RESOURCES")) {
     return failure("resources.wrong",
                    std::string("the variable ROBOTCONTROL_RESOURCES names the folder '") + chosen +
-                       "', but there are no folders 'robots' and 'layouts' in it; let it name the folder "
+                       "', but there are no folders 'robots' and 'layouts' in it; set it to the folder "
                        "'resources' of RobotControl, or unset it");
   }
   std::error_code error;
@@ -48,7 +48,7 @@ Result<void> checkResources() {
                  "RobotControl's own files were not found: there is no folder 'resources' in or above '" +
                      folder.string() + "', and no '" +
                      (folder / "../share/robotcontrol").lexically_normal().string() +
-                     "'; let the variable ROBOTCONTROL_RESOURCES name that folder");
+                     "'; set the variable ROBOTCONTROL_RESOURCES to that folder");
 }
 
 fs::path resource(const fs::path& relative) {

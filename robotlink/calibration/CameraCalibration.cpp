@@ -22,8 +22,8 @@ Result<const CalibrationModule*> calibrationModule() {
   }();
   if (kLoaded.module == nullptr)
     return failure("calibration.module",
-                   "cameras cannot be calibrated, since OpenCV's part is missing: " + kLoaded.problem +
-                       "; install libopencv-calib3d406 and the whole program again");
+                   "cameras cannot be calibrated, because an OpenCV module is missing: " + kLoaded.problem +
+                       "; install libopencv-calib3d406, or reinstall the program");
   return kLoaded.module;
 }
 
@@ -33,7 +33,8 @@ tl::unexpected<Error> wrongPoints(const std::string& why) {
 
 tl::unexpected<Error> noFit() {
   return failure("calibration.fit",
-                 "no camera sees these points so: check which point is which, and the size of the board");
+                 "these points cannot be the image of any camera: check which point is which, and the size "
+                 "of the board");
 }
 
 /// From pixels whose first one has its corner at (0, 0) to those whose first one has its middle there.
@@ -59,8 +60,8 @@ Eigen::Matrix3d oursInOpenCv() {
 Result<std::optional<std::vector<Vector2>>> findChessboard(const ImageView& image, const Chessboard& board) {
   if (image.empty() || !board.isUsable())
     return wrongPoints(
-        "a board has from 3 to 50 inner corners each way, not as many rows as columns, and squares of some "
-        "size");
+        "a board needs 3 to 50 inner corners each way, different numbers of rows and columns, and squares "
+        "larger than 0");
   const auto module = calibrationModule();
   if (!module) return tl::unexpected(module.error());
   Image gray(image.width, image.height, PixelFormat::kMono8);
@@ -75,11 +76,11 @@ Result<LensFit> fitLens(std::span<const std::vector<Vector2>> views, const Chess
                         int height) {
   if (views.size() < kMinBoardViews)
     return wrongPoints("a lens is computed from at least " + std::to_string(kMinBoardViews) +
-                       " views of the board, better from ten");
+                       " views of the board, preferably ten");
   const std::size_t corners = board.corners().size();
   if (std::ranges::any_of(views, [&](const auto& view) { return view.size() != corners; }) ||
       !board.isUsable())
-    return wrongPoints("some of the views are of another board");
+    return wrongPoints("some of the views show a different board");
   const auto module = calibrationModule();
   if (!module) return tl::unexpected(module.error());
   std::vector<std::vector<Vector2>> moved;

@@ -27,7 +27,7 @@ CommandRegistration::CommandRegistration(RegisteredCommand command) {
   const bool isNew = std::ranges::none_of(commandCatalog(), hasItsName) &&
                      std::ranges::none_of(registeredCommands(), hasItsName, &RegisteredCommand::declaration);
   registered().add(std::move(command), "command \"" + name + "\"",
-                   isNew ? "" : "there is one of this name already");
+                   isNew ? "" : "there already is a command of this name");
 }
 
 void attachRegisteredCommands(CommandTable& commands, Session& session) {

@@ -221,7 +221,7 @@ CommandConnection::~CommandConnection() {
 
 Result<void> CommandConnection::send(const std::string& line) {
   if (line.find('\n') != std::string::npos)
-    return failure("socket.line", "a line has no line feed; give each line by itself");
+    return failure("socket.line", "a line must not contain a line feed; give each line separately");
   std::string bytes = line + "\n";
   while (!bytes.empty()) {
     const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);

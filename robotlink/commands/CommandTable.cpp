@@ -141,8 +141,8 @@ bool isChoice(const Argument& argument, const Value& value) {
 /// Runs a command with checked values, to which those that were left out are added.
 Result<void> runComplete(const Command& command, Values values) {
   if (!command.run) {
-    return failure("command.unattached", command.name + " cannot be run here: what it acts on is missing", {},
-                   {command.name});
+    return failure("command.unattached",
+                   command.name + " cannot be run: nothing it could act on is open here", {}, {command.name});
   }
   for (std::size_t i = values.size(); i < command.arguments.size() && command.arguments[i].initial; ++i)
     values.push_back(*command.arguments[i].initial);
@@ -174,7 +174,7 @@ Result<Places> withoutEnd(const Command& command, Places places, int column) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Argument& argument = command.arguments[i];
     if (places[i] || argument.initial || argument.type == Type::kNumber) continue;
-    return failure("command.argument-order", argument.name + " must be given, too: " + usage(command),
+    return failure("command.argument-order", argument.name + " is missing: " + usage(command),
                    {{}, 0, places.back()->column}, {command.name, argument.name});
   }
   return places;
@@ -217,7 +217,7 @@ void CommandTable::add(Command command) {
   const std::string name = command.name;
   const auto& arguments = command.arguments;
   if (!std::ranges::is_partitioned(arguments, [](const Argument& each) { return !each.isOptional(); }))
-    endProgram(name, "an argument that must be given follows one that need not");
+    endProgram(name, "a required argument follows an optional one");
   if (!commands_.emplace(name, std::move(command)).second)
     endProgram(name, "added twice; names of commands are unique");
 }

@@ -12,24 +12,28 @@ using Rows = std::vector<Command>;
 Rows manualRows() {
   return {
       {"robot.take-over",
-       "Takes the selected robot over, so that it obeys you, or gives it back",
+       "Takes manual control of the selected robot, or gives it back",
        {{"on", Type::kBool, "off gives it back to its program", true}}},
       {"robot.walk",
-       "Lets the robot that was taken over walk or drive until another command",
+       "Makes the robot that was taken over walk or drive until another command",
        {{"x", Type::kNumber, "m/s forward"},
         {"y", Type::kNumber, "m/s to the left; robots on wheels ignore it", 0.0},
         {"rotation", Type::kNumber, "rad/s counterclockwise", 0.0}}},
-      {"robot.stand", "Lets the robot that was taken over stand"},
+      {"robot.stand", "Makes the robot that was taken over stand still"},
       {"robot.head",
-       "Chooses what the head of the robot that was taken over does",
+       "Chooses how the robot that was taken over moves its head",
        {{"mode", Type::kText, "", {}, {"look-ahead", "search-ball", "track-ball", "look-around"}}}},
       {"robot.head-joint",
        "Moves a joint of the head of the robot that was taken over",
-       {{"joint", Type::kText, "as far as the robot has it", {}, {"tilt", "pan", "roll", "mouth"}},
+       {{"joint",
+         Type::kText,
+         "one of the joints that the robot's head has",
+         {},
+         {"tilt", "pan", "roll", "mouth"}},
         {"angle", Type::kNumber, "rad"}}},
       {"robot.motion",
        "Plays a key-frame motion of the robot that was taken over",
-       {{"name", Type::kText, "as on the buttons of the motion view, or get-up"}}},
+       {{"name", Type::kText, "as on the buttons of the view Motion, or get-up"}}},
   };
 }
 
@@ -42,11 +46,12 @@ Rows jointRows() {
        {{"joint", Type::kText, "its name, as in the view Joints: legFL1"},
         {"angle", Type::kNumber, "rad, while the view shows degrees"}}},
       {"joints.limp",
-       "Releases all joints of the robot that was taken over, so that it is posed by hand, or lets them hold",
-       {{"on", Type::kBool, "off: they hold where they are", true}}},
+       "Releases all joints of the robot that was taken over, so that you can pose it by hand, or makes them "
+       "hold",
+       {{"on", Type::kBool, "off: they hold their angles", true}}},
       {"joints.capture",
        "Adds the pose of the selected robot to the motion in the editor, as a key frame",
-       {{"duration", Type::kNumber, "ms to this pose", 500.0},
+       {{"duration", Type::kNumber, "ms it takes to reach this pose", 500.0},
         {"source", Type::kText, "which angles", std::string("measured"), {"measured", "requested"}}}},
   };
 }
@@ -57,14 +62,14 @@ Rows motionRows() {
        "Starts a motion in the editor with the joints of the selected robot",
        {{"name", Type::kText, "letters, digits, - and _"}}},
       {"motion.open",
-       "Opens a motion in the editor, or imports one of another team",
+       "Opens a motion in the editor, or imports another team's",
        {{"file", Type::kFile, "a .mof, .pos or .mot file"}}},
       {"motion.open-from-robot",
-       "Opens a motion that the program of the selected robot has",
+       "Opens a motion of the selected robot's program in the editor",
        {{"name", Type::kText, "its motion_id"}}},
       {"motion.save", "Saves the motion in the editor to its file"},
       {"motion.save-as", "Saves the motion in the editor to a file", {{"file", Type::kFile, "a .mof file"}}},
-      {"motion.discard", "Reads the motion in the editor from its file again; unsaved changes are lost"},
+      {"motion.discard", "Reloads the motion in the editor from its file; unsaved changes are lost"},
       {"motion.undo", "Undoes the last edit of the motion"},
       {"motion.redo", "Redoes what was undone"},
       {"motion.select", "Selects a key frame of the motion", {{"number", Type::kNumber, "from 1"}}},
@@ -81,7 +86,7 @@ Rows motionRows() {
       {"motion.duplicate", "Adds a key frame like the selected one behind it"},
       {"motion.remove", "Removes the selected key frame"},
       {"motion.move",
-       "Exchanges the selected key frame with another one",
+       "Swaps the selected key frame with another one",
        {{"count", Type::kNumber, "so many places later; negative: earlier"}}},
       {"motion.mirror",
        "Mirrors the motion: what the left side did, the right side does",
@@ -90,10 +95,10 @@ Rows motionRows() {
       {"motion.auto-send",
        "Sends each change of the motion that has no errors",
        {{"on", Type::kBool, "off: only motion.send", true}}},
-      {"motion.take-back", "Lets the selected robot play the motion of its files again"},
+      {"motion.take-back", "Makes the selected robot play the motion from its own files again"},
       {"motion.play", "Plays the motion once on the robot that was taken over"},
       {"motion.step",
-       "Selects another key frame; a robot that was taken over turns to its pose",
+       "Selects another key frame; a robot that was taken over moves to its pose",
        {{"count", Type::kNumber, "so many places later; negative: earlier", 1.0}}},
   };
 }
@@ -114,21 +119,21 @@ Rows parameterRows() {
        {{"task", Type::kText, "only those of walking or walking/gait; all if it is left out",
          std::string()}}},
       {"parameters.save",
-       "Saves what was changed of the parameters to the files that the program reads at its start; their "
+       "Saves changed parameters to the files that the program reads when it starts; their "
        "comments stay",
        {{"task", Type::kText, "only those of walking or walking/gait; all if it is left out", std::string()},
         {"file", Type::kFile, "another .textproto file, for remote robots", std::string()}}},
       {"parameters.undo", "Undoes the last edit in the panel of parameters of the view Solutions"},
-      {"parameters.redo", "Redoes what was undone there"},
+      {"parameters.redo", "Redoes the last edit undone there"},
       {"parameters.sweep",
-       "Sets a parameter to one value after the other and measures a figure at each",
+       "Sets a parameter to one value after another and measures a quantity at each",
        {{"task", Type::kText, "walking, for its active solution, or walking/gait for another one"},
         {"path", Type::kText, "as in the view of solutions: step.height"},
         {"values", Type::kText, "a list 1,2,5 or a range from:to:step"},
         {"figure", Type::kText, "an expression over streams: models/ball.position.x"},
-        {"seconds", Type::kNumber, "of the session's time, at each value"},
+        {"seconds", Type::kNumber, "seconds of session time at each value"},
         {"file", Type::kFile, "a .csv file with the result", std::string()}}},
-      {"parameters.stop-sweep", "Ends the sweep of a parameter, which gets its former value"},
+      {"parameters.stop-sweep", "Ends the sweep of a parameter and restores its previous value"},
   };
 }
 
@@ -136,13 +141,13 @@ Rows presetRows() {
   const CommandTable::Argument preset{"name", Type::kText, "of a preset, or the path of its file"};
   return {
       {"preset.save",
-       "Saves what is chosen now as a preset: debug keys, solutions, parameters, views and settings of the "
-       "camera",
+       "Saves the current choices as a preset: debug keys, "
+       "solutions, parameters, views and camera settings",
        {{"name", Type::kText, "a new one or one to replace; a path is a file"},
         {"parts", Type::kText, "some of keys,solutions,parameters,views,camera, or all",
          std::string("all")}}},
       {"preset.load", "Switches the selected robot and the window to a preset", {preset}},
-      {"preset.diff", "Fails with what differs between what is chosen now and a preset", {preset}},
+      {"preset.diff", "Lists how the current choices differ from a preset, and fails if they do", {preset}},
       {"preset.delete", "Deletes a preset", {{"name", Type::kText, "of the preset"}}},
       {"preset.rename",
        "Renames a preset",
@@ -154,8 +159,8 @@ Rows presetRows() {
 Rows viewRows() {
   const CommandTable::Argument view{"view", Type::kText, "its name: image, field, packets, ..."};
   return {
-      {"view.another", "Opens one more view of a kind", {view}},
-      {"view.close", "Closes all views of a kind; they keep their places", {view}},
+      {"view.another", "Opens another view of a kind", {view}},
+      {"view.close", "Closes all views of a kind; their positions are remembered", {view}},
       {"view.maximize", "Gives a view all the space", {view}},
       {"view.restore", "Shows all views again after one was maximized"},
       {"view.save",
@@ -183,11 +188,11 @@ Rows viewRows() {
        "Chooses the colors of the window",
        {{"name", Type::kText, "", {}, {"system", "light", "dark", "high-contrast"}}}},
       {"view.language",
-       "Chooses the language of the window, from its next start on",
+       "Chooses the language of the window, used from its next start on",
        {{"name", Type::kText, "", {}, {"system", "en", "de"}}}},
       {"view.text-size",
        "Sets the size of all texts",
-       {{"percent", Type::kNumber, "70 to 250; 100: as the system wants it"}}},
+       {{"percent", Type::kNumber, "70 to 250; 100: the system's size"}}},
   };
 }
 
@@ -205,12 +210,12 @@ Rows plotRows() {
        "Shows spectra of the curves in the plots, of the shown times or between the cursors",
        {{"on", Type::kBool, "off hides them", true},
         {.name = "window",
-         .help = "what the values are multiplied by before",
+         .help = "the window function applied to the values first",
          .initial = std::string("hann"),
          .choices = {"hann", "rectangle", "hamming", "blackman", "flat-top"}}}},
       {"plots.equal-axes",
        "Uses the same scale on both axes of plots of one value over another",
-       {{"on", Type::kBool, "off: as there is room", true}}},
+       {{"on", Type::kBool, "off: each axis fills the view", true}}},
       {"plots.remove", "Removes a curve from the plots", {value}},
       {"plots.clear", "Removes all curves from the plots"},
   };
@@ -219,7 +224,7 @@ Rows plotRows() {
 Rows searchRows() {
   return {
       {"search.start",
-       "Searches the whole of the open logs in the view Search, without playing them",
+       "Searches the open logs in the view Search, without playing them",
        {{"wanted", Type::kText, "a condition, or what texts contain"},
         {.name = "kind", .initial = std::string("condition"), .choices = {"condition", "texts"}}}},
       {"search.cancel", "Ends the search; what was found stays"},
@@ -232,8 +237,8 @@ Rows searchRows() {
        "Removes a curve from the timeline",
        {{"value", Type::kText, "as it was added, with its robot"}}},
       {"timeline.mark-texts",
-       "Marks in the timeline and in plots when messages were written that match",
-       {{"pattern", Type::kText, "a regular expression; '' marks none"}}},
+       "Marks the times of matching text messages in the timeline and in plots",
+       {{"pattern", Type::kText, "a regular expression; '': no marks"}}},
   };
 }
 

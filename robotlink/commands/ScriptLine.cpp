@@ -150,7 +150,7 @@ Result<std::string> withVariables(const std::string& original, const ScriptVaria
     if (next == '{' && (name.empty() || end == line.size() || line[end] != '}'))
       return wrong("${ needs a name and }", at);
     const auto value = variables(name);
-    if (!value) return wrong("there is no variable " + name + "; set " + name + " VALUE makes it", at);
+    if (!value) return wrong("there is no variable " + name + "; set " + name + " VALUE defines it", at);
     result += *value;
     at = next == '{' ? end : end - 1;
   }

@@ -44,11 +44,11 @@ Error inLine(Error error, const ScriptLine& line) {
 std::string whyPaused(Session& session) {
   const StreamStore& store = session.store();
   const auto* replay = store.latestAs<robotcontrol::ReplayStatus>(streams::kReplay, Instant::max());
-  if (replay != nullptr) return replay->playing() ? "" : ": the log is paused; log.play lets it go on";
+  if (replay != nullptr) return replay->playing() ? "" : ": the log is paused; log.play resumes it";
   const auto* simulation =
       store.latestAs<robotcontrol::SimulationStatus>(streams::kSimulation, Instant::max());
   if (simulation == nullptr || simulation->running()) return "";
-  return ": the simulation is paused; simulation.start lets it go on";
+  return ": the simulation is paused; simulation.start resumes it";
 }
 
 std::string withValues(std::string text, const std::string& values) {
@@ -272,7 +272,7 @@ Result<bool> ScriptRun::isCommandDone(Instant now) {
   }
   if (unanswered_.empty()) return true;
   if (now - began_ < kPatience) return false;
-  return failure("script.unanswered", "nothing has answered for " + inSeconds(kPatience),
+  return failure("script.unanswered", "there was no answer for " + inSeconds(kPatience),
                  {{}, 0, line_.column});
 }
 
@@ -296,7 +296,7 @@ Result<bool> ScriptRun::hasTimePassed(Instant now) {
   if (now - movedAt_ < kPatience) return false;
   const std::string paused = whyPaused(workbench_.session);
   return failure("script.standstill", "expected " + inSeconds(fromSeconds(line_.seconds)) +
-                                          " to pass, but the time has stood still at " +
+                                          " to pass, but time has stopped at " +
                                           inSeconds(workbench_.session.timeline().sinceOrigin(time)) +
                                           " for " + inSeconds(kPatience) + paused);
 }

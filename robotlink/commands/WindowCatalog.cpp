@@ -13,7 +13,7 @@ Rows colorFileRows() {
   return {
       {"color.new", "Starts new samples of a color table"},
       {"color.open", "Opens the samples of a color table", {{"file", Type::kFile, "a .samples file"}}},
-      {"color.save", "Saves the samples of the color table to the file they are from"},
+      {"color.save", "Saves the samples of the color table to their file"},
       {"color.save-as", "Saves the samples of the color table", {{"file", Type::kFile, "a .samples file"}}},
       {"color.discard", "Discards unsaved changes of the samples"},
       {"color.merge", "Adds the samples of another file", {{"file", Type::kFile, "a .samples file"}}},
@@ -23,7 +23,7 @@ Rows colorFileRows() {
       {"color.export", "Writes the color table to a file", {{"file", Type::kFile, "a .c64 file"}}},
       {"color.compare",
        "Compares the table with another one",
-       {{"table", Type::kText, "a file, now (what it is now), or none"}}},
+       {{"table", Type::kText, "a file, now (its present state), or none"}}},
   };
 }
 
@@ -32,7 +32,9 @@ Rows colorStrokeRows() {
       {"color.class",
        "Chooses the class of the next stroke",
        {{"name", Type::kText, "of a class, or background"}}},
-      {"color.must-not", "Chooses whether the next strokes must not be of the class", {{"on", Type::kBool}}},
+      {"color.must-not",
+       "Chooses whether the next strokes mark colors that must not be of the class",
+       {{"on", Type::kBool}}},
       {"color.weight", "Sets how much the next strokes count", {{"weight", Type::kNumber, "0.1 to 10"}}},
       {"color.stroke",
        "Adds a disc of the color view's image to the samples",
@@ -48,10 +50,10 @@ Rows colorTableRows() {
        "Sets the classes; strokes keep the class of their name",
        {{"name", Type::kText, "2002 or bhuman2009"}}},
       {"color.method",
-       "Chooses how the table is made",
+       "Chooses the method that makes the table",
        {{"name", Type::kText, "votes, gaussians or support-vectors"}}},
       {"color.option",
-       "Sets an option of how the table is made",
+       "Sets an option of that method",
        {{"name", Type::kText, "such as radius"}, {"value", Type::kNumber, "switches: 0 or 1"}}},
       {"color.send", "Sends the table to the selected robot's program"},
       {"color.auto-send",
@@ -64,27 +66,26 @@ Rows colorTableRows() {
 /// Returns the arguments of both kinds of exports after view and target.
 std::vector<CommandTable::Argument> exportArguments(const CommandTable::Argument& target) {
   return {
-      {"view", Type::kText, "its name: image, field, plots, ...; the second one is image#2"},
+      {"view", Type::kText, "its name: image, field, plots, ...; the second view is image#2"},
       target,
-      {"from", Type::kText, "seconds, negative of live robots: before now; or start", std::string("start")},
+      {"from", Type::kText, "seconds; negative: before now (live robots); or start", std::string("start")},
       {"to", Type::kText, "the same; or end", std::string("end")},
       {"rate", Type::kNumber, "pictures a second", 25.0},
-      {"size", Type::kText, "of the pictures, such as 1280x720; '': as shown", std::string()}};
+      {"size", Type::kText, "size of the pictures, such as 1280x720; '': as shown", std::string()}};
 }
 
 Rows exportRows() {
   return {
-      {"export.video",
-       "Writes a view over time as a video: of the open logs, or of what is kept of live robots",
+      {"export.video", "Writes a view over time as a video, from the open logs or the history of live robots",
        exportArguments({"file", Type::kFile, "a .mp4 or .avi file"})},
       {"export.images", "Writes a view over time as numbered PNG files into a folder",
        exportArguments({"folder", Type::kFile, "a new or empty one"})},
-      {"export.cancel", "Cancels the export of a view; a video is removed, images that were written stay"},
+      {"export.cancel", "Cancels the export of a view; an unfinished video is deleted, written images stay"},
   };
 }
 
 Rows pictureRows() {
-  const CommandTable::Argument image{"view", Type::kText, "image; the second one is image#2"};
+  const CommandTable::Argument image{"view", Type::kText, "image; the second view is image#2"};
   const char* const kStream = "its path: red1/camera/image; */camera/image is that of the selected robot";
   return {
       {"image.stream",
@@ -100,47 +101,52 @@ Rows pictureRows() {
          .choices = {"side-by-side", "blend", "difference"}}}},
       {"image.show",
        "Chooses how an Image view shows its images",
-       {image, {"mode", Type::kText, "stereogram: only of depths", {}, {"color", "gray", "stereogram"}}}},
+       {image,
+        {"mode", Type::kText, "stereogram: for depth images only", {}, {"color", "gray", "stereogram"}}}},
       {"view.drawing",
-       "Checks or unchecks a drawing in the list of a view; one that is off at the robot is switched on "
-       "there",
-       {{"view", Type::kText, "image, field, scene or radar; the second one is image#2"},
+       "Checks or unchecks a drawing in the list of a view; checking one that is off on the robot switches "
+       "it on there",
+       {{"view", Type::kText, "image, field, scene or radar; the second view is image#2"},
         {"drawing", Type::kText, "its name, as in the list"},
         {"on", Type::kBool, "off hides it; the robot continues to draw it", true}}},
       {"view.pose",
        "Chooses at which pose of a robot a view places its drawings",
-       {{"view", Type::kText, "field or scene; the second one is field#2"},
+       {{"view", Type::kText, "field or scene; the second view is field#2"},
         {"pose", Type::kText, "default (the true one if known), true, or an estimate: models/pose"}}},
   };
 }
 
 Rows sceneViewRows() {
   const CommandTable::Argument view{"view", Type::kText,
-                                    "scene; the second one is scene#2; '': all that are open", std::string()};
+                                    "scene; the second view is scene#2; '': all open ones", std::string()};
   const CommandTable::Argument object{"object", Type::kText, "its path: red1, or red1/link:head"};
   return {
       {"scene.view",
        "Chooses how the surfaces of a view of the scene are drawn",
        {{"mode",
          Type::kText,
-         "of all objects without a mode of their own",
+         "for all objects without their own mode",
          {},
          {"shaded", "flat", "hidden-lines", "wire"}},
         view}},
       {"scene.draw",
-       "Chooses how an object is drawn, with all that belongs to it",
+       "Chooses how an object and everything in it is drawn",
        {object,
-        {"mode", Type::kText, "view: as the view is", {}, {"view", "shaded", "flat", "hidden-lines", "wire"}},
+        {"mode",
+         Type::kText,
+         "view: like the rest of the view",
+         {},
+         {"view", "shaded", "flat", "hidden-lines", "wire"}},
         view}},
       {"scene.opacity",
-       "Lets an object be seen through",
-       {object, {"opacity", Type::kNumber, "0 (hardly to be seen) to 1"}, view}},
-      {"scene.hide", "Hides an object of the scene, with all that belongs to it", {object, view}},
+       "Makes an object transparent",
+       {object, {"opacity", Type::kNumber, "0 (almost invisible) to 1"}, view}},
+      {"scene.hide", "Hides an object of the scene and everything in it", {object, view}},
       {"scene.show",
-       "Shows an object again that was hidden",
+       "Shows a hidden object again",
        {{"object", Type::kText, "its path; '': all", std::string()}, view}},
       {"scene.layer",
-       "Shows or leaves out something in views of the scene",
+       "Shows or hides something in views of the scene",
        {{"layer",
          Type::kText,
          "solids: what collides; visuals: what cameras see",
@@ -149,23 +155,23 @@ Rows sceneViewRows() {
         {"on", Type::kBool, "", true},
         view}},
       {"scene.follow",
-       "Lets the camera of a view follow an object",
+       "Makes the camera of a view follow an object",
        {{"object", Type::kText, "its path; '': the robot of the view", std::string()},
         {"how",
          Type::kText,
-         "first-person: out of its camera, or of itself",
+         "first-person: from its camera, or from the object itself",
          std::string("position"),
          {"position", "heading", "first-person", "off"}},
         view}},
       {"scene.only",
-       "Limits a view to an object, with all that belongs to it",
+       "Limits a view to an object and everything in it",
        {{"object", Type::kText, "its path; '': the whole scene", std::string()}, view}},
       {"scene.open",
        "Opens a view of an object of the scene",
        {object,
         {"surroundings",
          Type::kText,
-         "whether the rest of the scene is shown, too",
+         "whether the rest of the scene is shown as well",
          std::string("alone"),
          {"alone", "around"}}}},
   };
@@ -176,11 +182,11 @@ Rows dataRows() {
       {"columns.show",
        "Shows the values of a list as columns",
        {{"list", Type::kText, "a sensor of the scene, such as p3at1/laser, or 'red1/range/laser: ranges'"},
-        {"view", Type::kText, "columns; the second one is columns#2", std::string("columns")}}},
+        {"view", Type::kText, "columns; the second view is columns#2", std::string("columns")}}},
       {"data.compare",
        "Compares the values in a Data view with others",
        {{"with", Type::kText, "none, now (these values, from now on), remembered, logged, or a robot"},
-        {"view", Type::kText, "data; the second one is data#2", std::string("data")}}},
+        {"view", Type::kText, "data; the second view is data#2", std::string("data")}}},
       {"data.publish",
        "Sends a message to a robot once, as the view Data does",
        {{"message", Type::kText, "set-goal, place-model, ... as in the list of the view"},
@@ -190,7 +196,7 @@ Rows dataRows() {
        "Shows only messages whose text or source contains a text",
        {{"text", Type::kText, "'': all messages", std::string()},
         {"regex", Type::kBool, "on: it is a regular expression", false},
-        {"view", Type::kText, "messages; the second one is messages#2", std::string("messages")}}},
+        {"view", Type::kText, "messages; the second view is messages#2", std::string("messages")}}},
   };
 }
 
@@ -210,7 +216,7 @@ Rows windowCatalog() {
         {"file", Type::kFile, ".png, .svg, or its numbers as .csv or .txt; of the window .png"}}},
       {"view.copy",
        "Copies what a view shows to the clipboard",
-       {{"view", Type::kText, "its name: plots, joints, ...; the second one is plots#2"},
+       {{"view", Type::kText, "its name: plots, joints, ...; the second view is plots#2"},
         {"as",
          Type::kText,
          "numbers: its table, with tabs between the columns",
@@ -223,35 +229,35 @@ Rows windowCatalog() {
       {"scene.save",
        "Saves the file in the scene editor",
        {{"file", Type::kFile, "another one; '': its own", std::string()}}},
-      {"scene.apply",
-       "Has the simulation go on in the texts of the scene editor as they are, without saving them"},
+      {"scene.apply", "Applies the texts of the scene editor to the running simulation without saving them"},
       {"scene.insert",
-       "Adds an object to the text of the simulated scene, and goes on in it; nothing is saved",
+       "Adds an object to the text of the simulated scene, and applies it; nothing is saved",
        {{"kind", Type::kText, "box, ball, cylinder, wall, lamp, camera, or the name of a model"},
         {"x", Type::kNumber, "m, in the field's frame"},
         {"y", Type::kNumber, "m"}}},
       {"scene.copy",
-       "Adds a copy of an object to the text of the simulated scene, half a meter beside it",
+       "Adds a copy of an object to the text of the simulated scene, half a meter away",
        {{"object", Type::kText, "its name in the scene; '': what is selected", std::string()}}},
       {"scene.erase",
-       "Removes an object from the text of the simulated scene, and goes on in it; nothing is saved",
+       "Removes an object from the text of the simulated scene, and applies it; nothing is saved",
        {{"object", Type::kText, "its name in the scene; '': what is selected", std::string()}}},
       {"scene.rename",
        "Renames an object in the text of the simulated scene",
        {{"object", Type::kText, "its name in the scene"}, {"name", Type::kText, "the new one"}}},
       {"scene.write",
-       "Writes into the text of the simulated scene that an object begins where it is now; nothing is saved",
+       "Makes the present pose of an object its initial one in the text of the simulated scene; nothing is "
+       "saved",
        {{"object", Type::kText, "its name in the scene; '': what is selected", std::string()}}},
-      {"scene.undo-edit", "Undoes the last thing that was done to the scene by hand or by these commands"},
-      {"scene.redo-edit", "Does again what was undone last"},
+      {"scene.undo-edit", "Undoes the last change of the scene, made by hand or by these commands"},
+      {"scene.redo-edit", "Redoes the last change undone"},
       {"log.bookmark",
        "Adds a bookmark to the log",
        {{"seconds", Type::kNumber, "since the start"}, {"text", Type::kText, "text of the bookmark"}}},
       {"log.remove-bookmark",
-       "Removes a bookmark of the open logs; of several with this text the first",
+       "Removes a bookmark of the open logs; if several have this text, the first",
        {{"text", Type::kText, "text of the bookmark"}}},
       {"log.rename-bookmark",
-       "Changes the text of a bookmark of the open logs; of several with this text the first",
+       "Changes the text of a bookmark of the open logs; if several have this text, the first",
        {{"text", Type::kText, "text of the bookmark"}, {"new-text", Type::kText, "instead"}}},
   };
   rows.insert(rows.end(), others.begin(), others.end());

@@ -126,7 +126,7 @@ void readTeams(const YamlNode& root, FieldDescription& field) {
     FieldDescription::Team team{node.required<std::string>("name"), node.required<std::string>("attacks"),
                                 colorOf(node, "color", field)};
     if (std::ranges::find(field.goals, team.attacks, &FieldDescription::Goal::name) == field.goals.end())
-      node.fail("field.team", "the team attacks '" + team.attacks + "', which is none of the goals");
+      node.fail("field.team", "the team attacks '" + team.attacks + "', which is not one of the goals");
     field.teams.push_back(std::move(team));
   }
 }
@@ -135,7 +135,7 @@ tl::expected<FieldDescription, Errors> readField(YamlReader& yaml) {
   const YamlNode root = yaml.root();
   FieldDescription field;
   if (root.required<int>("version") != 1)
-    root.fail("field.version", "only version 1 of this format is known");
+    root.fail("field.version", "only version 1 of this format is supported");
   field.name = root.required<std::string>("name");
   readPalette(root.child("palette"), field);
   readGround(root, field);

@@ -172,7 +172,7 @@ void YamlNode::fail(std::string id, std::string text, std::vector<std::string> a
 YamlNode YamlNode::optionalChild(std::string_view key) const {
   if (value_ == nullptr) return {};
   if (!isMap()) {
-    fail("yaml.type", "here should be a map with the key '" + std::string(key) + "'", {std::string(key)});
+    fail("yaml.type", "expected a map with the key '" + std::string(key) + "'", {std::string(key)});
     return {};
   }
   const auto found = std::ranges::find(value_->entries, key, &YamlValue::Entry::key);
@@ -279,8 +279,7 @@ Result<YamlReader> YamlReader::parse(std::string_view text, std::string file) {
     document->errors = std::move(converter.errors);
     return YamlReader(std::move(document));
   } catch (const YAML::Exception& exception) {
-    return failure("yaml.syntax", "not readable as YAML: " + exception.msg,
-                   converter.position(exception.mark));
+    return failure("yaml.syntax", "not valid YAML: " + exception.msg, converter.position(exception.mark));
   }
 }
 

@@ -82,7 +82,7 @@ void ProgramPresence::Implementation::watch() {
                         other.kind == static_cast<std::uint8_t>(Claim::kHeld);
     if (!isSame || !reported.insert(other.sender).second) continue;
     report("Program " + identity.program + " of " + identity.robot + " runs twice: also as " + other.sender +
-           ". What the newest one sends is used. End one of them.");
+           ". Only the newest one's packages are used. End one of them.");
   }
 }
 
@@ -104,7 +104,7 @@ Result<std::unique_ptr<ProgramPresence>> ProgramPresence::claim(
     if (const std::string other = made->superior(); !other.empty())
       return failure("spread.twice",
                      "program " + identity.program + " of " + identity.robot + " runs already, as " + other +
-                         "; end that one first, or start another program of the layout",
+                         "; end it first, or start another program of the layout",
                      {}, {identity.program, identity.robot, other});
     std::this_thread::sleep_for(kClaimLook);
   }

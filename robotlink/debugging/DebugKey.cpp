@@ -32,7 +32,7 @@ bool isPath(std::string_view name) {
 /// Empty if a key may have this name.
 std::string problemOf(const char* name) {
   if (!isPath(name))
-    return "a name is a path of lower case letters, digits and '-', its parts separated by one '/'";
+    return "a name is a path of lowercase letters, digits and '-', with its parts separated by one '/'";
   if (areSealed()) return "declared after the first debug context was made; declare keys at namespace scope";
   return DebugKey::find(name) >= 0 ? "declared twice; names of keys are unique in a program" : "";
 }

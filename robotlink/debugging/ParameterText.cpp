@@ -225,7 +225,7 @@ tl::expected<void, Errors> readParameterText(const std::string& text, const std:
   const bool isRead = parser.ParseFromString(text, &message);
   if (!collector.errors().empty()) return tl::unexpected(collector.errors());
   if (!isRead)
-    return tl::unexpected(Errors{{"parameters.value", "not readable as text of protobuf", {}, {file, 0, 0}}});
+    return tl::unexpected(Errors{{"parameters.value", "not valid Protobuf text", {}, {file, 0, 0}}});
   return {};
 }
 

@@ -101,7 +101,7 @@ std::string wrongMotionText(const Request& request) {
 
 std::string wrongPlace(const Request& request) {
   const auto& place = request.place_model();
-  if (!place.has_pose_in_field()) return "the pose at which the model is placed is missing";
+  if (!place.has_pose_in_field()) return "the request needs the pose at which to place the model";
   return isFinite(place.pose_in_field()) && std::isfinite(place.height()) && std::isfinite(place.roll()) &&
                  std::isfinite(place.pitch())
              ? ""
@@ -112,7 +112,7 @@ std::string wrongActuator(const Request& request) {
   const auto& set = request.set_actuator();
   if (set.released()) return "";
   if (set.port().empty()) return "the actuator is not named";
-  if (set.values().empty()) return "the actuator " + set.port() + " is set to no value";
+  if (set.values().empty()) return "the actuator " + set.port() + " needs at least one value";
   const auto isFiniteNumber = [](double value) { return std::isfinite(value); };
   return std::ranges::all_of(set.values(), isFiniteNumber)
              ? ""
@@ -122,7 +122,7 @@ std::string wrongActuator(const Request& request) {
 std::string wrongPorts(const Request& request) {
   constexpr int kMaxPorts = 10'000;
   const auto& read = request.read_ports();
-  if (read.ports().empty() && !read.ended()) return "no port is named that is to be read";
+  if (read.ports().empty() && !read.ended()) return "the request names no port to read";
   return read.ports_size() <= kMaxPorts ? ""
                                         : "a request names at most " + std::to_string(kMaxPorts) + " ports";
 }
@@ -164,13 +164,13 @@ std::string wrongSimulationSpeed(const Request& request) {
 }
 
 std::string wrongCamera(const Request& request) {
-  return std::isfinite(request.set_camera().value()) ? "" : "the value of a camera's setting is no number";
+  return std::isfinite(request.set_camera().value()) ? "" : "the value of a camera setting must be a number";
 }
 
 std::string wrongPackage(const Request& request) {
   using robotcontrol::SetPackage;
   const SetPackage& set = request.set_package();
-  if (!SetPackage::Mode_IsValid(set.mode())) return "there is no such way to set a package";
+  if (!SetPackage::Mode_IsValid(set.mode())) return "there is no such mode of setting a package";
   const auto& types = ownPackageTypes();
   const auto type = types.find(set.package());
   if (type == types.end()) {
@@ -194,7 +194,7 @@ std::string wrongHosting(const Request& request) {
     return "there is no such place for a program";
   return robotcontrol::HostProgram::Executor_IsValid(wanted.executor())
              ? ""
-             : "there is no such way to execute processes";
+             : "there is no such mode of executing processes";
 }
 
 std::string wrongReplay(const Request& request) {
@@ -464,8 +464,8 @@ std::string wrongWith(const Request& request) {
 std::string wrongFromElsewhere(const Request& request) {
   const RequestKind& kind = kindOf(request);
   if (kind.file == nullptr || kind.file(request).empty()) return "";
-  return "files of this machine cannot be named from elsewhere; leave out '" + kind.file(request) +
-         "', then the folder that was chosen there is used";
+  return "files on this machine cannot be chosen remotely; leave out '" + kind.file(request) +
+         "' to use the folder that was chosen there";
 }
 
 bool engagesStop(const Request& request) {

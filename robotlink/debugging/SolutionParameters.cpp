@@ -138,7 +138,7 @@ Result<std::unique_ptr<pb::Message>> SolutionParameters::parse(const robotcontro
   }
   std::unique_ptr<pb::Message> parsed = newOf(*message_);
   if (!parsed->ParseFromString(value.data())) {
-    return failure("parameters.damaged", "the bytes are no " + type, {}, {type});
+    return failure("parameters.damaged", "the bytes are not a valid " + type, {}, {type});
   }
   if (const std::string field = firstUnsound(*parsed); !field.empty()) {
     return failure("parameters.value", "'" + field + "' is not a finite number, or not a text in UTF-8", {},

@@ -301,7 +301,7 @@ void TaskRunner::executeShadow(Shadow& shadow) {
   const std::string& name = shadow.description.name;
   const Busy busy(*this, name);
   const auto end = [&](const std::string& why) {
-    shadow.debug.text(Level::kError, task_, "it was switched off in the shadow of " + active_ + ": " + why);
+    shadow.debug.text(Level::kError, task_, "it was switched off as a shadow of " + active_ + ": " + why);
     shadow.mode.set({});
   };
   shadow.debug.beginFrame(environment_.debug.frameTime(), 0);

@@ -20,7 +20,7 @@ std::string problem(const mu::ParserError& error) {
     case mu::ecMISSING_PARENS:
       return "a ) is missing";
     case mu::ecUNEXPECTED_PARENS:
-      return "this ) has no (";
+      return "this ) has no matching (";
     case mu::ecTOO_FEW_PARAMS:
       return "the function needs more arguments";
     case mu::ecTOO_MANY_PARAMS:
@@ -83,7 +83,7 @@ Result<Expression> Expression::parse(std::string_view text, const std::vector<st
     implementation->define();
     int results = 0;
     implementation->parser.Eval(results);
-    if (results != 1) return wrong("one result is needed; commas stand between arguments only", 1);
+    if (results != 1) return wrong("an expression has one result; use commas only between arguments", 1);
   } catch (const mu::ParserError& error) {
     const auto& places = implementation->read.places;
     const std::size_t last = places.size() - 1;

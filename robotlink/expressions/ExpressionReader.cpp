@@ -42,7 +42,7 @@ class Reader {
       put(" ", at_++);
       return {};
     }
-    if (c == '"') return wrong("a text is compared with a value, as in hosting.state == \"RUNNING\"", at_);
+    if (c == '"') return wrong("compare a text with a value, as in hosting.state == \"RUNNING\"", at_);
     if (c == '=' && at(at_ + 1) != '=') return wrong("write == to compare", at_);
     const std::size_t known = isOperandNext_ ? knownStream() : 0;
     if (known > 0) return value(known);
@@ -99,13 +99,13 @@ class Reader {
         std::find(std::begin(kConstants), std::end(kConstants), name) != std::end(kConstants);
     if (at(after) != '(' && !isConstant) {
       if (isCompared()) {
-        return wrong("'" + std::string(name) + "' is no value; a text stands in quotation marks: \"" +
+        return wrong("'" + std::string(name) + "' is not a value; put a text in quotation marks: \"" +
                          std::string(name) + '"',
                      at_);
       }
       return wrong("'" + std::string(name) +
                        "' is neither a function nor a value: values are written STREAM.FIELD, as in "
-                       "models/ball.position.x; spaces stand around / and - between values",
+                       "models/ball.position.x; put spaces around / and - between values",
                    at_);
     }
     put(name, at_);
@@ -172,14 +172,14 @@ class Reader {
       if (text_[place] == '\\' && at(place + 1) == '"') ++place;
       condition.text += text_[place];
     }
-    if (place == text_.size()) return wrong("this text has no end", quote);
+    if (place == text_.size()) return wrong("this text has no closing quotation mark", quote);
     at_ = place + 1;
     if (isMatch) {
       re2::RE2::Options options;
       options.set_log_errors(false);
       options.set_max_mem(kMaxPatternBytes);
       auto pattern = std::make_shared<const re2::RE2>(condition.text, options);
-      if (!pattern->ok()) return wrong("no regular expression: " + pattern->error(), quote);
+      if (!pattern->ok()) return wrong("not a valid regular expression: " + pattern->error(), quote);
       condition.pattern = std::move(pattern);
     }
     put("c" + std::to_string(read_.conditions.size()), begin);
@@ -197,7 +197,7 @@ class Reader {
       isOperandNext_ = known != ")";
       return {};
     }
-    return wrong("this character means nothing here", at_);
+    return wrong("this character is not allowed here", at_);
   }
 
   std::string_view text_;

@@ -142,7 +142,7 @@ Result<FieldPath> FieldPath::parse(std::string_view text) {
     if (reader.take('[')) {
       const int column = reader.column();
       const auto inside = reader.upToBracket();
-      if (!inside) return wrong("path.bracket", "this [ has no ]", column - 1);
+      if (!inside) return wrong("path.bracket", "this [ has no matching ]", column - 1);
       if (const auto index = parsedNumber<int>(*inside)) {
         step.element = *index;
       } else if (inside->find('"') == std::string::npos) {
@@ -181,7 +181,7 @@ Result<void> FieldPath::fits(const Descriptor& type) const {
       return wrong("path.element",
                    field->is_repeated()
                        ? step.field + " is a list: say which element, as in " + step.field + "[0]"
-                       : step.field + " is no list",
+                       : step.field + " is not a list",
                    step.column);
     }
     const Descriptor* inner = field->message_type();
@@ -195,7 +195,7 @@ Result<void> FieldPath::fits(const Descriptor& type) const {
     if (isLast) {
       if (inner == nullptr || isTime(*inner) || (field->is_repeated() && !isChosen)) return {};
       return wrong("path.message",
-                   step.field + " is no value but has fields" + suggestion("", fieldNames(*inner)),
+                   step.field + " is not a value, but has fields" + suggestion("", fieldNames(*inner)),
                    step.column);
     }
     if (inner == nullptr)

@@ -77,7 +77,7 @@ class CmpackReader {
     if (bytes.size() < kCountBytes) return refused("the file is shorter than the number of its key frames");
     const auto count = loadNumber<std::int32_t>(data);
     if (count < 1 || count > kMaxCmpackFrames)
-      return refused("this is no motion of CMPack'02: those have 1 to 63 key frames, this one " +
+      return refused("this is not a motion of CMPack'02: those have 1 to 63 key frames, this one " +
                      std::to_string(count));
     const std::size_t expected = kCountBytes + static_cast<std::size_t>(count) * kRecordBytes;
     if (bytes.size() != expected)

@@ -72,7 +72,7 @@ class Compiler {
       if (const auto* label = std::get_if<MotionLabel>(&line.statement)) {
         if (!labels_.emplace(std::pair(file.name, label->name), node).second) {
           fail(file, line.number, "motion.duplicate-label",
-               "the label '" + label->name + "' appears here a second time");
+               "the label '" + label->name + "' appears here for the second time");
         }
       } else if (!std::holds_alternative<MotionRemark>(line.statement)) {
         ++node;

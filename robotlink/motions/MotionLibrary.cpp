@@ -72,7 +72,7 @@ tl::expected<MotionLibrary, Errors> MotionLibrary::load(const std::filesystem::p
       library.entries_.push_back({std::move(name), std::move(*text), path.string(), false});
     } else {
       errors.push_back({"motion.unreadable",
-                        "the file cannot be read; check its name, its size and its rights",
+                        "the file cannot be read; check its name, size and permissions",
                         {},
                         {path.string(), 0, 0}});
     }

@@ -157,7 +157,7 @@ class Reader {
     if (key == "*" || key == "~" || key == "-" || number(key)) return readKeyFrame(words);
     fail(words[0].column, "motion.unknown-line",
          "'" + std::string(key) +
-             "' begins no line of a motion; expected label, transition, hardness or angles");
+             "' cannot begin a line of a motion; expected label, transition, hardness or angles");
     return std::nullopt;
   }
 
@@ -299,7 +299,7 @@ tl::expected<MotionFile, Errors> readMotionFile(const std::filesystem::path& fil
   const auto text = readFile(file);
   if (!text) {
     return tl::unexpected(Errors{{"motion.unreadable",
-                                  "the file cannot be read; check its name and its rights",
+                                  "the file cannot be read; check its name and permissions",
                                   {},
                                   {file.string(), 0, 0}}});
   }

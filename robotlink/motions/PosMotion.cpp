@@ -108,7 +108,7 @@ class PosReader {
     const auto angle = parsedNumberWithSign<double>(word.text);
     if (!angle || !(std::abs(*angle) <= kMaxMotionDegrees)) {
       fail(word.column, "motion.bad-angle",
-           "'" + std::string(word.text) + "' is no angle from -210 to 210 degrees");
+           "'" + std::string(word.text) + "' is not an angle from -210 to 210 degrees");
       return {};
     }
     return {JointValue::Kind::kAngle, radians(*angle)};

@@ -73,7 +73,7 @@ Result<GroundMap> groundMap(const foxglove::Grid& grid) {
   });
   if (tooLarge)
     return failure("map.too-large", "the map has more than 4 million occupied cells: use larger cells");
-  if (map.points.empty()) return failure("map.empty", "nothing is on the map yet: drive the robot around");
+  if (map.points.empty()) return failure("map.empty", "the map is still empty: drive the robot around");
   map.resolution = cell;
   return map;
 }

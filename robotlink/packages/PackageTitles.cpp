@@ -22,7 +22,7 @@ constexpr std::array kTitles{
     Title{kBodySensors.name, "the body's sensors"},
     Title{kBodyReadings.name, "the body's readings"},
     Title{kOracleWorld.name, "the simulator's ground truth"},
-    Title{kOracleState.name, "the simulator's truth of the body's state"},
+    Title{kOracleState.name, "the simulator's true state of the body"},
     Title{kOracleClasses.name, "the simulator's true color classes"},
     Title{kDriveState.name, "the state of a base on wheels"},
     Title{kSonar.name, "sonar readings"},

@@ -78,13 +78,14 @@ void Checker::checkDebugProcesses() {
   const Layout::Process* first = index_.debugProcess();
   if (first == nullptr) {
     add({layout_.file, 0, 0}, "no-debug-process",
-        "no process collects the others' debug messages; add '- {name: debug, debug: true, period_ms: 16}'",
+        "no process collects the debug messages of the others; add '- {name: debug, debug: true, period_ms: "
+        "16}'",
         {});
   }
   for (const Layout::Process& process : layout_.processes) {
     if (!process.debug || &process == first) continue;
     add(process.where, "debug-twice",
-        "process " + process.name + " is a second debug process, beside " + first->name +
+        "process " + process.name + " is a second debug process, in addition to " + first->name +
             "; remove one of them",
         {process.name, first->name});
   }
@@ -112,7 +113,7 @@ void Checker::checkProcess(const Layout::Process& process) {
   if (process.blocking.empty() && process.period == Duration::zero()) {
     add(process.where, "never-waits",
         "process " + process.name +
-            " waits for nothing and would run without end; give it a blocking input or a period_ms",
+            " waits for nothing and would run without pause; give it a blocking input or a period_ms",
         {process.name});
   }
 }
@@ -160,7 +161,7 @@ void Checker::checkOutputs() {
       if (other.empty()) continue;
       std::string text = "task " + place.entry->task;
       text.append(" yields ").append(package).append(", which ").append(other);
-      text += " yields, too; remove one of them";
+      text += " also yields; remove one of them";
       add(place.entry->where, "output-twice", std::move(text), {place.entry->task, package});
     }
   }
@@ -187,7 +188,7 @@ void Checker::reportMissing(const Place& place, const std::string& package) {
   }
   const std::string who = "task " + place.entry->task + " (" + place.entry->solution + ") needs " + package;
   if (!makers.empty()) {
-    std::string text = who + ", which nobody yields here; add a task that does: ";
+    std::string text = who + ", which no task yields here; add a task that does: ";
     for (std::size_t i = 0; i < makers.size(); ++i) text += (i > 0 ? " or " : "") + makers[i];
     add(place.entry->where, "input-missing", std::move(text), {place.entry->task, package});
     return;
@@ -260,7 +261,7 @@ void Checker::checkBlocking(const Layout::Process& process, const Layout::Input&
   if (from != nullptr && from->process == &process)
     return complain("blocking-own", ", which it yields itself");
   if (from == nullptr && !index_.platformOffers(input.package) && !index_.debugOffers(input.package)) {
-    complain("blocking-missing", ", which nobody yields here");
+    complain("blocking-missing", ", which no task yields here");
   }
 }
 

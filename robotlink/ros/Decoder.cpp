@@ -263,7 +263,7 @@ bool Decoder::readValues(const FieldPlan& plan, std::uint64_t count, Message& to
 }
 
 bool Decoder::readInner(const FieldPlan& plan, Message& to) {
-  if (structsLeft_-- == 0) return in_.fail("there are more parts than a message of this size has");
+  if (structsLeft_-- == 0) return in_.fail("there are more parts than a message of this size can hold");
   return readStruct(*plan.inner, to);
 }
 

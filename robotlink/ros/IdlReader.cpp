@@ -236,7 +236,7 @@ Result<void> IdlReader::readBasicType(Member& to) {
     return {};
   }
   if (tokens_.take("long")) {
-    if (tokens_.current() == "double") return error("numbers of 64 bits are the largest that are read");
+    if (tokens_.current() == "double") return error("numbers may have at most 64 bits");
     to.field.kind = tokens_.take("long") ? Kind::kInt64 : Kind::kInt32;
     return {};
   }

@@ -108,7 +108,7 @@ Result<void> MsgReader::readLine(std::string_view line) {
   }
   if (isAfterSeparator_ && line.starts_with("MSG:")) {
     const std::string_view name = trimmed(line.substr(4));
-    if (!isTypeName(name)) return error("a type's name is expected behind \"MSG:\"");
+    if (!isTypeName(name)) return error("a type's name is expected after \"MSG:\"");
     isAfterSeparator_ = false;
     begin(std::string(name));
     return {};
@@ -124,7 +124,7 @@ Result<void> MsgReader::readField(std::string_view line) {
   if (const auto read = readType(type, field); !read) return read;
   line = trimmed(line);
   field.name = takeUntil(line, " \t=#");
-  if (!isName(field.name)) return error("a name is expected behind the type \"" + std::string(type) + "\"");
+  if (!isName(field.name)) return error("a name is expected after the type \"" + std::string(type) + "\"");
   line = trimmed(line);
   if (line.starts_with('=')) {
     addConstant(field, field.name, trimmed(line.substr(1)));

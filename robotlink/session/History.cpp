@@ -108,8 +108,9 @@ Result<void> History::stepFrames(const std::string& robot, int count) {
   }
   if (slowest != nullptr) return step(slowest->path, count);
   return failure("history.frames",
-                 robot.empty() ? "there is no robot whose frames could be stepped"
-                               : "the program of " + robot + " has not executed a frame yet",
+                 robot.empty()
+                     ? "there is no robot whose frames could be stepped through; connect one or open a scene"
+                     : "the program of " + robot + " has not executed a frame yet",
                  {}, {robot});
 }
 

@@ -68,7 +68,7 @@ bool isName(const std::string& name) {
 Result<std::filesystem::path> KeyPresets::fileOf(const std::string& name) const {
   if (isName(name)) return folder_ / (name + kExtension);
   return failure("preset.name",
-                 "a preset's name is of letters, digits, spaces, '-' and '_', not \"" + name + "\"", {},
+                 "a preset's name consists of letters, digits, spaces, '-' and '_', not \"" + name + "\"", {},
                  {name});
 }
 

@@ -281,7 +281,7 @@ std::uint64_t Session::request(robotcontrol::Request request, ResultHandler onRe
   }
   RequestResult refusal;
   refusal.set_id(id);
-  refusal.set_reason("nothing that is connected can do this; load a scene or connect to a robot first");
+  refusal.set_reason("nothing that is open can do this; open a scene or connect to a robot first");
   pushResult(refusal);
   return id;
 }

@@ -56,7 +56,8 @@ Result<json> readVersioned(const std::filesystem::path& file, const VersionedFor
     return failure("settings.version", "the file does not say which version of its format it has", where);
   }
   if (version > format.version) {
-    return failure("settings.newer", "the file was written by a newer program; update this one to use it",
+    return failure("settings.newer",
+                   "the file was written by a newer version of the program; update this one to use it",
                    where);
   }
   json contents = document->value(format.member, json());

@@ -72,11 +72,12 @@ using ReplacerParameter = ControllerParameter;
 
 const ControllerRegistration kBallReplacer{ControllerKind{
     "ball_replacer",
-    "Puts a model, such as the ball, back to its place when it has been outside of an area for a while.",
+    "Puts a model, such as the ball, back in its place when it has been outside an area for a while.",
     {{"model", ReplacerParameter::Type::kModel, "the model that is put back", "", true},
      {"area", ReplacerParameter::Type::kNumbers, "smallest x and y, largest x and y, m", "", true, -1e4, 1e4},
      {"place", ReplacerParameter::Type::kNumbers, "where it is put: x and y, m", "0 0", false, -1e4, 1e4},
-     {"height", ReplacerParameter::Type::kNumber, "of the model's frame there, m", "0.1", false, -1e3, 1e3},
+     {"height", ReplacerParameter::Type::kNumber, "height of the model's frame there, m", "0.1", false, -1e3,
+      1e3},
      {"patience", ReplacerParameter::Type::kNumber, "how long it may be outside, s", "1", false, 0, 3600},
      {"key", ReplacerParameter::Type::kText, "a key in the Scene view that puts it back at once", "P"}},
     [](ControllerSetup& setup) { return std::make_unique<BallReplacer>(setup); }}};

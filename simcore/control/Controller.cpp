@@ -21,7 +21,7 @@ std::string problemOfShape(const DrawnShape& shape) {
   if (shape.text.size() > ControllerOutput::kMaxText) return "a text is longer than 1000 bytes";
   const bool finite = shape.size.allFinite() &&
                       std::ranges::all_of(shape.points, [](const auto& point) { return point.allFinite(); });
-  return finite ? "" : "a shape is at no finite place";
+  return finite ? "" : "the position of a shape is not finite";
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ std::string ControllerOutput::problem() const {
                           image.width == info.shape[1] &&
                           robotlink::bytesPerPixel(image.format) == info.shape[2] &&
                           image.data.size() == valuesOfShape(info.shape);
-      return isSame ? "" : "its image has another size or format";
+      return isSame ? "" : "its image has a different size or format";
     }
     case Kind::kDrawing:
       if (shapes.size() > kMaxShapes) return "it draws more than 1000 shapes";

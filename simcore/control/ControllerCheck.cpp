@@ -143,14 +143,14 @@ void checkAll(const std::vector<ControllerDescription>& all, const std::string& 
     checker.checkNamed(world, model, ports);
     if (!names.insert(description.name).second)
       checker.fail(description.where, "there is another controller '" + description.name +
-                                          "' here; give it a name by the attribute 'as'");
+                                          "' here; give it a name with the attribute 'as'");
     const std::string path = (model.empty() ? "" : model + "/") + description.name + "/";
     const bool taken =
         std::ranges::any_of(ports, [&](const Port& port) { return port.info.path.starts_with(path); });
     if (taken)
       checker.fail(description.where, "the ports of '" + description.name +
-                                          "' would have the paths of others; give it a name by the attribute "
-                                          "'as'");
+                                          "' would have the same paths as others; give it a name with the "
+                                          "attribute 'as'");
   }
 }
 

@@ -26,7 +26,7 @@ bool isPlainName(const std::string& name) {
 std::string problemOfKind(const ControllerKind& kind) {
   if (!isPlainName(kind.name)) return "a name consists of letters, digits, _ and -";
   if (!kind.make) return "it needs a function that makes it";
-  if (controllerKind(kind.name) != nullptr) return "there is another one of this name";
+  if (controllerKind(kind.name) != nullptr) return "there already is a controller of this name";
   std::set<std::string> names;
   for (const ControllerParameter& parameter : kind.parameters) {
     if (!isPlainName(parameter.name) || !names.insert(parameter.name).second)

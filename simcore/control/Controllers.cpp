@@ -75,7 +75,7 @@ void Controllers::guard(std::size_t index, std::uint64_t step, Call call) {
   } catch (const std::exception& error) {
     switchOff(index, step, error.what());
   } catch (...) {
-    switchOff(index, step, "it threw something that is no std::exception");
+    switchOff(index, step, "it threw something that is not a std::exception");
   }
 }
 
@@ -92,7 +92,7 @@ void Controllers::make(std::size_t index, ControlledWorld& world) {
     running.controller = kind->make(setup);
     if (!running.controller) throw std::runtime_error("it could not be made");
     if (hasStarted_ && !std::ranges::equal(before, running.outputs, isSameOutput))
-      throw std::runtime_error("it has other outputs than before the reset");
+      throw std::runtime_error("its outputs differ from those before the reset");
   });
   if (!hasStarted_ || running.controller) return;
   // Views continue to read the previous outputs.

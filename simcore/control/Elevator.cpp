@@ -173,16 +173,16 @@ using ElevatorParameter = ControllerParameter;
 
 const ControllerRegistration kElevator{ControllerKind{
     "elevator",
-    "Moves a cabin between floors: to those that sensors, clicks on buttons or the keys 1, 2, ... call it "
-    "to.",
+    "Moves a cabin between floors, to which sensors, "
+    "clicks on buttons or the keys 1, 2, ... call it.",
     {{"request", ElevatorParameter::Type::kActuator, "the servo of the cabin's joint", "", true},
      {"position", ElevatorParameter::Type::kSensor, "the position of that joint", "", true},
-     {"floors", ElevatorParameter::Type::kNumbers, "positions of the joint, from the lowest on, m", "", true,
-      -1000, 1000},
+     {"floors", ElevatorParameter::Type::kNumbers, "positions of the joint, starting with the lowest, m", "",
+      true, -1000, 1000},
      {"sensors", ElevatorParameter::Type::kSensors,
-      "a sensor for each floor that calls the cabin: one that feels, or measures a distance"},
-     {"near", ElevatorParameter::Type::kNumber, "sensors of distance call if they read less, m", "1", false,
-      0, 1000},
+      "a sensor for each floor that calls the cabin: a touch or distance sensor"},
+     {"near", ElevatorParameter::Type::kNumber,
+      "distance sensors call the cabin if they read less than this, m", "1", false, 0, 1000},
      {"buttons", ElevatorParameter::Type::kText,
       "the name of a visual of the model for each floor: a click on it calls the cabin"},
      {"wait", ElevatorParameter::Type::kNumber, "how long it stays at a floor, s", "2", false, 0, 3600}},

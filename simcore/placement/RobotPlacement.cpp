@@ -278,8 +278,8 @@ robotlink::Result<void> addRobots(WorldDescription& world, const GroundMap* map,
   const Surroundings around(world);
   if (!around.floor) {
     return robotlink::failure("scene.no-floor",
-                              "robots cannot be added here: the scene has no level plane as its floor, so "
-                              "that it is not known where they could stand",
+                              "robots cannot be added here: the scene has no level plane as its floor on "
+                              "which they could stand",
                               {file, 0, 0});
   }
   const ModelExtent extent = extentOf(*type);

@@ -30,7 +30,7 @@ std::string problemOf(tinyxml2::XMLError error) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
       return "the file is empty";
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return "a tag is closed that is not the one that was opened last, or one is never closed";
+      return "a closing tag does not match the last opened one, or a tag is never closed";
     case tinyxml2::XML_ERROR_PARSING_ELEMENT:
       return "a tag is not complete; it looks like <name ...> or <name .../>";
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
@@ -175,7 +175,7 @@ void leaveOutOthers(const XMLElement& root, const XMLElement& read, const fs::pa
     leaveOut(leftOut, {{file.string(), sourceLine(*other), 0},
                        nameOf(*other),
                        "<" + name + ">",
-                       "of a file, one world or model is read, here <" + std::string(read.Name()) +
+                       "only one world or model per file is read, here <" + std::string(read.Name()) +
                            " name=\"" + nameOf(read) + "\">"});
   }
 }

@@ -75,15 +75,14 @@ void readDoorSensor(const sdf::ElementPtr& element, const std::string& prefix, c
   if (found == model.sensors.end()) {
     return context.fail(element, "scene.door",
                         "the model has no sensor '" + name +
-                            "' that measures a distance (lidar, sonar) or feels (contact, switch, whisker)");
+                            "' that measures distance (lidar, sonar) or touch (contact, switch, whisker)");
   }
   door.sensor = found->name;
   if (feels(found->kind)) return;
   if (!element->HasElement("robotcontrol:below")) {
-    return context.fail(
-        element, "scene.door",
-        "a door with a sensor of distance needs <robotcontrol:below>, m: it opens for what is "
-        "nearer");
+    return context.fail(element, "scene.door",
+                        "a door with a distance sensor needs <robotcontrol:below>, m: it opens for anything "
+                        "nearer");
   }
   door.below = ownNumber(element, "below", 0, 0, 1000, context);
 }
@@ -151,7 +150,7 @@ void readGuided(const sdf::ElementPtr& element, ModelDescription& model, const S
   if (model.isStatic || model.drive || model.links.empty()) {
     return context.fail(
         guided, "scene.guided",
-        model.drive ? "a model has a drive or is guided, not both" : "a static model cannot be guided");
+        model.drive ? "a model can have a drive or be guided, not both" : "a static model cannot be guided");
   }
   const auto number = [&](const char* name, double otherwise, double minimum, double maximum) {
     return ownNumber(guided, name, otherwise, minimum, maximum, context);
@@ -198,7 +197,7 @@ void readControllers(const sdf::ElementPtr& element, const std::string& prefix,
     });
     const std::size_t before = context.errors.size();
     if (described.name.find('/') != std::string::npos)
-      context.fail(child, "scene.controller", "the name of a controller has no '/'");
+      context.fail(child, "scene.controller", "the name of a controller must not contain '/'");
     checkController(described, SdfContext::pathOf(element), context.errors);
     if (context.errors.size() == before) to.push_back(std::move(described));
   });

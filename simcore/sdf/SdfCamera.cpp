@@ -121,14 +121,14 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
   }
   const bool hidesMore = camera.NearClip() > 0.1 || camera.FarClip() < 100;
   if (sensor.Type() == sdf::SensorType::CAMERA && hidesMore && descendant(element, {"clip"}))
-    context.omit(element->GetElement("clip"), "<clip> of a camera", "cameras of color see at any distance");
+    context.omit(element->GetElement("clip"), "<clip> of a camera", "color cameras see at any distance");
   const bool takesClasses =
       result.kind == SensorDescription::Kind::kImage && result.image.kind == ImageKind::kRadiation;
   if (!takesClasses) result.image.classes.clear();
   checkImageSize(result.image, element, context);
   if (result.kind == SensorDescription::Kind::kImage && (result.distortion.any() || result.shutter.any())) {
     context.fail(element, "scene.camera",
-                 "only cameras of color have a distortion, an exposure and a readout");
+                 "only color cameras can have a distortion, an exposure and a readout");
   }
 }
 

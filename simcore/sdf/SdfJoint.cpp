@@ -80,7 +80,7 @@ class JointReader {
       default:
         context_.omit(
             element, "joint of type '" + element->Get<std::string>("type") + "'",
-            "of joints, revolute, continuous, prismatic, ball, universal and fixed ones are known: its "
+            "only revolute, continuous, prismatic, ball, universal and fixed joints are supported: its "
             "links are not joined");
         return false;
     }
@@ -181,7 +181,7 @@ class JointReader {
     if (endless && hasStops)
       context_.omit(joint.Element(), "stops beyond a full turn", "the joint turns without stops");
     if (isServo && !endless && !within && (axis.Lower() < -kFullTurn || axis.Upper() > kFullTurn))
-      context_.omit(joint.Element(), "a stop beyond a full turn", "the servo turns up to there only");
+      context_.omit(joint.Element(), "a stop beyond a full turn", "the servo only turns up to there");
     if (endless || within || isServo) return;
     context_.omit(joint.Element(), "stops beyond half a turn", "the joint turns without stops");
     lower = -kFullTurn;

@@ -79,7 +79,8 @@ class NameChecker {
   void checkPathPart(const XMLElement& element, const std::string& name) {
     if (name.find('/') == std::string::npos) return;
     fail(element, "scene.name",
-         "the name '" + name + "' must have no slash, which is between the parts of a path: MODEL/SENSOR");
+         "the name '" + name +
+             "' must not contain a slash, which separates the parts of a path: MODEL/SENSOR");
   }
 
   /// The names that may be used in a world or a model; unset if there are some that only libsdformat knows.

@@ -77,7 +77,7 @@ void readLinks(const sdf::Model& source, const Pose3& sourceInModel, const std::
     const sdf::Model& nested = *source.ModelByIndex(i);
     const Pose3 pose = resolvedPose(nested.SemanticPose(), "__model__", nested.Element(), context);
     if (nested.Element()->HasElement("static") && nested.Static() != context.isStatic)
-      context.omit(nested.Element(), "<static> of a model in a model", "the outermost model says it for all");
+      context.omit(nested.Element(), "<static> of a model in a model", "the outermost model sets it for all");
     readLinks(nested, sourceInModel * pose, prefix + nested.Name() + "::", model, context);
   }
 }

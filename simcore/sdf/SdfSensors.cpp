@@ -175,7 +175,7 @@ void readForceTorque(const sdf::Sensor& sensor, int joint, ModelDescription& mod
   JointDescription& of = model.joints[static_cast<std::size_t>(joint)];
   if (sensor.ForceTorqueSensor() == nullptr) {
     return context.omit(element, "sensor of type '" + sensor.TypeStr() + "'",
-                        "of sensors of joints, only force_torque is known");
+                        "joints only support force_torque sensors");
   }
   // A model with a drive is moved as one body where it follows its odometry.
   const bool isFixed = of.kind == JointDescription::Kind::kFixed && !model.drive;
@@ -222,9 +222,9 @@ void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, 
     });
     if (!isRead) continue;
     if (context.isStatic && !looksAround(result.kind)) {
-      context.omit(
-          sensor.Element(), "sensor '" + sensor.Name() + "' of a static model",
-          "of its sensors, only cameras, lidars and sonars work; fix the model to the world by a joint");
+      context.omit(sensor.Element(), "sensor '" + sensor.Name() + "' of a static model",
+                   "only its cameras, lidars and sonars work; to use the others, fix the model to the world "
+                   "with a joint");
       continue;
     }
     model.sensors.push_back(result);

@@ -190,7 +190,7 @@ Shapes readShapes(const sdf::Geometry& geometry, const SdfContext& context) {
   if (name == "empty") return {};
   context.omit(
       element, name.empty() ? "<geometry>" : "<" + name + ">",
-      "of shapes, box, sphere, cylinder, capsule, ellipsoid, cone, plane, mesh and polyline are known");
+      "only box, sphere, cylinder, capsule, ellipsoid, cone, plane, mesh and polyline are supported");
   return {};
 }
 

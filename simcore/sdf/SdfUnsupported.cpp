@@ -40,7 +40,7 @@ struct Row {
 };
 
 constexpr const char* kOtherSolver = "the solver's settings are the simulator's own";
-constexpr const char* kNoSuchContact = "contacts have Coulomb's friction <mu> and restitution only";
+constexpr const char* kNoSuchContact = "contacts only have Coulomb friction <mu> and restitution";
 constexpr const char* kDiffuseOnly = "a surface has one color, its <diffuse>";
 constexpr const char* kNoSky = "the background is one color";
 constexpr const char* kNoAir = "there is no air";
@@ -55,7 +55,7 @@ constexpr Row kRows[] = {
     {"physics", "joint", kOtherSolver},
     {"gui", "", kNoNeed, Harmless::kAlways},
     {"state", "world", kNoNeed, Harmless::kAlways},
-    {"spherical_coordinates", "world", "the world has no place on the earth"},
+    {"spherical_coordinates", "world", "the world has no geographic position"},
     {"atmosphere", "world", kNoAir},
     {"wind", "", kNoAir, Harmless::kIfZero},
     {"enable_wind", "", kNoAir, Harmless::kIfFalse},
@@ -64,7 +64,7 @@ constexpr Row kRows[] = {
     {"audio_sink", "", "there is no sound"},
     {"actor", "world", "there are no animated figures"},
     {"road", "world", "roads are not drawn"},
-    {"population", "world", "populations are not made"},
+    {"population", "world", "populations are not supported"},
     {"shadows", "scene", "lamps have shadows", Harmless::kIfTrue},
     {"grid", "scene", kNoNeed, Harmless::kAlways},
     {"origin_visual", "scene", kNoNeed, Harmless::kAlways},
@@ -80,8 +80,8 @@ constexpr Row kRows[] = {
     {"particle_emitter", "", "there is no smoke"},
     {"light", "link", "only the world has lights"},
     {"light", "model", "only the world has lights"},
-    {"max_contacts", "collision", "bodies touch in as many points as they do", Harmless::kIfUsual},
-    {"laser_retro", "", "lasers measure distances only", Harmless::kIfZero},
+    {"max_contacts", "collision", "the number of contact points is not limited", Harmless::kIfUsual},
+    {"laser_retro", "", "lasers only measure distances", Harmless::kIfZero},
     {"mu2", "ode", kNoSuchContact},
     {"fdir1", "ode", kNoSuchContact, Harmless::kIfZero},
     {"slip1", "ode", kNoSuchContact, Harmless::kIfZero},
@@ -108,8 +108,8 @@ constexpr Row kRows[] = {
     {"spring_reference", "dynamics", kNoNeed, Harmless::kAlways},
     {"stiffness", "limit", kHardStops, Harmless::kIfUsual},
     {"dissipation", "limit", kHardStops, Harmless::kIfUsual},
-    {"mimic", "axis", "the joint turns on its own"},
-    {"mimic", "axis2", "the joint turns on its own"},
+    {"mimic", "axis", "the joint turns independently"},
+    {"mimic", "axis2", "the joint turns independently"},
     {"fluid_added_mass", "inertial", "there is no water"},
     {"density", "inertial", "masses are those of <mass>"},
     {"auto_inertia_params", "", "masses are those of <mass>"},
@@ -125,8 +125,7 @@ constexpr Row kRows[] = {
     {"format", "image", "images have their brightness and colors", Harmless::kIfUsual},
     {"save", "camera", "images are not saved; recordings have them", Harmless::kIfDisabled},
     {"visibility_mask", "camera", "every camera sees everything", Harmless::kIfUsual},
-    {"resolution", "range", "distances are not rounded; <robotcontrol:precision> does it",
-     Harmless::kIfUsual},
+    {"resolution", "range", "distances are not rounded; use <robotcontrol:precision>", Harmless::kIfUsual},
     {"orientation_reference_frame", "imu", "orientations are not measured"},
     {"enable_orientation", "imu", kNoNeed, Harmless::kAlways},
     {"visualize", "sensor", kNoNeed, Harmless::kAlways},

@@ -49,7 +49,7 @@ struct UrdfUnknown {
   const char* why;
 };
 constexpr UrdfUnknown kUrdfUnknown[] = {
-    {"mimic", "joint", "the joint turns on its own"},
+    {"mimic", "joint", "the joint turns independently"},
     {"safety_controller", "joint", "motors are limited by <limit> only"},
     {"transmission", "robot", "motors are <robotcontrol:servo>s of a scene in SDFormat"}};
 

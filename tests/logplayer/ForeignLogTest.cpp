@@ -90,10 +90,10 @@ TEST_F(ForeignLogTest, whatIsNotDecodedIsNoTableAndNoImage) {
   const auto table = writeCsv(log(), "/camera", out, {});
   ASSERT_FALSE(table);
   EXPECT_THAT(table.error().text,
-              HasSubstr("the messages of /camera are in the encoding 'flatbuffer', which is not read"));
+              HasSubstr("the messages of /camera are in the encoding 'flatbuffer', which is not supported"));
   const auto images = exportImages(log(), {}, folder_ / "images", {});
   ASSERT_FALSE(images);
-  EXPECT_THAT(images.error().text, HasSubstr("those of /camera are in an encoding that is not read"));
+  EXPECT_THAT(images.error().text, HasSubstr("those of /camera are in an unsupported encoding"));
 }
 
 TEST_F(ForeignLogTest, severalStreamsMakeOneTable) {

@@ -224,7 +224,7 @@ TEST_F(SceneChangeTest, whatIsMovedHasToFitBetweenThoseThatAreThereNow) {
       simulation_->continueIn(sceneOf(stone + box("crate", "0.1 0 0.2 0 0 0")), {.fitsNow = true});
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().text,
-            "there is no room for 'crate': it would stand inside 'stone'; choose another place");
+            "there is no room for 'crate': it would be inside 'stone'; choose another place");
   EXPECT_NEAR(position("crate").x(), 2, 1e-9);
 }
 

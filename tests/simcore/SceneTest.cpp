@@ -113,7 +113,7 @@ TEST_F(SceneTest, aFileThatCannotBeReadIsAnError) {
 
 TEST_F(SceneTest, brokenXmlHasItsLine) {
   EXPECT_THAT(folder_.errorsOf("<sdf version=\"1.9\">\n<world name=\"w\">\n</sdf>"),
-              StartsWith("world.sdf:2: this is not well-formed XML: a tag is closed that is not"));
+              StartsWith("world.sdf:2: this is not well-formed XML: a closing tag does not match"));
   EXPECT_THAT(folder_.errorsOf(""),
               StartsWith("world.sdf:1: this is not well-formed XML: the file is empty"));
   std::string deep;

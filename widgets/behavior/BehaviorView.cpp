@@ -50,7 +50,8 @@ void BehaviorView::createActions() {
                  {"behaviorForce", tr("Force"),
                   tr("Keeps the behavior in the selected state until it is released"), tr("Ctrl+Return")});
   release_ = makeAction(this, "play",
-                        {"behaviorRelease", tr("Release"), tr("The behavior decides again"), tr("Ctrl+R")});
+                        {"behaviorRelease", tr("Release"),
+                         tr("Releases the behavior, so that it decides again"), tr("Ctrl+R")});
   hold_ =
       makeToggle(this, "pause",
                  {"behaviorHold", tr("Hold"), tr("Freezes all states until Step or a second click on Hold")});

@@ -35,8 +35,8 @@ namespace {
 const ViewRegistration kCalibrationViewRegistration{
     {"camera", QT_TRANSLATE_NOOP("View", "Camera"),
      QT_TRANSLATE_NOOP("View",
-                       "Calibrates a camera: its lens by a chessboard, its place by a board or by marks of "
-                       "the field; and changes its exposure, gain and white balance"),
+                       "Calibrates a camera: its lens with a chessboard, its pose with a board or field "
+                       "marks; and sets its exposure, gain and white balance"),
      "camera", false, create<CalibrationView>}};
 
 constexpr char kDefaultStream[] = "*/camera/image";
@@ -66,7 +66,7 @@ CalibrationView::CalibrationView(ViewContext& context, QWidget* parent)
   addButtons(row, {fit, zoomOut(), zoomIn()});
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "cameraTime", tr("Time of the image"));
-  state_ = addWideLabel(footer, "cameraState", tr("What is seen"));
+  state_ = addWideLabel(footer, "cameraState", tr("What the camera sees"));
   Side side;
   side.widget = createTabs();
   side.width = kCalibrationPanelWidth;
@@ -299,7 +299,7 @@ void CalibrationView::placeByMarks() {
   }
   if (question.points.size() < robotlink::kMinPlacePoints)
     return placePanel_->show(
-        {}, tr("Select a mark and click it in the image; at least %1 are needed, and not all on one line.")
+        {}, tr("Select a mark and click it in the image; you need at least %1, not all on one line.")
                 .arg(robotlink::kMinPlacePoints));
   const auto known = lens();
   waitsForLens_ = !known;

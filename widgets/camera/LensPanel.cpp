@@ -46,7 +46,7 @@ LensPanel::LensPanel(QWidget* parent) : QWidget(parent) {
   take = makeAction(this, "record",
                     {"lensTake", tr("Take"), tr("Captures the current view of the board"), Qt::Key_Space});
   automatic = makeToggle(this, "loop",
-                         {"lensAutomatic", tr("Take by itself"),
+                         {"lensAutomatic", tr("Capture automatically"),
                           tr("Captures a view automatically whenever the board has moved"), Qt::Key_T});
   remove = makeAction(this, "remove",
                       {"lensRemove", tr("Remove"), tr("Removes the selected view"), QKeySequence::Delete});
@@ -56,7 +56,7 @@ LensPanel::LensPanel(QWidget* parent) : QWidget(parent) {
       {"lensUse", tr("Use"), tr("Sets the opening angles as parameters of the solution of camera-pose")});
   list_ = new QListView(this);
   describe(*list_, {"lensViews", tr("Views of the board"),
-                    tr("Each with its error; remove those that are much worse than others")});
+                    tr("Each view with its error; remove those that are much worse than the others")});
   list_->setModel(&listed_);
   list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   result_ = makeNote(this, "lensResult", tr("The lens"));

@@ -24,15 +24,14 @@ PlacePanel::PlacePanel(MarkModel& marks, QWidget* parent) : QWidget(parent) {
   by_ = new QComboBox(this);
   describe(*by_, {"placeBy", tr("Computed from"), tr("Data from which the camera's pose is computed")});
   by_->addItems({tr("Marks of the field"), tr("Board on the ground")});
-  take = makeAction(
-      this, "record",
-      {"placeTake", tr("Take"),
-       tr("Computes the place from the board that is seen now, and that lies on the ground"), Qt::Key_P});
+  take =
+      makeAction(this, "record",
+                 {"placeTake", tr("Take"),
+                  tr("Computes the pose from the visible board, which must lie on the ground"), Qt::Key_P});
   remove = makeAction(
       this, "remove",
-      {"placeRemove", tr("Forget"), tr("Forgets where the selected mark was clicked"), QKeySequence::Delete});
-  clear =
-      makeAction(this, "clear", {"placeClear", tr("Forget all"), tr("Forgets where all marks were clicked")});
+      {"placeRemove", tr("Forget"), tr("Clears the click on the selected mark"), QKeySequence::Delete});
+  clear = makeAction(this, "clear", {"placeClear", tr("Forget all"), tr("Clears the clicks on all marks")});
   use = makeAction(
       this, "send",
       {"placeUse", tr("Use"), tr("Sets height, tilt and roll as parameters of the solution of camera-pose")});
@@ -90,7 +89,7 @@ void PlacePanel::show(const std::optional<robotlink::PlaceFit>& fit, const QStri
                      .arg(inDegrees(fit->tilt()), inDegrees(fit->roll()))
                      .arg(fit->error, 0, 'f', 2);
   if (by() == By::kMarks)
-    text += QLatin1Char('\n') + tr("In the field at %1, %2 m, looking along %3°")
+    text += QLatin1Char('\n') + tr("On the field at %1, %2 m, looking along %3°")
                                     .arg(fit->cameraInWorld.translation().x(), 0, 'f', 3)
                                     .arg(fit->cameraInWorld.translation().y(), 0, 'f', 3)
                                     .arg(inDegrees(fit->pan()));

@@ -48,9 +48,9 @@ bool isSwitch(const Setting& setting) {
 }  // namespace
 
 SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent) {
-  reset = makeAction(
-      this, "reset",
-      {"cameraReset", tr("Reset"), tr("Resets all settings to their values when the camera was opened")});
+  reset = makeAction(this, "reset",
+                     {"cameraReset", tr("Reset"),
+                      tr("Resets all settings to the values they had when the camera was opened")});
   none_ = makeNote(this, "settingsNone", tr("Why there are no settings"));
   none_->setText(tr("This camera has no settings that can be changed while it takes images."));
   outcome_ = makeNote(this, "settingsOutcome", tr("What came of it"));

@@ -88,11 +88,11 @@ QVariant ColorClassModel::toolTip(const QModelIndex& index) const {
   switch (index.column()) {
     case kName:
       return index.row() == 0
-                 ? tr("Pixels of no class. Strokes of the background keep classes apart from it.")
+                 ? tr("Pixels without a class. Strokes of the background keep the classes separate from it.")
                  : tr("Click on the color to change it; F2 or a double click edits the name");
     case kRecall:
-      return at.recall ? tr("Share of its strokes' pixels that the other strokes find")
-                       : tr("Not known: a class needs two strokes, so that one can be tried with the other");
+      return at.recall ? tr("Percentage of its strokes' pixels that the other strokes find")
+                       : tr("Not known: a class needs two strokes, to test one against the other");
     default:
       return {};
   }

@@ -118,21 +118,21 @@ void ColorFileActions::connectSignals() {
           &QAction::triggered, this, &ColorFileActions::merge);
   menu_->addSeparator();
   connect(add("colorExport", "export", tr("&Export table…"),
-              tr("Writes the table to a .c64 file, with the names of its classes beside it")),
+              tr("Writes the table to a .c64 file, with the names of its classes in a file next to it")),
           &QAction::triggered, this, &ColorFileActions::exportTable);
   several_ = add("colorSeveral", "layers", tr("Exported cells may have &several classes"),
-                 tr("Where classes are close, an exported cell is of all of them"));
+                 tr("Where classes are close, an exported cell belongs to all of them"));
   several_->setCheckable(true);
   menu_->addSeparator();
   connect(add("colorImport", "open", tr("&Compare with table…"),
-              tr("Reads a table to compare with; yours stays as it is")),
+              tr("Reads a table to compare with; yours does not change")),
           &QAction::triggered, this, &ColorFileActions::importReference);
 }
 
 void ColorFileActions::addTo(QHBoxLayout* row) const {
   addButtons(row, {new_, open_, save_});
   auto* more = makeMenuButton(row->parentWidget(),
-                              {"colorFiles", tr("More with files"),
+                              {"colorFiles", tr("More file actions"),
                                tr("Save as, merge, export the table, read a table to compare with")},
                               menu_);
   more->setText(tr("More"));

@@ -124,8 +124,8 @@ robotlink::Result<void> ColorFiles::open(const std::filesystem::path& file) {
   remember(file);
   ticksUnkept_ = 1;
   show(read->problems,
-       tr("Only a part of %1 could be read. It is open without a name, so that the file stays "
-          "as it is:")
+       tr("Only a part of %1 could be read. It was opened without a name, so that the file is not "
+          "overwritten:")
            .arg(shownPath(file)));
   return {};
 }
@@ -173,7 +173,7 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
   remember(file);
   QString said = tr("Exported: %1").arg(shownPath(file));
   if (packed.reducedCells > 0) {
-    said += tr("\nCells of several classes, one of them above %1, that keep only the best one, since the "
+    said += tr("\nCells of several classes, one of them above %1, that keep only the best one, because the "
                "format has no room for more: %2")
                 .arg(colortool::ColorTableFile::kMaxOfSeveral)
                 .arg(packed.reducedCells);
@@ -198,7 +198,7 @@ robotlink::Result<void> ColorFiles::importReference(const std::filesystem::path&
   QString said = tr("Compared with %1").arg(shownPath(file.filename()));
   if (!unknown.isEmpty())
     said +=
-        tr("; its classes %1 are not among yours and count as none").arg(unknown.join(QStringLiteral(", ")));
+        tr("; its classes %1 are not among yours and are ignored").arg(unknown.join(QStringLiteral(", ")));
   report(said);
   return {};
 }

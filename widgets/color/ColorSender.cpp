@@ -116,7 +116,7 @@ void ColorSender::take(const robotcontrol::RequestResult& result) {
   if (!result.accepted())
     report(State::kFailed, tr("%1 refuses it: %2").arg(robot, QString::fromStdString(result.reason())));
   else if (result.checksum() != expected_)
-    report(State::kFailed, tr("%1 got something else (%2 instead of %3); send it again")
+    report(State::kFailed, tr("%1 received something else (%2 instead of %3); send it again")
                                .arg(robot, hex(result.checksum()), hex(expected_)));
   else
     report(State::kConfirmed, tr("%1 uses it (%2)").arg(robot, hex(expected_)));

@@ -69,7 +69,7 @@ Result<std::vector<std::uint8_t>> labelsFor(const Image& image, const fs::path& 
     return failure("image.labels", "labels are a gray PNG with the classes' numbers; this one has colors",
                    {file.string()});
   if (labels->width * step != image.width || labels->height != image.height)
-    return failure("image.labels", "the labels are not of the size of their image", {file.string()});
+    return failure("image.labels", "the labels differ in size from their image", {file.string()});
   std::vector<std::uint8_t> result(
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
       colortool::Evaluation::kIgnored);
@@ -144,8 +144,8 @@ Result<LabeledFolder::Read> LabeledFolder::readAll(const fs::path& chosen, const
       "image.labels",
       !read.problems.empty() ? robotlink::describe(read.problems)
       : count == 0
-          ? "there are no images here. Choose the folder that holds the images, with a folder "
-            "\"labels\" inside of it or beside it, or that folder of labels itself"
+          ? "there are no images here. Choose the folder that contains the images, with a folder \"labels\" "
+            "inside it or next to it, or that folder of labels itself"
           : (count == 1 ? "the only image here has no labels"
                         : "none of the " + std::to_string(count) + " images here has labels") +
                 std::string(": a gray PNG of the same name in a folder \"labels\" inside of this one "

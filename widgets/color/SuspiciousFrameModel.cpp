@@ -111,13 +111,13 @@ QVariant SuspiciousFrameModel::headerData(int section, Qt::Orientation orientati
   }
   const QString tips[] = {
       tr("Its time"),
-      tr("Suspicious pixels by their weights: specks count 1, enclosed ones 0.5, ambiguous ones "
+      tr("Weighted suspicious pixels: specks count 1, enclosed ones 0.5, ambiguous ones "
          "0.1, those of vast areas 0.02"),
       tr("Suspicious pixels of each class"),
       tr("Pixels of colored areas that are too small to be objects"),
       tr("Pixels of small areas inside an object of another color"),
-      tr("Pixels of colored classes that are nearly of another class, or of none"),
-      tr("Pixels of areas of one color that cover more of the image than objects do")};
+      tr("Pixels of colored classes that are close to another class, or to none"),
+      tr("Pixels of areas of one color that cover more of the image than an object could")};
   return role == Qt::ToolTipRole ? QVariant(tips[section])
                                  : TitledModel::headerData(section, orientation, role);
 }

@@ -52,7 +52,7 @@ void ConsoleView::createViews() {
   output_->setMaximumBlockCount(2 * static_cast<int>(CommandLog::kMaxEntries));
   empty_ = new EmptyHint(output_->viewport());
   empty_->setHint(
-      tr("Type a command below: Tab completes it, Up brings back what was typed before. "
+      tr("Type a command below: Tab completes it, Up recalls earlier ones. "
          "help lists all commands."));
   input_ = new CommandInput(context().commands, log_, this);
   describe(*input_, {"consoleInput", tr("Command"), {}});

@@ -52,7 +52,7 @@ ToolRow::ToolRow(QHBoxLayout& row)
   more_->setObjectName(QStringLiteral("moreTools"));
   more_->setText(QStringLiteral("»"));
   more_->setAccessibleName(tr("More tools"));
-  more_->setToolTip(tr("Tools for which there is no room"));
+  more_->setToolTip(tr("Tools that do not fit"));
   more_->setAutoRaise(true);
   more_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more_);

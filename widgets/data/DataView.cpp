@@ -104,8 +104,8 @@ void DataView::createActions() {
   copyValue_ = makeAction(
       this, "copy",
       {"dataCopyValue", tr("Copy value"), tr("Copies the values with all digits"), QKeySequence::Copy});
-  copyJson_ = makeAction(this, "copy",
-                         {"dataCopyJson", tr("Copy as JSON"), tr("Copies the row with all below it"), {}});
+  copyJson_ = makeAction(
+      this, "copy", {"dataCopyJson", tr("Copy as JSON"), tr("Copies the row and everything below it"), {}});
 }
 
 void DataView::createTree() {
@@ -125,8 +125,9 @@ void DataView::createViews() {
   search_ = makeSearchField(
       this, {"dataSearch", tr("Search data"), tr("Words that paths of streams and fields contain")});
   comparison_ = new QComboBox(this);
-  describe(*comparison_, {"dataComparison", tr("Compare with"),
-                          tr("Shows other values beside and marks what differs; timestamps do not count")});
+  describe(*comparison_,
+           {"dataComparison", tr("Compare with"),
+            tr("Shows other values next to these and marks differences; timestamps do not count")});
   comparison_->addItem(tr("No comparison"), QString());
   comparison_->addItem(tr("Remembered values"), QString(kRemembered));
   comparison_->addItem(tr("Logged values"), QString(kLogged));

@@ -52,8 +52,8 @@ FieldTablePanel::FieldTablePanel(ViewContext& context, QWidget* parent)
 
 void FieldTablePanel::createActions() {
   refresh_ = makeAction(this, "refresh",
-                        {"dataTableRefresh", tr("Refresh"), tr("Makes the table again, up to now"), {}});
-  cancel_ = makeAction(this, "close", {"dataTableCancel", tr("Cancel"), tr("Ends making the table"), {}});
+                        {"dataTableRefresh", tr("Refresh"), tr("Rebuilds the table, up to now"), {}});
+  cancel_ = makeAction(this, "close", {"dataTableCancel", tr("Cancel"), tr("Cancels the table"), {}});
   csv_ = makeAction(this, "save", {"dataTableCsv", tr("Save CSV"), tr("Writes the table to a file"), {}});
   close_ = makeAction(this, "close", {"dataTableClose", tr("Close"), tr("Hides the table"), {}});
 }

@@ -60,13 +60,13 @@ void PublishPanel::createActions() {
   connect(repeat_, &QAction::toggled, this, &PublishPanel::setRepeating);
   reset_ =
       makeAction(this, "reset",
-                 {"publishReset", tr("Reset the message"), tr("Shows the message as it is by default"), {}});
+                 {"publishReset", tr("Reset the message"), tr("Resets all fields to their defaults"), {}});
   connect(reset_, &QAction::triggered, this,
           [this] { text_->setPlainText(QString::fromStdString(form()->json)); });
   hold_ = makeAction(this, "lock",
                      {"publishHold",
                       tr("Hold"),
-                      tr("Puts the package in place of all that the program offers, until it is released"),
+                      tr("Replaces every such package that the program sends, until it is released"),
                       {}});
   connect(hold_, &QAction::triggered, this, [this] { setHeld(true); });
   release_ = makeAction(this, "undo",

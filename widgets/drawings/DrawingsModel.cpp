@@ -258,7 +258,7 @@ QString DrawingsModel::toolTip(const Row& row) const {
   } else if (!row.exists) {
     lines << tr("No robot has drawn it yet");
   } else if (isDrawnInShadow(row.id)) {
-    lines << tr("Of a solution in the shadow: its lines are dashed");
+    lines << tr("From a shadow solution: its lines are dashed");
   } else if (row.id.startsWith(QLatin1String(kStreams))) {
     lines << tr("The messages of this stream, in the frame that they name");
   }

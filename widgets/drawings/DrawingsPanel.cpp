@@ -28,8 +28,8 @@ void DrawingsPanel::createViews() {
 
   list_ = new QListView(this);
   describe(*list_, {"drawingsList", tr("Drawings"),
-                    tr("Checked drawings are shown; what is lower in the list lies on top. Gray ones are off "
-                       "at the robot: "
+                    tr("Checked drawings are shown; those lower in the list are on top. Gray ones are off on "
+                       "the robot: "
                        "check one to switch it on")});
   list_->setModel(filtered_);
   list_->setUniformItemSizes(true);
@@ -77,11 +77,11 @@ QWidget* DrawingsPanel::createButtons() {
       });
   layout->addStretch(1);
   add("up",
-      {"drawingsUp", tr("Lower"), tr("Puts the drawing below the one before it"),
+      {"drawingsUp", tr("Lower"), tr("Moves the drawing below the previous one"),
        QKeySequence(QStringLiteral("Alt+Up"))},
       [this] { moveCurrent(-1); });
   add("down",
-      {"drawingsDown", tr("Raise"), tr("Puts the drawing on top of the next one"),
+      {"drawingsDown", tr("Raise"), tr("Moves the drawing on top of the next one"),
        QKeySequence(QStringLiteral("Alt+Down"))},
       [this] { moveCurrent(1); });
   return row;

@@ -83,7 +83,7 @@ void BaseStateView::createActions() {
                       {"baseSonar", tr("Sonars"), tr("Switches the sonars on and off"), tr("Ctrl+Shift+N")});
   resetOdometry_ =
       makeAction(this, "reset",
-                 {"baseResetOdometry", tr("Reset odometry"), tr("Makes this place the odometry's origin")});
+                 {"baseResetOdometry", tr("Reset odometry"), tr("Makes this pose the odometry's origin")});
 }
 
 void BaseStateView::createRows() {
@@ -98,16 +98,16 @@ void BaseStateView::createRows() {
   base_->addRow("baseStall", tr("Stall"), tr("Stalled wheels"));
   base_->addRow("baseBumpers", tr("Bumpers"), tr("Pressed bumpers, from left to right"));
   base_->addRow("baseEmergency", tr("Emergency stop"),
-                tr("The button at the robot, and STOP of this workbench"));
+                tr("The button on the robot, and STOP of this workbench"));
   base_->addRow("baseTemperature", tr("Temperature"), tr("Temperature of the base's electronics"));
   base_->addRow("baseFaults", tr("Faults"), tr("Flags of its microcontroller"));
   motion_ = new StateRows(tr("Motion"), "motionRows", this);
-  motion_->addRow("baseOdometry", tr("Odometry"), tr("Pose by the wheels: x, y, heading"));
+  motion_->addRow("baseOdometry", tr("Odometry"), tr("Pose from the wheels: x, y, heading"));
   motion_->addRow("baseAsked", tr("Requested"), tr("Velocity that the program requested (drive/request)"));
-  motion_->addRow("baseReal", tr("Real"), tr("As the wheels turn: forward, and counter-clockwise"));
+  motion_->addRow("baseReal", tr("Real"), tr("From the wheels: forward, and counterclockwise"));
   motion_->addRow("baseWheels", tr("Wheels"), tr("Speeds of the left and right wheels' rims"));
   link_ = new StateRows(tr("Line"), "linkRows", this);
-  link_->addRow("linkState", tr("State"), tr("Whether packets come"));
+  link_->addRow("linkState", tr("State"), tr("Whether packets arrive"));
   link_->addRow("linkAddress", tr("Address"),
                 tr("Address of the robot; of a simulated one, where it listens"));
   link_->addRow("linkRobot", tr("Robot"), tr("Name, class and subclass from the handshake"));
@@ -115,7 +115,7 @@ void BaseStateView::createRows() {
   link_->addRow("linkPackets", tr("Packets"), tr("From the robot, over the last seconds"));
   link_->addRow("linkErrors", tr("Errors"),
                 tr("Packets whose checksum was wrong, and bytes that belonged to no packet"));
-  link_->addRow("linkRoundTrip", tr("Round trip"), tr("Until the last request was answered"));
+  link_->addRow("linkRoundTrip", tr("Round trip"), tr("Time until the last request was answered"));
   link_->addRow("linkGap", tr("Longest gap"),
                 tr("Interval between information packets, over the last seconds; nominally 100 ms"));
   link_->addRow("linkReconnects", tr("Reconnected"),
@@ -290,7 +290,7 @@ void BaseStateView::showStop(const DriveState* state) {
   if (here) {
     base_->set("baseEmergency", tr("STOP is engaged in this workbench"), Meaning::kBad);
   } else if (state != nullptr && state->emergency_stop()) {
-    base_->set("baseEmergency", tr("pressed at the robot"), Meaning::kBad);
+    base_->set("baseEmergency", tr("pressed on the robot"), Meaning::kBad);
   } else {
     base_->set("baseEmergency", state == nullptr ? QString() : tr("released"));
   }

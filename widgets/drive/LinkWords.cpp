@@ -47,7 +47,7 @@ LinkWords linkWords(const LinkStatus& status, double age) {
   LinkWords words;
   nameState(words, status);
   if (age > kSilence) {
-    words.state = LinkText::tr("%1; nothing new since %2 s").arg(words.state).arg(age, 0, 'f', 0);
+    words.state = LinkText::tr("%1; nothing new for %2 s").arg(words.state).arg(age, 0, 'f', 0);
     if (words.meaning == Meaning::kGood) words.meaning = Meaning::kWarning;
   }
   QStringList names;

@@ -18,9 +18,9 @@ RadarCanvas::RadarCanvas(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("radarCanvas"));
   setAccessibleName(tr("Radar"));
   setToolTip(
-      tr("What is around the robot. Blue: sonars, the older the paler; orange: laser; red: bumpers that are "
-         "pressed and wheels "
-         "that are stalled; green: where it drives in the next second. Wheel: zoom"));
+      tr("The robot's surroundings. Blue: sonars, older ones paler; "
+         "orange: laser; red: pressed bumpers and stalled wheels; "
+         "green: where it drives in the next second. Wheel: zoom"));
   setToolTipDuration(5000);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);

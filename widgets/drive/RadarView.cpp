@@ -61,10 +61,10 @@ QWidget* RadarView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "radarTime", tr("Time that is shown"));
   state_ = addLabel(footer, "radarState", tr("Whether the data is old"));
-  nearest_ = addLabel(footer, "radarNearest", tr("The nearest things, from sonar and laser"));
+  nearest_ = addLabel(footer, "radarNearest", tr("The nearest obstacles, from sonar and laser"));
   footer->addStretch(1);
   cursor_ = addLabel(footer, "radarCursor", tr("Place under the cursor, seen from the robot"));
-  range_ = addLabel(footer, "radarRange", tr("How far is shown"));
+  range_ = addLabel(footer, "radarRange", tr("Range shown"));
   return footer->parentWidget();
 }
 

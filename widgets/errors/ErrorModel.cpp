@@ -140,8 +140,8 @@ QVariant ErrorModel::headerData(int section, Qt::Orientation orientation, int ro
       return tr("The solution that published it, or one that runs in its shadow");
     case kError:
       return tr(
-          "What is compared; relative errors are shares of the distance, delays pass until something that "
-          "happens is reported");
+          "What is compared; relative errors are fractions of the distance, delays the time until an event "
+          "is reported");
     case kLast:
       return tr("The newest error");
     case kMedian:

@@ -33,8 +33,8 @@ namespace {
 const ViewRegistration kErrorsViewRegistration{
     {"errors", QT_TRANSLATE_NOOP("View", "Errors"),
      QT_TRANSLATE_NOOP("View",
-                       "Shows how far the robot's percepts and models are from the truth that the simulator "
-                       "knows, for each solution."),
+                       "Shows the errors of the robot's percepts and models against the simulator's ground "
+                       "truth, for each solution."),
      "errors", false, create<ErrorsView>}};
 
 constexpr char kPlotErrorCommand[] = "plots.add";
@@ -193,10 +193,10 @@ void ErrorsView::showState() {
   hint_->setHint(model_.rowCount() > 0 ? QString()
                  : robot_.empty()
                      ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
-                 : knowsTruth() ? tr("Nothing was compared yet. Errors come while the robot's program runs.")
-                                : tr("There is no ground truth for this robot. The simulator does; a log has "
-                                     "it if oracle/world was "
-                                     "recorded."));
+                 : knowsTruth() ? tr("Nothing compared yet. Errors appear while the robot's program runs.")
+                                : tr("There is no ground truth for this "
+                                     "robot. The simulator has it; a log "
+                                     "has it if oracle/world was recorded."));
   const bool hasFormula = !chosenFormula().empty();
   plot_->setEnabled(hasFormula && context().commands.find(kPlotErrorCommand) != nullptr);
   reset_->setEnabled(model_.rowCount() > 0);

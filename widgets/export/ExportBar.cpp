@@ -43,7 +43,7 @@ ExportBar::ExportBar(ViewExport& exporting, QWidget* parent)
   progress_->setAccessibleName(tr("Progress of the export"));
   progress_->setRange(0, kExportSteps);
   cancel_ = makeTextButton(
-      this, {"exportCancel", tr("Cancel"), tr("Ends the export; a video is removed, written images stay")},
+      this, {"exportCancel", tr("Cancel"), tr("Cancels the export; a video is deleted, written images stay")},
       "close");
   folder_ = makeTextButton(
       this, {"exportFolder", tr("Show in folder"), tr("Opens the folder with the exported files")}, "open");

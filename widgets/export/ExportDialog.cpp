@@ -133,7 +133,7 @@ void ExportDialog::createTimes() {
     box->setDecimals(3);
   }
   auto* all = makeSmallButton(
-      this, {"exportAll", tr("All"), tr("All of the log, or all that is kept of live robots")});
+      this, {"exportAll", tr("All"), tr("The whole log, or the whole history of live robots")});
   connect(all, &QToolButton::clicked, this, [this] {
     const auto span = exportable(session_, replay_);
     if (!span) return;
@@ -153,7 +153,7 @@ void ExportDialog::createTimes() {
   times->addWidget(all);
   auto* form = static_cast<QFormLayout*>(layout());
   addRow(*form, tr("&From"), times, from_);
-  rate_ = makeNumber(this, {"exportRate", tr("Rate"), tr("Pictures for each second; also that of the video")},
+  rate_ = makeNumber(this, {"exportRate", tr("Rate"), tr("Pictures per second; also the video's frame rate")},
                      tr(" pictures/s"));
   rate_->setRange(ExportPlan::kMinRate, ExportPlan::kMaxRate);
   rate_->setDecimals(1);

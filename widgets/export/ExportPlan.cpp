@@ -107,7 +107,7 @@ Result<Instant> instantOf(const std::string& text, robotlink::Session& session, 
   const auto chosen = chosenSpan(session, replay), all = exportable(session, replay);
   if (!chosen || !all)
     return failure("export.nothing",
-                   "there is nothing to be exported: start a simulation, connect to a robot, or open a log");
+                   "there is nothing to export: start a simulation, connect to a robot, or open a log");
   if (text == "start") return chosen->from;
   if (text == "end") return chosen->to;
   const auto seconds = robotlink::parsedNumber<double>(text);

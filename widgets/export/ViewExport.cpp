@@ -154,7 +154,7 @@ void ViewExport::fail(const robotlink::Error& error) {
   const bool isLeft = run_->plan.kind == ExportPlan::Kind::kImages && run_->written > 0;
   failure_ = error;
   end({false, false,
-       tr("Nothing was exported, or not all of it: %1").arg(QString::fromStdString(error.describe())),
+       tr("The export failed or is incomplete: %1").arg(QString::fromStdString(error.describe())),
        isLeft ? target : QString()});
 }
 
@@ -165,7 +165,7 @@ void ViewExport::cancel() {
   end({false, true,
        isLeft ? tr("Canceled; %1 are in %2")
                     .arg(counted(run_->written, tr("1 picture"), tr("%1 pictures")), nameOf(run_->plan))
-              : tr("Canceled; nothing is left of %1").arg(nameOf(run_->plan)),
+              : tr("Canceled; %1 was deleted").arg(nameOf(run_->plan)),
        isLeft ? QString::fromStdString(run_->plan.target.string()) : QString()});
 }
 

@@ -45,7 +45,7 @@ FieldCanvas::FieldCanvas(std::shared_ptr<const robotlink::FieldDescription> fiel
   setToolTip(
       tr("Wheel: zoom; drag: move the picture; click a robot: select it; drag a robot or the ball (Shift: "
          "always): place it, wheel: "
-         "turn it; Control and click: send the robot there; arrows: move; F: fit; R: turn"));
+         "turn it; Control+click: send the robot there; arrows: move; F: fit; R: turn"));
   setToolTipDuration(4000);
 }
 

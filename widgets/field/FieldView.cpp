@@ -76,13 +76,12 @@ void FieldView::createActions() {
   showTrails_ = makeToggle(
       this, "trail",
       {"fieldTrails", tr("Trails"),
-       tr("Shows where everything was in the last seconds; the arrow chooses how many, and of what"),
-       Qt::Key_T});
+       tr("Shows the paths of the last seconds; the arrow chooses how long, and of what"), Qt::Key_T});
   trailMenu_ = new TrailMenu(this);
-  showErrors_ = makeToggle(
-      this, "errors",
-      {"fieldErrors", tr("Errors"),
-       tr("Shows lines from where the robot and the ball are to where the robot believes them"), Qt::Key_E});
+  showErrors_ =
+      makeToggle(this, "errors",
+                 {"fieldErrors", tr("Errors"),
+                  tr("Shows lines from the true to the estimated positions of robot and ball"), Qt::Key_E});
 }
 
 void FieldView::createViews() {

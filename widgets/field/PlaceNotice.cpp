@@ -32,16 +32,16 @@ QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* ba
   }
   if (base != nullptr && base->emergency_stop())
     return PlaceText::tr(
-               "%1 does not know yet where it is, and stands: release its stop button or STOP, so that it "
+               "%1 is not localized yet, and is stopped: release its stop button or STOP, so that it "
                "can drive around.")
         .arg(name);
   if (base != nullptr && !base->motors_on())
     return PlaceText::tr(
-               "%1 does not know yet where it is: switch its motors on (Robot state), then send it anywhere "
+               "%1 is not localized yet: switch its motors on (Robot state), then send it anywhere "
                "(G, and a click on the map). It drives around until it has localized itself.")
         .arg(name);
   return PlaceText::tr(
-             "%1 does not know yet where it is: send it anywhere (G, and a click on the map), and it drives "
+             "%1 is not localized yet: send it anywhere (G, and a click on the map), and it drives "
              "around until it has localized itself; or steer it with the motion tester.")
       .arg(name);
 }

@@ -79,20 +79,23 @@ GameView::GameView(ViewContext& context, QWidget* parent) : View(context, parent
 }
 
 void GameView::createActions() {
-  phases_ = {makeAction(this, "follow", {"gameReady", tr("Ready"), tr("The robots go to their places")}),
-             makeAction(this, "grab",
-                        {"gameSet", tr("Set"), tr("Places robots and ball for the kick-off; they wait")}),
-             makeAction(this, "play", {"gamePlay", tr("Play"), tr("The robots play")}),
-             makeAction(this, "stop", {"gameFinish", tr("Finish"), tr("The half ends")})};
+  phases_ = {
+      makeAction(this, "follow", {"gameReady", tr("Ready"), tr("Sends the robots to their positions")}),
+      makeAction(this, "grab",
+                 {"gameSet", tr("Set"), tr("Places robots and ball for the kick-off; they wait")}),
+      makeAction(this, "play", {"gamePlay", tr("Play"), tr("Starts play")}),
+      makeAction(this, "stop", {"gameFinish", tr("Finish"), tr("Ends the half")})};
   for (QAction* phase : phases_) phase->setCheckable(true);
-  restart_ = makeAction(this, "reset",
-                        {"gameRestart", tr("New game"), tr("No goals, first half, nobody is penalized")});
+  restart_ = makeAction(
+      this, "reset",
+      {"gameRestart", tr("New game"), tr("Restarts the game: no goals, first half, no penalties")});
   automatic_ = makeToggle(this, "auto-send",
                           {"gameAutomatic", tr("Automatic"),
                            tr("The referee decides by itself: phases, goals, balls out, penalties")});
   penalize_ = makeAction(this, "must-not",
                          {"gamePenalize", tr("Penalize"), tr("Takes the chosen robot out of the game")});
-  return_ = makeAction(this, "undo", {"gameReturn", tr("Return"), tr("The chosen robot plays again")});
+  return_ =
+      makeAction(this, "undo", {"gameReturn", tr("Return"), tr("Returns the chosen robot to the game")});
 }
 
 void GameView::createViews() {
@@ -125,7 +128,7 @@ void GameView::createViews() {
                           ColumnKind::kName, ColumnKind::kText, ColumnKind::kNumber});
   auto* penalties = makeToolRow(contents_, 0);
   reason_ = new QComboBox(contents_);
-  describe(*reason_, {"gameReason", tr("Reason"), tr("What the robot is penalized for")});
+  describe(*reason_, {"gameReason", tr("Reason"), tr("Reason for the penalty")});
   penalties->addWidget(makeLabeledButton(contents_, penalize_));
   penalties->addWidget(reason_);
   penalties->addWidget(makeLabeledButton(contents_, return_));
@@ -133,7 +136,7 @@ void GameView::createViews() {
 
   layout_ = new LayoutRow(context().commands, contents_);
   radio_ = new RadioPanel(contents_);
-  message_ = makeNote(contents_, "gameMessage", tr("What happened last"));
+  message_ = makeNote(contents_, "gameMessage", tr("The latest event"));
   outcome_ = makeNote(contents_, "gameOutcome", tr("What came of it"));
   auto* layout = makeColumn(contents_, {6, 4, 6, 4}, 4);
   layout->addWidget(top->parentWidget());

@@ -21,13 +21,13 @@ constexpr char kLayoutCommand[] = "layout.open";
 LayoutRow::LayoutRow(robotlink::CommandTable& commands, QWidget* parent)
     : QWidget(parent), commands_(commands) {
   layouts_ = new QComboBox(this);
-  describe(*layouts_, {"gameLayout", tr("Layout"), tr("The process layout that a robot or a team gets")});
+  describe(*layouts_, {"gameLayout", tr("Layout"), tr("The process layout for a robot or a team")});
   forRobot_ = makeAction(this, "robot",
                          {"gameLayoutRobot", tr("For the robot"),
-                          tr("The program of the chosen robot starts again in this layout")});
+                          tr("Restarts the program of the chosen robot in this layout")});
   forTeam_ = makeAction(this, "robot",
                         {"gameLayoutTeam", tr("For its team"),
-                         tr("The programs of the chosen robot's team start again in this layout")});
+                         tr("Restarts the programs of the chosen robot's team in this layout")});
   auto* label = new QLabel(tr("Layout"), this);
   label->setBuddy(layouts_);
   auto* row = new QHBoxLayout(this);

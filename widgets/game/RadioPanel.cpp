@@ -27,7 +27,7 @@ RadioPanel::RadioPanel(QWidget* parent) : QWidget(parent) {
        0.5,
        1,
        [](TeamRadioSettings& settings, double value) { settings.set_range(value); }},
-      {{"gameRadioDelay", tr("Delay"), tr("How long a message takes")},
+      {{"gameRadioDelay", tr("Delay"), tr("Delay of a message")},
        tr(" ms"),
        10000,
        10,

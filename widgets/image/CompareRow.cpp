@@ -55,8 +55,8 @@ void CompareRow::createControls() {
   row->addWidget(mode_);
   stream_ = new StreamSelector("foxglove.RawImage", QStringLiteral("*/camera/image"), this);
   describe(*stream_, {"imageCompareStream", tr("Second image"),
-                      tr("With which images they are compared: another camera, another robot, or the logged "
-                         "ones (logged/…) where the program runs again")});
+                      tr("Images to compare with: another camera, another robot, or the logged ones "
+                         "(logged/…) if the program recomputes them")});
   row->addWidget(stream_, 1);
   shift_ = new QDoubleSpinBox(this);
   describe(*shift_, {"imageCompareShift", tr("Time shift"),
@@ -66,9 +66,10 @@ void CompareRow::createControls() {
   shift_->setSingleStep(0.1);
   shift_->setSuffix(tr(" s"));
   row->addWidget(shift_);
-  hold_ = makeToggle(this, "lock",
-                     {"imageCompareHold", tr("Hold"),
-                      tr("Holds the second image while the first one goes on, also over jumps in a log")});
+  hold_ =
+      makeToggle(this, "lock",
+                 {"imageCompareHold", tr("Hold"),
+                  tr("Holds the second image while the first one continues, even across jumps in a log")});
   row->addWidget(makeButton(this, hold_));
   blend_ = makeSlider(
       this, {"imageCompareBlend", tr("Blend"), tr("Left: the first image; right: the second")}, 0, 100, 50);

@@ -188,7 +188,7 @@ void ImageStreamView::showComparison(ImagePicture& first) {
   }
   const auto statistics = statisticsOf(first.pixels, second.pixels, kDifferenceTolerance);
   first.pixels = difference(first.pixels, second.pixels, second_->gain());
-  canvas_->setCaptions(tr("%1 % of the pixels differ from %2, by %3 at most")
+  canvas_->setCaptions(tr("%1 % of the pixels differ from %2, by at most %3")
                            .arg(100 * statistics.share, 0, 'f', 1)
                            .arg(text)
                            .arg(statistics.largest),

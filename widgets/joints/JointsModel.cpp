@@ -194,7 +194,7 @@ QVariant JointsModel::headerData(int section, Qt::Orientation orientation, int r
     case kSpeed:
       return tr("Degrees per second");
     case kLoad:
-      return tr("Torque, N m, of robots that measure it");
+      return tr("Torque, N m, if the robot measures it");
     case kLimits:
       return tr("The software limits, degrees");
     case kPosition:

@@ -61,10 +61,10 @@ void JointsView::createActions() {
                  {"jointsTakeOver", tr("Take over"), tr("Switches the behavior to obeying you, and back")});
   limp_ = makeToggle(this, "limp",
                      {"jointsLimp", tr("Limp"),
-                      tr("Releases all joints, so that the robot is posed by hand; again: they hold")});
+                      tr("Releases all joints, to pose the robot by hand; click again to hold them")});
   stand_ = makeAction(
       this, "halt",
-      {"jointsStand", tr("Stand"), tr("Lets the robot stand; no single joint is turned any more")});
+      {"jointsStand", tr("Stand"), tr("Makes the robot stand, and releases the joints you turned")});
   capture_ =
       makeAction(this, "camera",
                  {"jointsCapture", tr("Capture"),
@@ -98,7 +98,8 @@ QWidget* JointsView::createTeaching() {
   describe(*source_, {"jointsSource", tr("Angles of the pose"), tr("Which angles become a key frame")});
   source_->addItems({tr("measured"), tr("requested")});
   duration_ = new QSpinBox(parent);
-  describe(*duration_, {"jointsDuration", tr("Duration"), tr("How long the motion takes to this pose")});
+  describe(*duration_,
+           {"jointsDuration", tr("Duration"), tr("How long the motion takes to reach this pose")});
   duration_->setRange(1, kLongestDurationMs);
   duration_->setSingleStep(100);
   duration_->setSuffix(tr(" ms"));

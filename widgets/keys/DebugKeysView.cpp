@@ -52,11 +52,11 @@ void DebugKeysView::createActions() {
   inAllRobots_ =
       makeAction(this, "robot",
                  {"keysInAllRobots", tr("In all robots"),
-                  tr("Switches this key, or all keys below this row, in the other robots as it is here")});
+                  tr("Copies the mode of this key, or of all keys below this row, to the other robots")});
   savePreset_ =
       makeAction(this, "save",
                  {"keysSavePreset", tr("Save preset"),
-                  tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+Shift+P")});
+                  tr("Saves the keys that are on under the name in the field"), tr("Ctrl+Shift+P")});
   removePreset_ =
       makeAction(this, "remove", {"keysRemovePreset", tr("Delete preset"), tr("Deletes the named preset")});
 }

@@ -185,7 +185,7 @@ QString KeyTreeModel::toolTip(const KeyEntry& key) const {
         "Inactive: none of its solutions is running. What you set takes effect when one is switched on.");
   }
   if (!key.clients.isEmpty())
-    lines << tr("Asked for by: %1").arg(key.clients.join(QStringLiteral(", ")).toHtmlEscaped());
+    lines << tr("Requested by: %1").arg(key.clients.join(QStringLiteral(", ")).toHtmlEscaped());
   const auto refusal = refusals_.find(key.name);
   if (refusal != refusals_.end()) lines << tr("Refused: %1").arg(refusal->second.toHtmlEscaped());
   return lines.join(QStringLiteral("<br>"));

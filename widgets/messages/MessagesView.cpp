@@ -85,7 +85,7 @@ void MessagesView::createActions() {
                        true);
   pause_ = makeToggle(this, "pause",
                       {"messagesPause", tr("Pause"),
-                       tr("Stops adding messages; they arrive when it continues"), tr("Ctrl+T")});
+                       tr("Stops adding messages until it continues; none are lost"), tr("Ctrl+T")});
   copy_ = makeAction(this, "copy",
                      {"messagesCopy", tr("Copy"), tr("Copies the selected rows"), QKeySequence::Copy});
   clear_ =

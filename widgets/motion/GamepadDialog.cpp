@@ -66,7 +66,7 @@ void GamepadDialog::createWidgets() {
                           {tr("Button"), tr("Command that it runs")});
   auto* note = makeNote(this, "gamepadNote", tr("What an empty command means"));
   note->setText(
-      tr("Commands are those of the console. As shipped, a kicks and b is STOP; a single - does nothing. "
+      tr("Commands are those of the console. By default, a kicks and b is STOP; a single - does nothing. "
          "They work while the Motion tester is visible."));
   result_ = makeNote(this, "gamepadResult", tr("Last result"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -94,7 +94,7 @@ void GamepadDialog::fillAxes() {
     use->setCurrentIndex(static_cast<int>(axis.use));
     auto* deadZone = makeShareBox(axes_, 0, GamepadBindings::kMaxDeadZone, axis.deadZone);
     auto* scale = makeShareBox(axes_, -GamepadBindings::kMaxScale, GamepadBindings::kMaxScale, axis.scale);
-    scale->setToolTip(tr("What full deflection is; negative: the other way round"));
+    scale->setToolTip(tr("Value at full deflection; negative: reversed"));
     axes_->setCellWidget(row, kPadUse, use);
     axes_->setCellWidget(row, kPadDeadZone, deadZone);
     axes_->setCellWidget(row, kPadScale, scale);

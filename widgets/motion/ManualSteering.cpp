@@ -170,7 +170,8 @@ Result<void> ManualSteering::requireControl() {
     isCommanded_ = true;
     return {};
   }
-  return failure("robot.not-taken", robot_ + " obeys its program; take it over first: robot.take-over on", {},
+  return failure("robot.not-taken",
+                 robot_ + " is controlled by its program; take it over first: robot.take-over on", {},
                  {robot_});
 }
 

@@ -36,7 +36,7 @@ namespace {
 
 const ViewRegistration kMotionViewRegistration{
     {"motion", QT_TRANSLATE_NOOP("View", "Motion tester"),
-     QT_TRANSLATE_NOOP("View", "Takes over the robot and steers it by mouse, keys and gamepad."), "motion",
+     QT_TRANSLATE_NOOP("View", "Takes over the robot and steers it with mouse, keys or gamepad."), "motion",
      false, create<MotionView>}};
 
 constexpr int kTurnSteps = 100;
@@ -71,7 +71,7 @@ void MotionView::createActions() {
   }
   stop_ = new QPushButton(tr("STOP"), this);
   describe(*stop_, {"motionStop", tr("Emergency stop"),
-                    tr("Stops the robot at its platform, whatever its program does; stays until released")});
+                    tr("Stops the robot at its platform, regardless of its program, until released")});
   stop_->setCheckable(true);
   stop_->setMinimumSize(96, 44);
   stop_->setStyleSheet(stopStyle(QStringLiteral("QPushButton")));
@@ -100,7 +100,7 @@ QWidget* MotionView::createTop() {
 QLayout* MotionView::createPadColumn(QWidget* body) {
   walkPad_ = new WalkPad(body);
   turn_ = new QSlider(Qt::Horizontal, body);
-  describe(*turn_, {"walkTurn", tr("Turn"), tr("Turns as long as it is held: left is counter-clockwise")});
+  describe(*turn_, {"walkTurn", tr("Turn"), tr("Turns while it is held: left is counterclockwise")});
   turn_->setRange(-kTurnSteps, kTurnSteps);
   turn_->setInvertedAppearance(true);
   turn_->setTickPosition(QSlider::TicksBelow);
@@ -196,9 +196,8 @@ void MotionView::nameRobot() {
   robotName_->setText(name);
   robotName_->setVisible(!name.isEmpty());
   stop_->setToolTip(
-      name.isEmpty()
-          ? tr("Stops the robot at its platform, whatever its program does; stays until released")
-          : tr("Stops %1 at its platform, whatever its program does; stays until released").arg(name));
+      name.isEmpty() ? tr("Stops the robot at its platform, regardless of its program, until released")
+                     : tr("Stops %1 at its platform, regardless of its program, until released").arg(name));
 }
 
 void MotionView::keepLimits() {
@@ -387,7 +386,7 @@ QString MotionView::stateText() const {
   const auto* base = drive_ ? driveState() : nullptr;
   if (base == nullptr || manual_.control().state() != ManualControl::State::kTaken)
     return manual_.control().text();
-  if (base->emergency_stop()) return tr("The emergency stop is pressed: release it at the robot.");
+  if (base->emergency_stop()) return tr("The emergency stop is pressed: release it on the robot.");
   return base->motors_on() ? manual_.control().text()
                            : tr("You steer the robot, but its motors are off: switch them on.");
 }

@@ -23,7 +23,7 @@ void SpeedPanel::createTable() {
   const QString columns[] = {tr("forward\nmm/s"), tr("left\nmm/s"), tr("turn\nrad/s")};
   const QString rows[] = {tr("asked"), tr("true"), tr("believed")};
   const QString tips[] = {tr("What you request"),
-                          tr("How the robot moved in the last half second, as the simulator knows"),
+                          tr("How the robot really moved in the last half second (from the simulator)"),
                           tr("What the robot reports (motion/status, drive/state)")};
   const char* names[] = {"speedAsked", "speedMeasured", "speedBelieved"};
   const char* axes[] = {"X", "Y", "Turn"};

@@ -84,8 +84,8 @@ WalkPad::WalkPad(QWidget* parent) : QWidget(parent) {
 }
 
 void WalkPad::describeUse() {
-  const QString walk =
-      tr("Drag to walk, up is forward. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.");
+  const QString walk = tr(
+      "Drag to walk, up is forward. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves the speed.");
   const QString drive =
       tr("Drag to drive: up is forward, left turns left. Keys: W and S or the arrows drive, A and D or the "
          "arrows turn, Shift halves.");

@@ -228,13 +228,14 @@ Result<void> MotionBench::moveFrame(int count) {
 
 Result<std::vector<robotlink::MirroredJoint>> MotionBench::mirrorOfColumns() const {
   if (description_ == nullptr || description_->joints.empty())
-    return failure("motion.mirror", "which joints are on which side is known of a robot only; select one");
+    return failure("motion.mirror",
+                   "mirroring needs a robot, whose description names the joints of each side; select one");
   std::vector<robotlink::MirroredJoint> mirror;
   for (const std::string& column : columns()) {
     const int index = description_->jointIndex(column);
     if (index < 0)
       return failure("motion.mirror",
-                     robot_ + " has no joint " + column + ", so it is not known what mirrors it", {},
+                     robot_ + " has no joint " + column + ", so its mirror image is not known", {},
                      {robot_, column});
     const auto& joint = description_->joints[static_cast<std::size_t>(index)];
     mirror.push_back({joint.mirror, joint.mirrorIsNegated});

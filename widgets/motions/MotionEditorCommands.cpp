@@ -37,7 +37,7 @@ std::optional<int> wholeNumber(const Values& values, std::size_t index) {
                                                               : std::nullopt;
 }
 tl::unexpected<robotlink::Error> notWhole() {
-  return failure("motion.wholeNumber", "a whole motionNumber is expected");
+  return failure("motion.wholeNumber", "expected a whole number");
 }
 
 Result<void> noUnsavedMotion(MotionBench& bench) {

@@ -61,14 +61,14 @@ void MotionEditorView::createFileActions() {
   new_ = makeAction(this, "file-new",
                     {"motionNew", tr("New…"), tr("Starts a motion with the joints of the robot")});
   open_ = makeAction(this, "open",
-                     {"motionOpen", tr("Open…"),
-                      tr("Opens a motion, or imports one of another team (.pos, .mot)"), tr("Ctrl+Alt+O")});
+                     {"motionOpen", tr("Open…"), tr("Opens a motion, or imports another team's (.pos, .mot)"),
+                      tr("Ctrl+Alt+O")});
   save_ = makeAction(this, "save",
                      {"motionSave", tr("Save"), tr("Saves the motion to its file"), QKeySequence::Save});
   saveAs_ =
       makeAction(this, "save", {"motionSaveAs", tr("Save as…"), tr("Saves the motion to another file")});
   discard_ = makeAction(this, "reset",
-                        {"motionDiscard", tr("Discard changes"), tr("Reads the motion from its file again")});
+                        {"motionDiscard", tr("Discard changes"), tr("Reloads the motion from its file")});
   undo_ =
       makeAction(this, "undo", {"motionUndo", tr("Undo"), tr("Undoes the last edit"), QKeySequence::Undo});
   redo_ = makeAction(this, "redo", {"motionRedo", tr("Redo"), tr("Redoes the edit"), QKeySequence::Redo});
@@ -81,10 +81,8 @@ void MotionEditorView::createEditActions() {
   remove_ = makeAction(this, "remove",
                        {"motionRemoveFrame", tr("Remove key frame"), tr("Removes the selected key frame"),
                         tr("Ctrl+Backspace")});
-  up_ = makeAction(this, "up",
-                   {"motionUp", tr("Earlier"), tr("Exchanges the key frame with the one before it")});
-  down_ = makeAction(this, "down",
-                     {"motionDown", tr("Later"), tr("Exchanges the key frame with the one after it")});
+  up_ = makeAction(this, "up", {"motionUp", tr("Earlier"), tr("Swaps the key frame with the previous one")});
+  down_ = makeAction(this, "down", {"motionDown", tr("Later"), tr("Swaps the key frame with the next one")});
   mirror_ = makeAction(
       this, "mirror",
       {"motionMirror", tr("Mirror"), tr("Mirrors the motion: what the left side did, the right side does")});
@@ -101,20 +99,20 @@ void MotionEditorView::createRobotActions() {
                   tr("Ctrl+Return")});
   autoSend_ = makeToggle(this, "auto-send",
                          {"motionAutoSend", tr("Send changes"), tr("Sends each change that has no errors")});
-  takeBack_ =
-      makeAction(this, "cancel-goal",
-                 {"motionTakeBack", tr("Take back"), tr("The robot plays the motion of its files again")});
-  previous_ = makeAction(
-      this, "previous",
-      {"motionPrevious", tr("Previous key frame"),
-       tr("Selects the key frame before; while you steer, the robot turns to its pose"), tr("Ctrl+Alt+Up")});
+  takeBack_ = makeAction(
+      this, "cancel-goal",
+      {"motionTakeBack", tr("Take back"), tr("Makes the robot play the motion from its own files again")});
+  previous_ = makeAction(this, "previous",
+                         {"motionPrevious", tr("Previous key frame"),
+                          tr("Selects the previous key frame; while you steer, the robot moves to its pose"),
+                          tr("Ctrl+Alt+Up")});
   play_ = makeAction(this, "play",
                      {"motionPlay", tr("Play"), tr("Plays the motion once on the robot, while you steer"),
                       tr("Ctrl+Alt+P")});
   next_ = makeAction(
       this, "next",
       {"motionNext", tr("Next key frame"),
-       tr("Selects the next key frame; while you steer, the robot turns to its pose"), tr("Ctrl+Alt+Down")});
+       tr("Selects the next key frame; while you steer, the robot moves to its pose"), tr("Ctrl+Alt+Down")});
 }
 
 QWidget* MotionEditorView::createTools() {

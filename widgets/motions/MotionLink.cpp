@@ -147,7 +147,7 @@ QString MotionLink::text() const {
       return bench_.robotText()->isSent ? tr("%1 has this motion, as it was sent").arg(robot)
                                         : tr("%1 has this motion").arg(robot);
     case State::kOther:
-      return bench_.robotText() ? tr("%1 has another text of this motion").arg(robot)
+      return bench_.robotText() ? tr("%1 has a different version of this motion").arg(robot)
                                 : tr("%1 does not have this motion yet").arg(robot);
     case State::kNone:
       break;
@@ -163,7 +163,7 @@ void MotionLink::tick() {
   if (isPending_ && ++ticksPending_ > kPatienceTicks) {
     isPending_ = false;
     ++asked_;  // later replies are ignored
-    refusal_ = tr("it does not answer; is its program running?");
+    refusal_ = tr("there is no answer; is its program running?");
     Q_EMIT changed();
   }
   ++ticksUnchanged_;

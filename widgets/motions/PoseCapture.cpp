@@ -79,7 +79,7 @@ robotlink::Result<QString> capturePose(ViewContext& context, PoseSource source,
   }
   if (known == 0)
     return robotlink::failure("joints.columns",
-                              "the motion in the editor has no column of a joint of " + bench.robot());
+                              "the motion in the editor has no column for any joint of " + bench.robot());
   bench.addFrame(QCoreApplication::translate("PoseCapture", "Capture pose"), frame);
   return QCoreApplication::translate("PoseCapture", "Key frame %1 of %2 added")
       .arg(bench.frame() + 1)

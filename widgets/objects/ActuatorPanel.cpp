@@ -128,7 +128,7 @@ void ActuatorPanel::addRow(const robotcontrol::WorldObject& object, int value, i
     row.blocked = new QLabel(tr("blocked"), contents_);
     describe(*row.blocked,
              {QByteArray("actuatorBlocked-" + path.toUtf8()).constData(), tr("Blocked: %1").arg(path),
-              tr("What it moves has met an obstacle since its last command")});
+              tr("It has hit an obstacle since its last command")});
     QSizePolicy kept = row.blocked->sizePolicy();
     kept.setRetainSizeWhenHidden(true);
     row.blocked->setSizePolicy(kept);

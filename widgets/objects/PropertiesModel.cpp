@@ -36,7 +36,7 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"pitch", QT_TR_NOOP("pitch")},
       {"heading", QT_TR_NOOP("heading")},
       {"angles", QT_TR_NOOP("angles")},
-      {"angular_damping", QT_TR_NOOP("damping of turns")},
+      {"angular_damping", QT_TR_NOOP("rotational damping")},
       {"attenuation", QT_TR_NOOP("attenuation")},
       {"axis", QT_TR_NOOP("axis")},
       {"axis_in_link", QT_TR_NOOP("axis in the link")},
@@ -47,15 +47,15 @@ QString PropertiesModel::titleOf(const std::string& name) {
       {"delay", QT_TR_NOOP("delay")},
       {"diffuse", QT_TR_NOOP("color: red, green, blue, 0 to 1")},
       {"direction", QT_TR_NOOP("direction")},
-      {"dropout", QT_TR_NOOP("share of lost readings")},
+      {"dropout", QT_TR_NOOP("fraction of lost readings")},
       {"elevation", QT_TR_NOOP("elevation")},
       {"file", QT_TR_NOOP("file")},
       {"friction", QT_TR_NOOP("friction")},
       {"inertia", QT_TR_NOOP("inertia: ixx, iyy, izz, ixy, ixz, iyz")},
-      {"initial_pose", QT_TR_NOOP("place at the start")},
+      {"initial_pose", QT_TR_NOOP("initial position")},
       {"intensity", QT_TR_NOOP("intensity")},
       {"length", QT_TR_NOOP("length")},
-      {"linear_damping", QT_TR_NOOP("damping of moves")},
+      {"linear_damping", QT_TR_NOOP("linear damping")},
       {"lower_limit", QT_TR_NOOP("lower limit")},
       {"mass", QT_TR_NOOP("mass")},
       {"maximum", QT_TR_NOOP("maximum of each value")},
@@ -170,11 +170,11 @@ QVariant PropertiesModel::data(const QModelIndex& index, int role) const {
     return colorOf(Meaning::kMuted, QGuiApplication::palette());
   if (role != Qt::ToolTipRole) return {};
   if (shown.isChanged)
-    return tr("Not in the file yet: Save to file writes it; it holds when the scene is opened again");
+    return tr("Not in the file yet: Save to file writes it; it takes effect when the scene is opened again");
   if (shown.poseIndex >= 0 && shown.isEditable) return tr("Double click to move the object");
   if (shown.isEditable) return tr("Double click to change it in %1").arg(QString::fromStdString(shown.file));
-  if (shown.poseIndex >= 0) return tr("It is placed with what it belongs to");
-  return tr("%1 (cannot be changed here: no single number of the scene's files says it)").arg(shown.value);
+  if (shown.poseIndex >= 0) return tr("It moves with the object it belongs to");
+  return tr("%1 (cannot be changed here: no single number in the scene's files sets it)").arg(shown.value);
 }
 
 Qt::ItemFlags PropertiesModel::flags(const QModelIndex& index) const {

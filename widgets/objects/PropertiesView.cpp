@@ -64,15 +64,15 @@ PropertiesView::PropertiesView(ViewContext& context, QWidget* parent)
 PropertiesView::~PropertiesView() = default;
 
 void PropertiesView::createActions() {
-  save_ = makeAction(
-      this, "save",
-      {"propertiesSave", tr("Save to file"),
-       tr("Writes what was changed, and nothing else, into the files of the scene"), tr("Ctrl+Return")});
-  discard_ = makeAction(this, "undo",
-                        {"propertiesDiscard", tr("Discard"), tr("Forgets what was changed and not saved")});
-  keepPose_ = makeAction(this, "goal",
-                         {"propertiesKeepPose", tr("Keep pose"),
-                          tr("Saves with the other changes that the model begins where it is now")});
+  save_ =
+      makeAction(this, "save",
+                 {"propertiesSave", tr("Save to file"),
+                  tr("Writes only the changed properties into the files of the scene"), tr("Ctrl+Return")});
+  discard_ = makeAction(this, "undo", {"propertiesDiscard", tr("Discard"), tr("Discards unsaved changes")});
+  keepPose_ =
+      makeAction(this, "goal",
+                 {"propertiesKeepPose", tr("Keep pose"),
+                  tr("Makes the model's present pose its initial one, saved with the other changes")});
 }
 
 void PropertiesView::createViews() {
@@ -84,7 +84,7 @@ void PropertiesView::createViews() {
   using enum ColumnKind;
   new ColumnFit(*table_, {kName, kText, kNumber});
   hint_ = new EmptyHint(table_);
-  outcome_ = makeNote(this, "propertiesOutcome", tr("What came of the changes"));
+  outcome_ = makeNote(this, "propertiesOutcome", tr("Result of the changes"));
   auto* row = new QHBoxLayout;
   row->addWidget(title_, 1);
   for (QAction* action : {keepPose_, discard_, save_}) row->addWidget(makeLabeledButton(this, action));
@@ -190,11 +190,12 @@ void PropertiesView::keepPose() {
   const auto now = kept == nullptr ? std::nullopt : pose(*kept);
   if (!now) return;
   if (edits().canChange())
-    return edits().setPose(kept->path(), *now, told(tr("It begins here from now on; save to keep that.")));
+    return edits().setPose(kept->path(), *now, told(tr("This is now its initial pose; save to keep that.")));
   const auto initial =
       std::ranges::find(kept->properties(), "initial_pose", &robotcontrol::WorldProperty::name);
   if (initial == kept->properties().end() || initial->file().empty()) {
-    showOutcome(*outcome_, tr("The scene's file does not say where %1 begins.").arg(title_->text()), true);
+    showOutcome(*outcome_, tr("The scene's file does not set the initial pose of %1.").arg(title_->text()),
+                true);
     return;
   }
   model_.addEdit({initial->file(), {initial->element().begin(), initial->element().end()}, poseText(*now)});
@@ -210,7 +211,7 @@ void PropertiesView::save() {
   const auto done = context().writeScene(model_.edits());
   if (done) model_.clearEdits();
   showOutcome(*outcome_,
-              done ? tr("Saved. It holds when the scene is opened again.")
+              done ? tr("Saved. It takes effect when the scene is opened again.")
                    : QString::fromStdString(done.error().describe()),
               !done);
   tick();
@@ -219,7 +220,7 @@ void PropertiesView::save() {
 void PropertiesView::applyEdits() {
   const auto changes = model_.takeEdits();
   edits().change(changes, tr("Change %1").arg(title_->text()),
-                 told(tr("The simulation goes on with it; save to keep it.")));
+                 told(tr("The simulation uses it now; save to keep it.")));
   tick();
 }
 
@@ -241,7 +242,7 @@ void PropertiesView::showEdits() {
   discard_->setEnabled(canChange ? edits().canUndo() : hasEdits);
   discard_->setText(canChange ? tr("Undo") : tr("Discard"));
   discard_->setToolTip(canChange ? tr("Undoes: %1").arg(edits().undoTitle())
-                                 : tr("Forgets what was changed and not saved"));
+                                 : tr("Discards unsaved changes"));
 }
 
 }  // namespace widgets

@@ -103,8 +103,8 @@ robotlink::Result<std::vector<double>> propertyNumbers(const QString& typed, con
   }
   if (name == "inertia" && numbers.size() == 6 && !arePossibleMoments(numbers))
     return refuse(PropertyTexts::tr(
-        "No body has these moments of inertia: about its principal axes they are positive, and "
-        "none of the three exceeds the sum of the other two"));
+        "These moments of inertia are impossible: about the principal axes they must be positive, and none "
+        "may exceed the sum of the other two"));
   return numbers;
 }
 

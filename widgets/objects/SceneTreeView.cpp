@@ -93,10 +93,9 @@ void SceneTreeView::createActions() {
       this, "image", {"sceneTreeImage", tr("Image"), tr("Shows the images of the camera"), tr("Ctrl+Alt+I")});
   gray_ = makeAction(this, "image",
                      {"sceneTreeGray", tr("Monochrome image"), tr("Shows the images of the camera in gray")});
-  stereogram_ =
-      makeAction(this, "two-pictures",
-                 {"sceneTreeStereogram", tr("Stereogram"),
-                  tr("Shows depths as a random dot stereogram, which is seen by looking through it")});
+  stereogram_ = makeAction(this, "two-pictures",
+                           {"sceneTreeStereogram", tr("Stereogram"),
+                            tr("Shows depths as a random-dot stereogram: focus behind it to see them")});
   properties_ = makeAction(
       this, "settings",
       {"sceneTreeProperties", tr("Properties"), tr("Shows the properties of the object"), tr("Alt+Return")});
@@ -135,17 +134,16 @@ void SceneTreeView::rename() {
 }
 
 void SceneTreeView::createSceneActions() {
-  alone_ = makeAction(
-      this, "scene",
-      {"sceneTreeAlone", tr("Show in 3-D"),
-       tr("Opens a view that shows this object alone, with all that belongs to it"), tr("Ctrl+Alt+3")});
+  alone_ =
+      makeAction(this, "scene",
+                 {"sceneTreeAlone", tr("Show in 3-D"),
+                  tr("Opens a view that shows only this object and everything in it"), tr("Ctrl+Alt+3")});
   around_ = makeAction(this, "scene",
                        {"sceneTreeAround", tr("Show in 3-D with surroundings"),
                         tr("Opens a view of the scene that looks at this object and follows it")});
-  hide_ = makeAction(
-      this, "clear",
-      {"sceneTreeHide", tr("Hide in 3-D"),
-       tr("Leaves out the object, with all that belongs to it, in views of the scene"), tr("Ctrl+Alt+H")});
+  hide_ = makeAction(this, "clear",
+                     {"sceneTreeHide", tr("Hide in 3-D"),
+                      tr("Hides the object and everything in it in views of the scene"), tr("Ctrl+Alt+H")});
   showAgain_ = makeAction(this, "eye",
                           {"sceneTreeShowAgain", tr("Show again in 3-D"),
                            tr("Shows the object again in views of the scene"), tr("Ctrl+Alt+Shift+H")});
@@ -156,7 +154,7 @@ void SceneTreeView::createSceneActions() {
                           tr("The camera of the scene moves and turns with the object")});
   lookOut_ = makeAction(this, "eye",
                         {"sceneTreeLookOut", tr("First person"),
-                         tr("The scene is seen out of the camera of the object, or out of the object")});
+                         tr("Shows the scene from the object's camera, or from the object itself")});
   const auto runs = [this](QAction* action, const char* command, std::vector<std::string> words) {
     connect(action, &QAction::triggered, this, [=, this] { runForObject(command, words); });
   };

@@ -88,10 +88,10 @@ CardText programTrouble(const Known& known) {
 CardText stopped(const Known& known) {
   const auto* status = known.latest<robotcontrol::SimulationStatus>(streams::kSimulation);
   if (status != nullptr && known.isIn(status->stopped_robots()))
-    return {CardTexts::tr("stands: STOP is engaged"), Meaning::kBad};
+    return {CardTexts::tr("stopped: STOP is engaged"), Meaning::kBad};
   const auto* drive = known.ofRobot<robotcontrol::DriveState>(robotlink::kDriveState.name);
   if (drive != nullptr && drive->emergency_stop())
-    return {CardTexts::tr("stands: emergency stop at the robot"), Meaning::kBad};
+    return {CardTexts::tr("stopped: emergency stop on the robot"), Meaning::kBad};
   return {};
 }
 

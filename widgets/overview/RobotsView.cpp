@@ -98,7 +98,7 @@ void RobotsView::addImage(RobotCard& card) {
     return;
   }
   card.image = thumbnails_.of(stream->path, message->value, kCardImageHeight);
-  if (card.image.isNull()) card.noImage = tr("an image that cannot be shown");
+  if (card.image.isNull()) card.noImage = tr("the image cannot be shown");
 }
 
 void RobotsView::followSelection() {
@@ -140,10 +140,10 @@ void RobotsView::tick() {
   followSelection();
   hint_->setHint(model_.rowCount() > 0 ? QString()
                  : hasForeignStreams(session().store())
-                     ? tr("This log is of a robot without a description here. Its contents are shown in the "
+                     ? tr("There is no description of this log's robot. Its contents are shown in the "
                           "views Data, Plots, "
                           "Field and Scene.")
-                     : tr("No robot is here.\nStart a simulation, connect to a robot, or open "
+                     : tr("There is no robot.\nStart a simulation, connect to a robot, or open "
                           "a log with File > Open log…"));
 }
 

@@ -56,9 +56,9 @@ void PacketInspector::createActions() {
   follow_ =
       makeToggle(this, "follow",
                  {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")}, true);
-  pause_ = makeToggle(
-      this, "pause",
-      {"packetsPause", tr("Pause"), tr("Stops adding packets; they arrive when it continues"), tr("Ctrl+T")});
+  pause_ = makeToggle(this, "pause",
+                      {"packetsPause", tr("Pause"),
+                       tr("Stops adding packets until it continues; none are lost"), tr("Ctrl+T")});
   copy_ = makeAction(
       this, "copy",
       {"packetsCopy", tr("Copy"), tr("Copies the selected rows with their bytes"), QKeySequence::Copy});
@@ -66,7 +66,7 @@ void PacketInspector::createActions() {
       makeAction(this, "clear", {"packetsClear", tr("Clear"), tr("Empties the list"), tr("Ctrl+Shift+X")});
   save_ = makeAction(this, "save",
                      {"packetsSave", tr("Save conversation..."),
-                      tr("Saves all packets of the list, whatever the filters, as a .wire file"),
+                      tr("Saves all packets of the list, regardless of the filters, as a .wire file"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   open_ = makeAction(this, "open",
                      {"packetsOpen", tr("Open conversation..."),
@@ -351,7 +351,7 @@ void PacketInspector::showState() {
   const int all = shownModel().rowCount(), shown = filter_->rowCount();
   QString text = shown < all ? tr("%1 of %2 packets").arg(shown).arg(all)
                              : counted(all, tr("1 packet"), tr("%1 packets"));
-  if (file_.isEmpty() && dropped_ > 0) text += tr("; %1 came too fast to keep").arg(dropped_);
+  if (file_.isEmpty() && dropped_ > 0) text += tr("; %1 arrived too fast to keep").arg(dropped_);
   if (pause_->isChecked()) text += tr("; paused");
   state_->setText(text);
   const int hidden = filter_->hiddenNames().size();

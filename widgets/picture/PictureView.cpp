@@ -39,11 +39,9 @@ PictureView::PictureView(ViewContext& context, const char* name, const char* fil
     : View(context, parent), name_(name), file_(QString::fromLatin1(file)) {
   setObjectName(QString::fromLatin1(named("View")));
   zoomIn_ =
-      makeAction(this, "zoom-in",
-                 {named("ZoomIn").constData(), tr("Zoom in"), tr("Enlarges what is shown"), Qt::Key_Plus});
-  zoomOut_ = makeAction(
-      this, "zoom-out",
-      {named("ZoomOut").constData(), tr("Zoom out"), tr("Makes what is shown smaller"), Qt::Key_Minus});
+      makeAction(this, "zoom-in", {named("ZoomIn").constData(), tr("Zoom in"), tr("Zooms in"), Qt::Key_Plus});
+  zoomOut_ = makeAction(this, "zoom-out",
+                        {named("ZoomOut").constData(), tr("Zoom out"), tr("Zooms out"), Qt::Key_Minus});
   copy_ = makeAction(
       this, "copy",
       {named("Copy").constData(), tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});

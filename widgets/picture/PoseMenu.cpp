@@ -46,7 +46,7 @@ void PoseMenu::list() {
   entries_ = new QActionGroup(this);
   addSection(tr("Robots' drawings are placed at"));
   add(QLatin1String(kUsualPose), tr("The &usual pose"),
-      tr("The true pose where it is known, else the robot's own estimate"));
+      tr("The true pose if known, otherwise the robot's own estimate"));
   add(QLatin1String(kTruePose), tr("The &true pose"), tr("Only simulated robots have one"));
   for (const QString& estimate : choices().mid(1))
     add(estimate, tr("The estimate %1").arg(estimate), tr("The robot's own estimate of its pose"));

@@ -44,7 +44,7 @@ QVector<QCPCurveData> pointsOf(const Curve& path, double from, double to) {
 PathCanvas::PathCanvas(CurveModel& curves, QWidget* parent)
     : QWidget(parent), curves_(curves), plot_(new QCustomPlot(this)) {
   plot_->setObjectName(QStringLiteral("pathCanvas"));
-  plot_->setAccessibleName(tr("Plot of values over each other"));
+  plot_->setAccessibleName(tr("Plot of one value over another"));
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumSize(120, 100);
   auto* layout = new QVBoxLayout(this);

@@ -73,8 +73,8 @@ class MissingStreams {
   void addPlots() {
     const QString off =
         sentence(QT_TRANSLATE_NOOP("PlotChoices", "Its debug key is off; adding the curve switches it on."));
-    const QString idle =
-        sentence(QT_TRANSLATE_NOOP("PlotChoices", "No solution that has it runs; see the view Solutions."));
+    const QString idle = sentence(
+        QT_TRANSLATE_NOOP("PlotChoices", "No running solution provides it; see the view Solutions."));
     for (const auto* stream : streamsOfType(store_, {}, "robotcontrol.KeyTable")) {
       const std::string robot = robotlink::streams::robotOf(stream->path);
       const auto* table = dynamic_cast<const robotcontrol::KeyTable*>(stream->messages.back().value.get());
@@ -105,8 +105,7 @@ void addMissing(const MissingStreams& missing, std::vector<PlotChoice>& choices)
     if (known == nullptr) {
       choices.push_back(
           {{path, {}, type},
-           sentence(QT_TRANSLATE_NOOP("PlotChoices",
-                                      "What it holds is known when it has been played for the first time.")),
+           sentence(QT_TRANSLATE_NOOP("PlotChoices", "Its contents are known once it has been played.")),
            false});
       continue;
     }
@@ -131,7 +130,7 @@ std::vector<PlotChoice> plotChoices(const StreamStore& store, const std::vector<
   }
   MissingStreams missing(store);
   const QString inLog = sentence(
-      QT_TRANSLATE_NOOP("PlotChoices", "The log has it, at other times; its curve is read from the file."));
+      QT_TRANSLATE_NOOP("PlotChoices", "The log has it at other times; its curve is read from the file."));
   for (const LoggedStream& stream : logged) missing.add(stream.path, stream.type, inLog);
   missing.addPackages();
   missing.addPlots();

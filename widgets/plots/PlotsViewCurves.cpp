@@ -201,8 +201,8 @@ void PlotsView::addAcross() {
   };
   if (rows.size() != 2 || curveOf(rows[0])->across || curveOf(rows[1])->across)
     return state_->setText(
-        tr("Select two curves below the plot first: the upper one is to the right, the lower "
-           "one upwards."));
+        tr("Select two curves below the plot first: the upper one becomes the x axis, the lower one the y "
+           "axis."));
   const QString text =
       curveOf(rows[1])->source().text() + QStringLiteral(" over ") + curveOf(rows[0])->source().text();
   if (const auto added = addCurve(text); !added) state_->setText(QString::fromStdString(added.error().text));

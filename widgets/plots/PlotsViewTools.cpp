@@ -52,7 +52,7 @@ void PlotsView::createActions() {
   copy_ = makeAction(this, "copy",
                      {"plotsCopy", tr("Copy picture"), tr("Copies the picture"), QKeySequence::Copy});
   undo_ = makeAction(this, "undo",
-                     {"plotsUndo", tr("Previous view"), tr("Shows what was shown before"),
+                     {"plotsUndo", tr("Previous view"), tr("Shows the previous section"),
                       QKeySequence(QStringLiteral("Alt+Left"))});
   redo_ = makeAction(
       this, "redo",
@@ -75,7 +75,7 @@ void PlotsView::createLookActions() {
   across_ =
       makeAction(this, "plots",
                  {"plotsAcross", tr("Over each other"),
-                  tr("Adds the lower one of two selected curves over the upper one, instead of over time")});
+                  tr("Plots the lower of two selected curves over the upper one, instead of over time")});
   for (QAction* action : {strip_, across_}) action->setIcon({});
   equal_ = makeToggle(this, "fit",
                       {"plotsEqual", tr("Equal axes"),

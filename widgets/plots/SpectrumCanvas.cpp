@@ -71,8 +71,8 @@ SpectrumCanvas::SpectrumCanvas(QWidget* parent) : QWidget(parent), plot_(new QCu
 void SpectrumCanvas::createControls() {
   window_ = new QComboBox(this);
   describe(*window_, {"plotsSpectrumWindow", tr("Window"),
-                      tr("What the values are multiplied by: the flat top tells amplitudes best, none tells "
-                         "close frequencies apart, the others are between")});
+                      tr("Window function: flat top is best for amplitudes, none for close frequencies, the "
+                         "others are in between")});
   for (const Window& window : kSpectrumWindows)
     window_->addItem(QCoreApplication::translate("SpectrumCanvas", window.title), QLatin1String(window.name));
   logarithmic_ = makeToggle(

@@ -29,7 +29,7 @@ HostingBar::HostingBar(QWidget* parent) : QWidget(parent) {
   text_ = makeNote(this, "hostingText", tr("Where the program runs"));
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   stack_ = new QPlainTextEdit(this);
-  describe(*stack_, {"hostingStack", tr("Calls that led there"), {}});
+  describe(*stack_, {"hostingStack", tr("Call stack"), {}});
   stack_->setReadOnly(true);
   stack_->setLineWrapMode(QPlainTextEdit::NoWrap);
   stack_->setMaximumHeight(kStackLines * fontMetrics().lineSpacing() + 2 * fontMetrics().height());
@@ -48,24 +48,22 @@ HostingBar::HostingBar(QWidget* parent) : QWidget(parent) {
 }
 
 void HostingBar::createActions() {
-  startAgain_ =
-      makeAction(this, "reset",
-                 {"hostingStartAgain", tr("Start again"),
-                  tr("Starts the program of this robot again; keys, solutions and parameters stay")});
-  own_ = makeToggle(
-      this, "processes",
-      {"hostingOwn", tr("Own process"),
-       tr("Runs the program of this robot in a process of its own: if it crashes or hangs, nothing "
-          "else is harmed")});
+  startAgain_ = makeAction(this, "reset",
+                           {"hostingStartAgain", tr("Start again"),
+                            tr("Restarts the program of this robot; keys, solutions and parameters stay")});
+  own_ = makeToggle(this, "processes",
+                    {"hostingOwn", tr("Own process"),
+                     tr("Runs the program of this robot in its own process: if it crashes or hangs, nothing "
+                        "else is harmed")});
   threads_ = makeToggle(this, "processes",
                         {"hostingThreads", tr("Threads"),
                          tr("Gives each process of the programs of all robots a thread, with the priority of "
                             "the layout, in real "
-                            "time; otherwise they are executed one after the other, and the same input gives "
+                            "time; otherwise they are executed one after another, and the same input gives "
                             "the same results")});
   allOwn_ = makeAction(this, "processes",
-                       {"hostingAllOwn", tr("Each in a process of its own"),
-                        tr("Runs the program of each robot in a process of its own")});
+                       {"hostingAllOwn", tr("Each in its own process"),
+                        tr("Runs the program of each robot in its own process")});
   allInside_ = makeAction(
       this, "app", {"hostingAllInside", tr("In the workbench"), tr("Runs all programs in the workbench")});
   connect(own_, &QAction::triggered, this, [this](bool own) { choose(own, Robots::kThis); });
@@ -97,11 +95,11 @@ void HostingBar::setStatus(const HostingStatus* status) {
   const bool runs = status->state() == HostingStatus::RUNNING;
   QString text = QString::fromStdString(status->text());
   if (runs) {
-    text = status->own_process() ? tr("The program runs in a process of its own, number %1. A debugger looks "
-                                      "at it with: gdb -p %1")
+    text = status->own_process() ? tr("The program runs in its own process, ID %1. To attach a debugger: gdb "
+                                      "-p %1")
                                        .arg(status->pid())
            : status->threads()
-               ? tr("The program runs in the workbench, each of its processes in a thread of its own.")
+               ? tr("The program runs in the workbench, each of its processes in its own thread.")
                : tr("The program runs in the workbench.");
   }
   showOutcome(*text_, text, !runs);

@@ -140,7 +140,7 @@ QString ProcessGraphWidget::toolTipAt(const QPointF& point) const {
         lines << tr("from %1, %2").arg(port.peer, port.blocking ? tr("blocking") : tr("not blocking"));
       if (port.peer.isEmpty() && port.blocking)
         lines << tr("blocking: the next frame waits until all receivers have taken it");
-      if (port.held) lines << tr("held: a value that was published in the view Data is in its place");
+      if (port.held) lines << tr("held: replaced by a value published in the view Data");
       if (port.missed > 0)
         lines << counted(port.missed, tr("1 was replaced by a newer one before it was used"),
                          tr("%1 were replaced by newer ones before they were used"));

@@ -49,13 +49,12 @@ void ProcessesView::createActions() {
                  {"processesZoomOut", tr("Zoom out"), tr("Makes the graph smaller"), QKeySequence::ZoomOut});
   debugLinks_ = makeToggle(this, "debug",
                            {"processesDebugLinks", tr("Debug links"),
-                            tr("Shows the links of the debug process with all others, too")});
+                            tr("Also shows the links of the debug process with all others")});
   details_ = makeToggle(
       this, "info", {"processesDetails", tr("Details"), tr("Shows the table of the processes"), tr("Ctrl+D")},
       true);
   refresh_ = makeAction(
-      this, "refresh",
-      {"processesRefresh", tr("Refresh"), tr("Requests the robot's tables again"), tr("Shift+F5")});
+      this, "refresh", {"processesRefresh", tr("Refresh"), tr("Reloads the robot's tables"), tr("Shift+F5")});
 }
 
 void ProcessesView::createViews() {

@@ -68,10 +68,9 @@ void SceneHands::createActions(QWidget& view) {
                      "0.1 m and 15°, Esc: back"),
                   Qt::Key_H},
                  true);
-  ownAxes_ =
-      makeToggle(&view, "rotate",
-                 {"sceneOwnAxes", tr("Own axes"),
-                  tr("The handles point where the object does, instead of where the field does"), Qt::Key_X});
+  ownAxes_ = makeToggle(&view, "rotate",
+                        {"sceneOwnAxes", tr("Own axes"),
+                         tr("Aligns the handles with the object instead of the field"), Qt::Key_X});
   undo_ = makeAction(&view, "undo", {"sceneEditUndo", tr("Undo"), {}, QKeySequence::Undo});
   redo_ = makeAction(&view, "redo", {"sceneEditRedo", tr("Redo"), {}, QKeySequence::Redo});
   showPalette_ =
@@ -92,12 +91,13 @@ void SceneHands::createMoreActions(QWidget& view) {
                  {"sceneRename", tr("Rename…"), tr("Renames the object in the scene's text"), Qt::Key_F2});
   write_ = makeAction(&view, "send",
                       {"sceneWrite", tr("Write to the scene"),
-                       tr("Writes into the scene's text that the object begins where it is now; the file is "
-                          "saved when you save it"),
+                       tr("Makes the object's present pose its initial one in the scene's text; save the "
+                          "file to keep it"),
                        tr("Ctrl+Shift+W")});
-  pin_ = makeAction(&view, "lock",
-                    {"scenePin", tr("Pin or release"),
-                     tr("Holds the object where it is, whatever pushes it, or lets it go"), Qt::Key_P});
+  pin_ = makeAction(
+      &view, "lock",
+      {"scenePin", tr("Pin or release"),
+       tr("Holds the object where it is, so that nothing can move it, or releases it"), Qt::Key_P});
   goToText_ = makeAction(
       &view, "labels",
       {"sceneGoToText", tr("Go to its text"), tr("Shows the object in the scene editor"), tr("Ctrl+G")});
@@ -308,7 +308,7 @@ void SceneHands::write() {
   if (!at) return;
   edits().setPose(
       at->object, objectPose(at->pose), told([this](const std::string& object) {
-        report(tr("%1 begins here; save the scene to keep that").arg(QString::fromStdString(object)));
+        report(tr("%1 now starts here; save the scene to keep that").arg(QString::fromStdString(object)));
       }));
 }
 

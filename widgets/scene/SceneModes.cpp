@@ -82,7 +82,7 @@ void SceneModes::createLayers(QWidget* view) {
                   tr("Shows the axes of models and links: x red, y green, z blue"), tr("Shift+F")}),
       makeToggle(view, "quality",
                  {"sceneCenters", tr("Centers of mass"),
-                  tr("Shows the center of mass of each link, the larger the heavier"), tr("Shift+M")}),
+                  tr("Shows the center of mass of each link, larger if heavier"), tr("Shift+M")}),
       makeToggle(view, "sonar",
                  {"sceneSimulatedSensors", tr("Sensors"),
                   tr("Shows what simulated cameras see, sonars reach, and rays hit"), tr("Shift+S")}),

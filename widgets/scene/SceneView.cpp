@@ -64,17 +64,17 @@ SceneView::~SceneView() = default;
 void SceneView::createActions() {
   modes_ = new SceneModes(this);
   grid_ = makeToggle(
-      this, "grid", {"sceneGrid", tr("Grid"), tr("Shows lines every half meter beside the field"), Qt::Key_G},
+      this, "grid", {"sceneGrid", tr("Grid"), tr("Shows lines every half meter around the field"), Qt::Key_G},
       true);
   labels_ = makeToggle(
       this, "labels",
       {"sceneLabels", tr("Names"), tr("Shows the names of robots and the texts of drawings"), Qt::Key_L},
       true);
-  sensors_ =
-      makeToggle(this, "camera",
-                 {"sceneSensors", tr("Cameras and ranges"),
-                  tr("Shows what cameras see and ranges measure, of robots that no scene shows"), Qt::Key_C},
-                 true);
+  sensors_ = makeToggle(
+      this, "camera",
+      {"sceneSensors", tr("Cameras and ranges"),
+       tr("Shows the fields of view of cameras and range sensors, for robots without a scene"), Qt::Key_C},
+      true);
   move_ = makeToggle(this, "grab",
                      {"sceneMove", tr("Move robots and ball"),
                       tr("Dragging a robot or the ball places it; otherwise only with Control. The wheel "
@@ -105,7 +105,7 @@ void SceneView::createCameraActions() {
   firstPerson_ =
       makeToggle(this, "eye",
                  {"sceneFirstPerson", tr("First person"),
-                  tr("Looks out of the camera of what is followed, or out of the object itself"), Qt::Key_E});
+                  tr("Looks from the camera of the followed object, or from the object itself"), Qt::Key_E});
   ride_.setMode(CameraRide::Mode::kBeside);
 }
 

@@ -81,7 +81,7 @@ Result<void> SceneView::drawObject(const std::string& path, const std::string& s
 Result<void> SceneView::setOpacity(const std::string& path, double opacity) {
   if (const auto known = require(path); !known) return known;
   if (!(opacity >= 0 && opacity <= 1))
-    return failure("scene.opacity", "an opacity is from 0, hardly to be seen, to 1");
+    return failure("scene.opacity", "an opacity is from 0 (almost invisible) to 1");
   parts_.changeLooks().setOpacity(path, static_cast<float>(opacity));
   tick();
   return {};

@@ -242,7 +242,7 @@ Result<void> SceneBench::goTo(const QString& object) {
   if (object.isEmpty() && current_ != nullptr && scene.empty()) return {};
   if (scene.empty() && current_ == nullptr)
     return failure("scene.none",
-                   "neither a simulation runs nor is a scene file open; open one: simulation.open");
+                   "no simulation is running and no scene file is open; open one: simulation.open");
   if (!scene.empty()) {
     if (const auto opened = open(scene); !opened) return tl::unexpected(opened.error());
   }
@@ -327,12 +327,12 @@ void SceneBench::followFile(SceneFile& file, bool looks) {
   if (!file.follow(looks)) return;
   if (file.isChanged()) {
     Q_EMIT reported(
-        tr("%1 was changed by another program, and has unsaved changes here: saving it asks which "
-           "of them to keep")
+        tr("%1 was changed by another program, and has unsaved changes here: saving asks which version to "
+           "keep")
             .arg(file.name()),
         true);
   } else {
-    Q_EMIT reported(tr("%1 was changed by another program, and was read again").arg(file.name()), false);
+    Q_EMIT reported(tr("%1 was changed by another program, and was reloaded").arg(file.name()), false);
   }
 }
 

@@ -118,8 +118,8 @@ bool mayOverwriteScene(SceneBench& bench, SceneFile& file, QWidget* parent) {
                   QMessageBox::Cancel, parent);
   box.setObjectName(QStringLiteral("sceneChangedOutside"));
   box.setInformativeText(
-      SceneDialogText::tr("Overwrite it with the text of the editor, or read it again? Undo "
-                          "brings the text of the editor back."));
+      SceneDialogText::tr("Overwrite it with the text of the editor, or reload it? Undo restores the text of "
+                          "the editor."));
   const auto* overwrite = box.addButton(SceneDialogText::tr("Overwrite"), QMessageBox::DestructiveRole);
   const auto* again = box.addButton(SceneDialogText::tr("Read again"), QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Cancel);

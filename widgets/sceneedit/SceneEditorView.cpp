@@ -33,7 +33,7 @@ namespace {
 const ViewRegistration kSceneEditorRegistration{
     {"scene-editor", QT_TRANSLATE_NOOP("View", "Scene editor"),
      QT_TRANSLATE_NOOP(
-         "View", "Edits the files of simulated scenes, and lets the simulation go on with the changes."),
+         "View", "Edits the files of simulated scenes, and applies the changes to the running simulation."),
      "edit", false, create<SceneEditorView>}};
 
 /// The words of a line, without the blanks before them.
@@ -83,7 +83,7 @@ void SceneEditorView::createFileActions() {
   discard_ =
       makeAction(this, "reset",
                  {"sceneDiscard", tr("Discard changes"),
-                  tr("Goes back to what is saved, also in the simulation; undo brings the changes back")});
+                  tr("Goes back to the saved text, also in the simulation; undo restores the changes")});
 }
 
 void SceneEditorView::createEditActions() {
@@ -100,10 +100,10 @@ void SceneEditorView::createEditActions() {
 }
 
 void SceneEditorView::createSceneActions() {
-  run_ = makeAction(
-      this, "play",
-      {"sceneRun", tr("Save and run"),
-       tr("Saves the file; the simulation goes on with it where it is, or opens it"), tr("Ctrl+Return")});
+  run_ = makeAction(this, "play",
+                    {"sceneRun", tr("Save and run"),
+                     tr("Saves the file; the running simulation continues with it, or the scene is opened"),
+                     tr("Ctrl+Return")});
   goTo_ = makeAction(this, "goal",
                      {"sceneGoTo", tr("Go to the selected object"),
                       tr("Goes to the text of the object that is selected in the scene"), tr("Ctrl+G")});

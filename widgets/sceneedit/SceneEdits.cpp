@@ -31,8 +31,8 @@ Result<SceneObject> ownObject(const QString& text, const std::string& path) {
   if (!isOuter)
     return failure("scene.object",
                    path +
-                       " is no object of the scene's own file, so it is changed in its "
-                       "own file only: go to its text",
+                       " is not in the scene's own file; change "
+                       "it in its own file: go to its text",
                    {}, {path});
   return found.object;
 }
@@ -119,11 +119,10 @@ void SceneEdits::begin(Change change) {
   if (!canChange()) {
     const bool isMap = bench_.runningScene().extension() == ".map";
     if (change.told)
-      change.told(
-          failure("scene.file",
-                  isMap ? "a map has no text of a scene in which objects could be added or changed; open a "
-                          "scene (.sdf)"
-                        : "no scene of a file is simulated here, so there is no text to change"));
+      change.told(failure("scene.file",
+                          isMap ? "a map has no scene text that could be changed; open a "
+                                  "scene (.sdf)"
+                                : "no scene of a file is simulated here, so there is no text to change"));
     return;
   }
   change.scene = bench_.runningName();
@@ -242,7 +241,7 @@ SceneEdits::Done SceneEdits::checkStarts(const Checked& checked) const {
       if (std::ranges::any_of(problem.inside, mayHaveMoved)) continue;
       const std::size_t added = objectOf(problem.inside[0]) == nullptr ? 0 : 1;
       return failure("scene.no-room",
-                     "there is no room for '" + problem.inside[added] + "': it would stand inside '" +
+                     "there is no room for '" + problem.inside[added] + "': it would be inside '" +
                          problem.inside[1 - added] + "'; choose another place",
                      {}, {problem.inside[added], problem.inside[1 - added]});
     }
@@ -258,8 +257,8 @@ void SceneEdits::reportStarts(const Checked& checked) {
       std::vector<std::string> former;
       for (const std::string& model : problem.inside) former.push_back(checked.made->former(model));
       if (std::ranges::count((*file)->problems(), former, &SceneProblem::inside) > 0) continue;
-      Q_EMIT bench_.reported(tr("The simulation goes on, but the scene cannot be opened as it begins: %1, or "
-                                "write where it is now into the scene (Ctrl+Shift+W)")
+      Q_EMIT bench_.reported(tr("The simulation continues, but the scene could not be opened from its "
+                                "initial state: %1, or write the present pose into the scene (Ctrl+Shift+W)")
                                  .arg(QString::fromStdString(problem.text)),
                              true);
     }
@@ -289,7 +288,7 @@ void SceneEdits::change(const std::vector<SceneFileEdit>& edits, const QString& 
     const bool mayWrite = mayWrite_ && mayWrite_(edit.file);
     const auto file = mayWrite
                           ? bench_.ensure(edit.file)
-                          : failure("scene.file", "it is no file of the open scene, so it is not changed",
+                          : failure("scene.file", "it is not a file of the open scene, so it is not changed",
                                     {edit.file, 0, 0});
     if (!file) {
       if (change.told) change.told(tl::unexpected(file.error()));

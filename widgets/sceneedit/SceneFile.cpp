@@ -23,7 +23,7 @@ Result<QString> textOfFile(const std::filesystem::path& path) {
   QString text = QString::fromUtf8(read);
   if (text.toUtf8() != read)
     return failure("scene.encoding",
-                   "the file is no text in UTF-8, so it cannot be edited here; save it in UTF-8 with another "
+                   "the file is not UTF-8 text, so it cannot be edited here; save it in UTF-8 with another "
                    "program, or write another text over it",
                    {path.string(), 0, 0});
   text.remove(QLatin1Char('\r'));
@@ -130,7 +130,7 @@ Result<void> SceneFile::write(const std::filesystem::path& path) {
   if (path == path_ && isChangedOutside())
     return failure("scene.changed-outside",
                    "the file was changed by another program since it was read here; save under another name "
-                   "(scene.save FILE), or discard the changes, which reads it again",
+                   "(scene.save FILE), or discard the changes to reload it",
                    {path.string(), 0, 0});
   const QByteArray bytes = text().toUtf8();
   const std::string_view contents(bytes.constData(), static_cast<std::size_t>(bytes.size()));

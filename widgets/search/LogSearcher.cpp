@@ -127,7 +127,7 @@ Result<LogSearcher::History> LogSearcher::historyOf(robotlink::Session& session,
   std::set<std::string> needed;
   if (isTexts) {
     for (const auto* stream : streamsOfType(store, {}, kTextType)) needed.insert(stream->path);
-    if (needed.empty()) return robotlink::failure("search.texts", "nobody has said anything yet");
+    if (needed.empty()) return robotlink::failure("search.texts", "there are no messages yet");
     history.textStreams = namesOf(needed, all, history.robots);
   } else {
     const auto bound = robotlink::BoundExpression::bind(wanted, {all.begin(), all.end()}, history.robots);

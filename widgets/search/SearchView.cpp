@@ -119,8 +119,8 @@ Result<void> SearchView::search(const QString& wanted, bool isTexts) {
   const bool isHistory = logs_.logs().empty();
   if (isHistory && !hasHistory())
     return robotlink::failure("search.log",
-                              "no log is open, and no robot runs; open a log first: log.open FILE");
-  if (wanted.trimmed().isEmpty()) return robotlink::failure("search.empty", "say what is to be searched for");
+                              "no log is open, and no robot is running; open a log first: log.open FILE");
+  if (wanted.trimmed().isEmpty()) return robotlink::failure("search.empty", "type what to search for");
   std::optional<LogSearcher::History> history;
   if (isHistory) {
     auto found = LogSearcher::historyOf(session(), wanted.trimmed().toStdString(), isTexts);
@@ -185,7 +185,7 @@ Result<void> SearchView::go(int direction) {
   if (model_.rowCount() == 1) row = 0;
   if (row < 0 || row >= model_.rowCount())
     return robotlink::failure("search.end",
-                              direction > 0 ? "there is no hit later" : "there is no hit before");
+                              direction > 0 ? "there is no later hit" : "there is no earlier hit");
   table_->selectRow(row);
   jumpTo(row);
   return {};

@@ -115,7 +115,8 @@ Result<void> ParameterEdits::resetAll(const std::string& solution) {
 
 Result<void> ParameterEdits::save(const std::string& solution, const std::string& file) {
   if (solution.empty() && !file.empty())
-    return failure("parameters.file", "one file takes the parameters of one solution; name that, too");
+    return failure("parameters.file",
+                   "one file takes the parameters of one solution; name the solution as well");
   return beginAll(solution, {Edit::What::kSave, {}, file});
 }
 

@@ -63,7 +63,7 @@ void ParameterPanel::createActions() {
       {"parametersRefresh", tr("Read again"), tr("Requests the robot's values again"), tr("Shift+F5")});
   save_ = makeAction(this, "save",
                      {"parametersSave", tr("Save"),
-                      tr("Saves what was changed to the file that the program reads at its start; its "
+                      tr("Saves changes to the file that the program reads when it starts; its "
                          "comments stay")});
   saveAs_ = makeAction(this, "export",
                        {"parametersSaveAs", tr("Save to another file…"),

@@ -100,9 +100,10 @@ std::string ParameterSweep::csv(const std::vector<Row>& rows) {
 }
 
 Result<void> ParameterSweep::begin(Plan plan) {
-  if (isRunning()) return failure("sweep.running", "a sweep runs already; parameters.stop-sweep ends it");
+  if (isRunning())
+    return failure("sweep.running", "a sweep is already running; parameters.stop-sweep ends it");
   if (!(plan.seconds > 0)) return failure("sweep.seconds", "the time to measure has to be more than 0 s");
-  if (plan.values.empty()) return failure("sweep.values", "there is no value to measure at");
+  if (plan.values.empty()) return failure("sweep.values", "there are no values to try");
   plan_ = std::move(plan);
   rows_.clear();
   failed_.reset();

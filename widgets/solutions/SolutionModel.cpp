@@ -297,9 +297,9 @@ QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Sol
   const bool refused = refusal != refusals_.end() && refusal->second.solution == solution.name;
   if (column == kShadow && role == Qt::CheckStateRole) return shadowOf(task, solution);
   if (column == kShadow && role == Qt::ToolTipRole && shadowOf(task, solution).isValid())
-    return tr("Runs %1 beside the active solution, on the same inputs and without being used. What it "
-              "publishes "
-              "is below shadow/%1; what it costs is in the next column.")
+    return tr("Runs %1 in the shadow of the active solution, on the same "
+              "inputs and without being used. What it publishes is "
+              "under shadow/%1; its computing time is in the next column.")
         .arg(QString::fromStdString(solution.name));
   switch (role) {
     case kTaskRole:

@@ -40,8 +40,8 @@ void SteeringBar::refresh(robotlink::Session& session, const std::string& robot)
   text_->setToolTip(state_->details);
   setMeaning(*text_, isOther ? std::optional(Meaning::kWarning) : std::nullopt);
   take_->setText(isOther ? tr("Steer instead") : tr("Let others steer"));
-  take_->setToolTip(isOther ? tr("You steer from now on; the robot stays still until you send a command")
-                            : tr("Others may steer from now on; the robot stops"));
+  take_->setToolTip(isOther ? tr("Takes control; the robot stays still until you send a command")
+                            : tr("Releases control to others; the robot stops"));
 }
 
 void SteeringBar::run() {

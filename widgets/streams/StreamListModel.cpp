@@ -182,7 +182,7 @@ QVariant StreamListModel::headerData(int section, Qt::Orientation orientation, i
     return RowModel::headerData(section, orientation, role);
   switch (section) {
     case kByteRate:
-      return tr("Memory taken by its messages per second");
+      return tr("Size of its messages per second");
     case kBytes:
       return tr("Size of its history, in memory and on disk; for a log, its size in the file");
     case kShare:

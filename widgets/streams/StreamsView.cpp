@@ -41,7 +41,7 @@ StreamsView::StreamsView(ViewContext& context, QWidget* parent)
 void StreamsView::createTable() {
   table_ = makeTable(this,
                      {"streamsTable", tr("All streams"),
-                      tr("The check shows a stream in the timeline; a double click steps its messages")},
+                      tr("Check a stream to show it in the timeline; double click it to step its messages")},
                      filtered_);
   table_->setSortingEnabled(true);
   table_->sortByColumn(StreamListModel::kPath, Qt::AscendingOrder);
@@ -62,7 +62,7 @@ void StreamsView::createViews() {
   filtered_->setSortRole(StreamListModel::kSortRole);
   which_ = new QComboBox(this);
   describe(*which_, {"streamsWhich", tr("Which streams"), tr("Which streams are listed")});
-  which_->addItems({tr("All streams"), tr("Read by nobody"), tr("Not all arrived")});
+  which_->addItems({tr("All streams"), tr("Not read"), tr("With losses")});
   copy_ = makeAction(this, "copy",
                      {"streamsCopy", tr("Copy"), tr("Copies the selected rows"), QKeySequence::Copy});
   createTable();

@@ -31,9 +31,9 @@ void FindBar::createFields() {
   describe(*instead_, {"replaceText", tr("Replace by"), tr("Replacement text")});
   instead_->setPlaceholderText(tr("Replace by"));
   QAction* exact = makeToggle(this, "labels", {"findCase", tr("Match case"), tr("Match case")});
-  QAction* before = makeAction(this, "up", {"findBefore", tr("Previous"), tr("Finds the place before")});
+  QAction* before = makeAction(this, "up", {"findBefore", tr("Previous"), tr("Finds the previous match")});
   QAction* next =
-      makeAction(this, "down", {"findNext", tr("Next"), tr("Finds the next place"), QKeySequence::FindNext});
+      makeAction(this, "down", {"findNext", tr("Next"), tr("Finds the next match"), QKeySequence::FindNext});
   QAction* one = makeAction(this, "edit",
                             {"replaceOne", tr("Replace"), tr("Replaces this match and finds the next one")});
   QAction* all = makeAction(this, "check-all",
@@ -91,7 +91,7 @@ bool FindBar::find(bool backwards) {
   }
   edit_.setTextCursor(found);
   edit_.centerCursor();
-  report(wrapped ? tr("Went on at the other end") : QString(), false);
+  report(wrapped ? tr("Continued from the other end") : QString(), false);
   return true;
 }
 

@@ -26,12 +26,12 @@ HistoryLimits::HistoryLimits(robotlink::Session& session, QWidget* parent) : QDi
   setWindowTitle(tr("How much is kept"));
   const auto* archive = session.history().archive();
   memory_ = makeBox("historyMemory", tr("In memory"),
-                    tr("What robots have sent is kept up to this size; what is older goes to the disk"), 64,
-                    mibOf(session.store().limits().bytes));
+                    tr("History of the robots is kept in memory up to this size; older history goes to disk"),
+                    64, mibOf(session.store().limits().bytes));
   disk_ = makeBox(
       "historyDisk", tr("On disk"),
-      tr("What no longer fits into memory is in the folder for temporary files up to this size, until "
-         "the program ends; what is older is dropped. 0 puts nothing there"),
+      tr("History that no longer fits into memory is kept in the folder for temporary files up to this size, "
+         "until the program ends; older history is dropped. 0: none"),
       0, archive != nullptr ? mibOf(archive->limit()) : 0);
   disk_->setEnabled(archive != nullptr);
   auto* used = new QLabel(usedText(session), this);

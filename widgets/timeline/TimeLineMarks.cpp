@@ -68,7 +68,7 @@ QString TimeLineCanvas::markToolTip(double x) const {
 void TimeLineView::createSteps() {
   stepBy_ = new QComboBox(this);
   describe(*stepBy_,
-           {"timeLineStepBy", tr("Value whose changes are stepped"),
+           {"timeLineStepBy", tr("Value whose changes are stepped through"),
             tr("A value or expression, such as models/ball.position.x > 1; Enter goes to its next change")});
   stepBy_->setEditable(true);
   stepBy_->setInsertPolicy(QComboBox::NoInsert);

@@ -90,7 +90,7 @@ void TimeLineView::createActions() {
       {"timeLineZoomIn", tr("Zoom in"), tr("Shows less time, larger (also: the wheel)"), Qt::Key_Plus});
   fit_ = makeAction(this, "fit", {"timeLineFit", tr("Fit"), tr("Shows all of the logs"), Qt::Key_F});
   follow_ =
-      makeToggle(this, "follow", {"timeLineFollow", tr("Follow"), tr("Keeps the playhead in sight")}, true);
+      makeToggle(this, "follow", {"timeLineFollow", tr("Follow"), tr("Keeps the playhead in view")}, true);
 }
 
 void TimeLineView::createRangeActions() {

@@ -104,7 +104,7 @@ QVariant LatencyModel::headerData(int section, Qt::Orientation orientation, int 
     case kComputing:
       return tr(
           "Mean real time from the beginning of that frame to the command; in lockstep, where the "
-          "robot's clock stands meanwhile, also what the processes before took");
+          "robot's clock is stopped meanwhile, it includes earlier processes");
     default:
       return {};
   }

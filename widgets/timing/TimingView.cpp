@@ -119,8 +119,8 @@ QWidget* TimingView::createLatency() {
   QLabel* how = makeNote(page, "latencyHow", tr("How latencies are measured"));
   how->setText(
       tr("From a reading's own timestamp to when the first command that is based on it is sent: waiting, on "
-         "the robot's clock, plus computing, in real time. In lockstep that clock stands while processes "
-         "compute; then all that lies on the way counts as computing. What a process sends is taken to be "
+         "the robot's clock, plus computing, in real time. In lockstep that clock is stopped while processes "
+         "compute; then all time along the way counts as computing. The output of a process counts as "
          "based on the newest reading that reached it."));
   auto* layout = makeColumn(page, {0, 0, 0, 0}, 2);
   layout->addWidget(latencyTable_, 1);
@@ -147,7 +147,7 @@ void TimingView::createViews() {
   tabs_->setTabToolTip(1, tr("How long readings, such as images, take to become commands"));
   splitter_ = makeSplitter(this, "timingSplitter", Qt::Vertical, {{scroll, 2}, {tabs_, 3}});
   state_ = new QLabel(this);
-  describe(*state_, {"timingState", tr("State of the measuring"), {}});
+  describe(*state_, {"timingState", tr("State of the measurement"), {}});
   state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* top = makeToolRow(this, 0);
   top->addWidget(makeLabeledButton(this, measure_));
@@ -186,7 +186,7 @@ void TimingView::measure(bool on) {
   request.mutable_set_key()->mutable_mode()->set_kind(on ? robotcontrol::KeyMode::ALWAYS
                                                          : robotcontrol::KeyMode::OFF);
   ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
-    refusal_ = accepted ? QString() : tr("The robot does not measure: %1").arg(reason);
+    refusal_ = accepted ? QString() : tr("The robot does not measure its tasks: %1").arg(reason);
   });
 }
 
@@ -264,13 +264,13 @@ void TimingView::showState() {
   state_->setToolTip(state_->text());
   const QString nothing =
       robot_.empty() ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
-      : measure_->isChecked() ? tr("Waiting for the robot's times. They come while its program runs.")
-                              : tr("The robot does not measure. Press “Measure”.");
+      : measure_->isChecked() ? tr("Waiting for the robot's times. They arrive while its program runs.")
+                              : tr("The robot does not measure its tasks. Press “Measure”.");
   hint_->setHint(model_.rowCount() > 0 ? QString() : nothing);
   const auto& lanes = chart_->look().lanes;
   const bool isBlank = std::ranges::all_of(lanes, [](const GanttLane& lane) { return lane.frames.empty(); });
   chartHint_->setHint(isBlank && model_.rowCount() > 0
-                          ? tr("No frame was measured at this time. “Follow” shows the present one.")
+                          ? tr("No frame was measured at this time. “Follow” shows the current one.")
                           : QString());
   latencyHint_->setHint(
       latencies_.rowCount() > 0 ? QString()

@@ -26,22 +26,22 @@ PlatformForm bodyForm() {
   PlatformForm form{.name = "body",
                     .command = "remote.host",
                     .commandHelp =
-                        "Runs the program of a robot here whose body is remote, where 'robotctl platform "
-                        "... --listen' runs"};
+                        "Runs a robot's program here, for a remote body that 'robotctl platform ... "
+                        "--listen' offers"};
   form.fields = {
       {.name = "url", .help = "ws://HOST[:PORT]", .noun = "URL", .isSource = true},
-      {.name = "token", .help = "that was printed there, or ''", .noun = "token"},
-      {.name = "robot", .help = "whose body it is; '': the first that is offered", .noun = "robot"},
+      {.name = "token", .help = "the token printed there, or ''", .noun = "token"},
+      {.name = "robot", .help = "the robot whose body it is; '': the first one offered", .noun = "robot"},
       {.name = "layout",
        .help = "a layout file or the name of a shipped one; '': the robot's",
        .noun = "layout"},
-      {.name = "map", .help = "a map of where it drives, or ''", .noun = "map"}};
+      {.name = "map", .help = "a map of the area where it drives, or ''", .noun = "map"}};
   return form;
 }
 
 const PlatformRegistration kBodyRegistration{
     {.name = BodyFeed::kAdapter,
-     .sources = "a remote body whose program shall run here (ws://HOST[:PORT], with --program here)",
+     .sources = "a remote body whose program runs here (ws://HOST[:PORT], with --program here)",
      .time = TimeKind::kReal,
      .opens = [](const std::string& source) { return robotlink::websocket::isServerUrl(source); },
      .order = 1,

@@ -141,11 +141,11 @@ std::string BodyFeed::whatIsMissing() const {
   const auto state = link_->state();
   if (!state.isConnected()) return state.reason.empty() ? "nothing answers there" : state.reason;
   const std::vector<std::string>& robots = link_->robots();
-  if (robots.empty()) return "no robot is there";
+  if (robots.empty()) return "there is no robot at this address";
   const bool isBody = std::ranges::any_of(
       robots, [this](const auto& robot) { return link_->kindOf(robot) == BodyLink::Kind::kBody; });
   return isBody ? "it does not say which sensors it has; does 'robotctl platform' run there?"
-                : "what is there does not say whether " + robotlink::joined(robots) + " is a body";
+                : "the program there does not say whether " + robotlink::joined(robots) + " is a body";
 }
 
 Errors BodyFeed::describeRobot() {

@@ -147,12 +147,12 @@ HeadlessPlatform headlessBody() {
   std::vector<PlatformField> options = headlessRobotFields({});
   const std::vector<PlatformField> ofBodies{
       {.name = kTokenOption,
-       .help = "Remote bodies: the token that was printed there ($ROBOTCONTROL_TOKEN); without one "
-               "that which is remembered",
+       .help = "Remote bodies: the token printed there "
+               "($ROBOTCONTROL_TOKEN); default: the remembered one",
        .option = "--token"},
       {.name = kJpegOption,
        .kind = Kind::kFlag,
-       .help = "Remote bodies: images as JPEG, for narrow lines",
+       .help = "Remote bodies: images as JPEG, for slow links",
        .initial = false,
        .option = "--jpeg"},
       {.name = kPngOption,
@@ -162,20 +162,20 @@ HeadlessPlatform headlessBody() {
        .option = "--png"},
       {.name = kBudgetOption,
        .kind = Kind::kNumber,
-       .help = "Remote bodies: bytes a second that the body may send (no limit)",
+       .help = "Remote bodies: bytes per second that the body may send (no limit)",
        .initial = 0.0,
        .noun = "number of bytes a second",
        .max = 1e12,
        .option = "--budget"},
       {.name = kRateOption,
        .kind = Kind::kNumber,
-       .help = "Remote bodies: images of each stream a second that the body may send (all)",
+       .help = "Remote bodies: images per second of each stream that the body may send (all)",
        .initial = 0.0,
        .noun = "number of images a second",
        .max = 1e6,
        .option = "--image-rate"}};
   options.insert(options.end(), ofBodies.begin(), ofBodies.end());
-  return {.help = "a body that is elsewhere, where 'robotctl platform ... --listen' runs: ws://HOST[:PORT]",
+  return {.help = "a remote body, offered by 'robotctl platform ... --listen': ws://HOST[:PORT]",
           .usage = "a remote body: ws://HOST:PORT",
           .options = std::move(options),
           .prepare = prepareBody,

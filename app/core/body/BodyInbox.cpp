@@ -8,7 +8,7 @@ std::string BodyInbox::put(const std::string& robot, const Sender& from, robotco
   const std::lock_guard lock(mutex_);
   Robot& to = robots_[robot];
   if (to.commander.id != 0 && to.commander.id != from.id && now - to.heard < kGivenUp)
-    return robot + " obeys the program of " + to.commander.name + "; that one has to end first";
+    return robot + " obeys the program of " + to.commander.name + "; end that program first";
   to.commander = from;
   to.heard = now;
   to.newest = std::move(commands);

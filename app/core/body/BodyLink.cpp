@@ -177,7 +177,7 @@ void BodyLink::call(const std::string& service, const std::string& argument, boo
         if (!reply) return done(reply.error().text);
         robotcontrol::RequestResult result;
         const bool isRead = result.ParseFromString(reply->data);
-        done(!isRead ? "its answer makes no sense" : result.accepted() ? std::string() : result.reason());
+        done(!isRead ? "its answer is not valid" : result.accepted() ? std::string() : result.reason());
       });
 }
 

@@ -94,7 +94,7 @@ struct BodyProgram::Implementation {
     connectSensors();
     connectCommands(types);
     describe(parts.robot);
-    setStands(robot + " stands: no program commands it yet");
+    setStands(robot + " is stopped: no program commands it yet");
   }
 
   void connectSensors();
@@ -251,12 +251,12 @@ void BodyProgram::Implementation::followLateness(Instant now) {
 
 std::string BodyProgram::Implementation::whyStand(Instant now) const {
   const double limit = robotlink::seconds(options.watchdog);
-  if (isStoppedThere) return robot + " stands: STOP is engaged where its program runs";
+  if (isStoppedThere) return robot + " is stopped: STOP is engaged where its program runs";
   if (isInTime(now) && !isUnsteady) return {};
-  if (!basedOn && late == 0) return robot + " stands: no program commands it yet";
+  if (!basedOn && late == 0) return robot + " is stopped: no program commands it yet";
   return fmt::format(
-      "{} stands: for {:.3g} s no command of the program of {} arrived in time; the line may be slow or cut, "
-      "or the program hangs or has ended",
+      "{} is stopped: for {:.3g} s no command of the program of {} arrived in time; the link may be slow or "
+      "lost, or the program hangs or has ended",
       robot, limit, options.inbox->commander(robot));
 }
 
@@ -310,7 +310,7 @@ const robotlink::Process& BodyProgram::debugProcess() const {
 
 std::string BodyProgram::refusal() const {
   return "the program of " + implementation_->robot +
-         " runs elsewhere; only its body is here: ask where the program runs";
+         " runs elsewhere; only its body is here: send the request to the computer where the program runs";
 }
 
 std::unique_ptr<ProgramPreview> BodyProgram::preview() {

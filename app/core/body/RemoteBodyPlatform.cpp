@@ -38,7 +38,7 @@ std::uint64_t randomSender() {
 /// Returns why a body does not move as `sender` commands; empty if it does.
 std::string whyNotMoved(const robotcontrol::BodyState& state, std::uint64_t sender) {
   if (!state.text().empty()) return state.text();
-  if (state.stop_engaged()) return "it stands: STOP is engaged there";
+  if (state.stop_engaged()) return "it is stopped: STOP is engaged there";
   return state.commander() != 0 && state.commander() != sender ? "another program commands it" : "";
 }
 
@@ -131,7 +131,7 @@ void RemoteBodyPlatform::takeArrived() {
   for (const std::string& text : arrived.texts) report("The body: " + text);
   for (std::string& why : refusals_->drain()) report(std::move(why));
   if (link_.isOther() != std::exchange(isOther_, link_.isOther()) && isOther_)
-    report("Another body is offered under this name now, with other sensors or commands: open it again");
+    report("The body offered under this name now has other sensors or commands: open it again");
 }
 
 void RemoteBodyPlatform::takeState(const robotcontrol::BodyState& state) {
@@ -175,13 +175,13 @@ void RemoteBodyPlatform::followConnection() {
   if (!isConnected) {
     ++counts_.cuts;
     report(
-        fmt::format("The body at {} is out of reach: {}. It stands by itself {:.3g} s after the last "
-                    "command that it got. It is tried again all the time.",
+        fmt::format("The body at {} is out of reach: {}. It stops by itself {:.3g} s after the last command "
+                    "that it received. The connection is retried continuously.",
                     link_.url(), link_.state().reason, watchdog_));
   } else if (std::exchange(wasConnected_, true)) {
-    report("The body at " + link_.url() + " is within reach again.");
+    report("The body at " + link_.url() + " can be reached again.");
   } else {
-    report(fmt::format("Connected to the body at {}. It stands when no command comes in time for {:.3g} s.",
+    report(fmt::format("Connected to the body at {}. It stops when no command arrives in time for {:.3g} s.",
                        link_.url(), watchdog_));
   }
 }
@@ -197,7 +197,7 @@ std::string RemoteBodyPlatform::describe() const {
   if (!isConnected_) return link_.stateText();
   if (bodyText_.empty())
     return link_.stateText() +
-           fmt::format("; the body stands when no command comes in time for {:.3g} s", watchdog_);
+           fmt::format("; the body stops when no command arrives in time for {:.3g} s", watchdog_);
   return link_.stateText() + "; " + bodyText_;
 }
 
@@ -285,7 +285,7 @@ robotlink::Result<void> RemoteBodyPlatform::whetherConnected() const {
 
 std::function<void(const std::string&)> RemoteBodyPlatform::reportRefusal(const std::string& of) {
   return [refusals = refusals_, of](const std::string& why) {
-    if (!why.empty()) refusals->push("The body refused what was asked of its " + of + ": " + why);
+    if (!why.empty()) refusals->push("The body refused the command for its " + of + ": " + why);
   };
 }
 

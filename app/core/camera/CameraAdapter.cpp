@@ -42,13 +42,13 @@ PlatformField::Items sizeItems() {
 }
 
 PlatformField::Items formatItems() {
-  return {{.title = "the best that the camera has", .value = ""},
+  return {{.title = "the camera's best", .value = ""},
           {.title = "YUYV (uncompressed)",
            .value = "YUYV",
-           .help = "No loss, but few images a second at large sizes"},
+           .help = "Lossless, but few images per second at large sizes"},
           {.title = "Motion JPEG",
            .value = "MJPG",
-           .help = "More images a second at large sizes, with the losses of JPEG"}};
+           .help = "More images per second at large sizes, but lossy (JPEG)"}};
 }
 
 /// Sets the address from its parts.
@@ -88,7 +88,7 @@ std::vector<PlatformField> imageFields() {
   return {{.name = "size",
            .kind = Kind::kChoice,
            .label = "&Size:",
-           .help = "Pixels; the camera takes the nearest size that it has",
+           .help = "Pixels; the camera uses the nearest size that it supports",
            .initial = std::string(kUsualSize),
            .unit = "pixels",
            .items = sizeItems,
@@ -148,19 +148,18 @@ PlatformForm cameraForm() {
        .listAgain = "Searches for cameras",
        .isArgument = false}};
   for (auto& field : imageFields()) form.fields.push_back(std::move(field));
-  form.fields.push_back(
-      {.name = "layout",
-       .kind = Kind::kChoice,
-       .label = "&Layout:",
-       .help =
-           "Which process does which tasks: a layout file or the name of a shipped one; empty: perception",
-       .noun = "layout",
-       .items =
-           [] {
-             return PlatformField::Items{{.title = "of the camera", .value = ""},
-                                         {"perception", "perception"}};
-           },
-       .editable = true});
+  form.fields.push_back({.name = "layout",
+                         .kind = Kind::kChoice,
+                         .label = "&Layout:",
+                         .help = "Process layout (which process runs which tasks): a file or the name of a "
+                                 "shipped one; empty: perception",
+                         .noun = "layout",
+                         .items =
+                             [] {
+                               return PlatformField::Items{{.title = "of the camera", .value = ""},
+                                                           {"perception", "perception"}};
+                             },
+                         .editable = true});
   form.fields.push_back(ownProcessField());
   form.follow = followCameraAddress;
   form.normalize = [](FormValues& values) {

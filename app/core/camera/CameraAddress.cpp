@@ -47,7 +47,7 @@ Result<void> readOption(const std::string& source, std::string_view option, Came
   if (name == "rate") {
     const auto rate = robotlink::parsedNumber<double>(value);
     if (!rate || !(*rate > 0 && *rate <= kMaxRate))
-      return wrong(source, "a rate is more than 0, up to 1000 a second");
+      return wrong(source, "a rate is above 0 and at most 1000 per second");
     to.rate = *rate;
     return {};
   }

@@ -120,7 +120,7 @@ Result<void> CameraDevice::begin(const CameraAddress& address) {
   refresh();
   std::uint32_t type = kCapture;
   if (calls_.ioctl(file_, VIDIOC_STREAMON, &type) < 0)
-    return tl::unexpected(failed("the camera does not begin to take images"));
+    return tl::unexpected(failed("the camera does not start capturing"));
   isStreaming_ = true;
   return {};
 }
@@ -136,7 +136,7 @@ CameraDevice::~CameraDevice() {
 Result<void> CameraDevice::identify() {
   v4l2_capability about{};
   if (calls_.ioctl(file_, VIDIOC_QUERYCAP, &about) < 0)
-    return failure("camera.none", device_ + " is no camera", {}, {device_});
+    return failure("camera.none", device_ + " is not a camera", {}, {device_});
   title_ = textIn(about.card);
   const std::uint32_t can =
       (about.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? about.device_caps : about.capabilities;
@@ -270,7 +270,7 @@ Result<std::optional<Image>> CameraDevice::next(int milliseconds) {
       return tl::unexpected(failed("the camera takes no images any more"));
     }
     if (buffer.index >= buffers_.size())
-      return failure("camera.failed", device_ + ": the driver returned memory that it was not given");
+      return failure("camera.failed", device_ + ": the driver returned a buffer that it was not given");
     if (any && calls_.ioctl(file_, VIDIOC_QBUF, &newest) < 0)
       return tl::unexpected(failed("the camera takes no images any more"));
     newest = buffer;

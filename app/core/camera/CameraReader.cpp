@@ -106,7 +106,7 @@ void CameraReader::setState(std::string state) {
 
 void CameraReader::setProblem(const std::string& why) {
   const std::lock_guard lock(mutex_);
-  state_ = why + "; it is tried again";
+  state_ = why + "; trying again";
   isProblem_ = true;
 }
 
@@ -161,7 +161,7 @@ robotlink::Error CameraReader::read(CameraDevice& device) {
     if (!image && image.error().id != "camera.damaged") return image.error();
     silent = image && !*image ? silent + 1 : 0;
     if (silent > kMaxSilentWaits)
-      return {"camera.silent", address_.device + ": the camera gives no images", {}, {}};
+      return {"camera.silent", address_.device + ": the camera sends no images", {}, {}};
     const std::lock_guard lock(mutex_);
     if (!image) {
       ++counts_.damaged;

@@ -206,7 +206,7 @@ Result<Differences> Deployment::restart(const std::vector<DeployFile>& files, co
   for (const DeployFile& file : files)
     if (file.path.starts_with(kLayouts)) argument["layout"] = file.path.substr(kLayouts.size());
   if (const auto done = ask("deploy/restart", jsonMessage(argument), progress, 0.5); !done)
-    return robotlink::failure(done.error().id, "its program was not started again: " + done.error().text);
+    return robotlink::failure(done.error().id, "its program was not restarted: " + done.error().text);
   return check(files, progress);
 }
 
@@ -224,7 +224,7 @@ std::string describe(const Differences& differences) {
         (text.empty() ? ": " : ", ") + one.path + (one.state == State::kMissing ? " is missing" : " differs");
   }
   const std::string all = std::to_string(differences.size());
-  if (differences.empty()) return "nothing is to be sent";
+  if (differences.empty()) return "nothing to send";
   if (count > 0) return std::to_string(count) + " of " + all + " files differ" + text;
   const auto waiting =
       std::ranges::count_if(differences, [](const auto& one) { return one.state == State::kWaiting; });

@@ -16,7 +16,7 @@ robotlink::Result<void> useOwnResources(const fs::path& folder) {
   const auto failed = [&](const std::string& what) {
     return robotlink::failure("deploy.resources", what + ": " + error.message(), {folder.string(), 0, 0});
   };
-  if (error) return failed("this is no path of a folder");
+  if (error) return failed("this is not the path of a folder");
   if (!fs::exists(whole, error) || fs::is_empty(whole, error)) {
     if (const auto installed = robotlink::checkResources(); !installed) return installed;
     // Renamed when it is complete, so that one that was interrupted is not taken for the robot's.
@@ -25,7 +25,7 @@ robotlink::Result<void> useOwnResources(const fs::path& folder) {
     fs::create_directories(copy, error);
     if (!error) fs::copy(robotlink::resourceDirectory(), copy, fs::copy_options::recursive, error);
     if (!error) fs::rename(copy, whole, error);
-    if (error) return failed("the installed resources cannot be copied to here");
+    if (error) return failed("the installed resources cannot be copied into this folder");
   }
   ::setenv("ROBOTCONTROL_RESOURCES", whole.c_str(), 1);
   return robotlink::checkResources();

@@ -73,7 +73,7 @@ Result<fs::path> ResourceFolder::find(const std::string& path) const {
     std::error_code error;
     if (fs::is_symlink(at, error))
       return failure("deploy.link",
-                     "'" + path + "' leads over a symbolic link of the robot, and is not written", {},
+                     "'" + path + "' leads through a symbolic link on the robot, and is not written", {},
                      {path});
   }
   return at;

@@ -21,7 +21,7 @@ RobotSet::Robot readSetRobot(const YamlNode& node) {
   RobotSet::Robot robot;
   const YamlNode name = node.child("name");
   robot.name = name.as<std::string>();
-  if (robot.name.empty()) name.fail("robots.name", "a robot needs a name, as its program has it");
+  if (robot.name.empty()) name.fail("robots.name", "a robot needs a name, the one that its program uses");
   robot.team = node.optional<std::string>("team", {});
   robot.role = node.optional<std::string>("role", {});
   const YamlNode address = node.child("address");
@@ -50,7 +50,7 @@ tl::expected<RobotSet, Errors> parseRobotSet(std::string_view text, const std::s
   RobotSet set;
   const YamlNode version = root.child("robot-set");
   if (const int number = version.as<int>(); !version.empty() && number != kSetVersion)
-    version.fail("robots.version", "this program reads version 1 of these files; get a newer one");
+    version.fail("robots.version", "this program only reads version 1 of these files; get a newer program");
   set.name = root.required<std::string>("name");
   std::set<std::string> names;
   for (const YamlNode& node : root.child("robots").items()) {

@@ -120,7 +120,7 @@ std::optional<std::string> KickOff::whileWaiting(const Vector3& ball) {
   // If a robot in the middle could not be moved away, try again at the next step.
   if (!simulation_.placeModel(ball_, {})) return std::nullopt;
   outSince_.reset();
-  return "Kick-off: the ball is in the middle again, and the robots are where they started.";
+  return "Kick-off: the ball is back at the center, and the robots are at their starting positions.";
 }
 
 void KickOff::placeRobots() {

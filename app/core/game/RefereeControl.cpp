@@ -64,7 +64,7 @@ Result<void> Referee::giveKickOff(const std::string& name) {
   const auto team = teamNamed(name);
   if (!team) return tl::unexpected(team.error());
   if (machine_.phase() == Phase::kFinished)
-    return robotlink::failure("game.half", "the half is over; the next one decides who has the kick-off");
+    return robotlink::failure("game.half", "the half is over; set the kick-off when the next one has begun");
   machine_.setKickOff(*team);
   say(fmt::format("The {} team has the kick-off.", name));
   if (machine_.phase() == Phase::kPlaying) return enter(Phase::kReady);
@@ -96,7 +96,7 @@ Result<void> Referee::control(const ControlGame& wanted) {
       return giveKickOff(wanted.team());
     case ControlGame::AUTOMATIC:
       isAutomatic_ = wanted.on();
-      say(isAutomatic_ ? "The referee decides by itself." : "A person decides in place of the referee.");
+      say(isAutomatic_ ? "The referee decides by itself." : "The user decides in place of the referee.");
       return {};
     default:
       return {};

@@ -239,7 +239,7 @@ std::string endInWords(int status) {
     case SIGFPE:
       return "crashed with an arithmetic error, such as a division by zero (signal SIGFPE)";
     case SIGKILL:
-      return "was killed (signal SIGKILL): by somebody, or by the system for want of memory";
+      return "was killed (signal SIGKILL): by a user, or by the system when memory ran out";
     default: {
       const char* name = ::sigabbrev_np(WTERMSIG(status));
       const char* words = ::sigdescr_np(WTERMSIG(status));

@@ -325,13 +325,12 @@ void OwnProgram::Implementation::silent() {
   const CrashReport report = lookIntoIt();
   isSilent = true;
   ports.setBehind(true);
-  setState(
-      HostingStatus::NOT_ANSWERING,
-      "The program of " + robot + " has not answered for " + waited() +
-          (report.activity.empty() ? std::string() : ": it does not return" + report.place()) +
-          ". The robot stands until it answers or is started again. A debugger looks at it with: gdb -p " +
-          std::to_string(child->pid()),
-      report.stack);
+  setState(HostingStatus::NOT_ANSWERING,
+           "The program of " + robot + " has not answered for " + waited() +
+               (report.activity.empty() ? std::string() : ": it does not return" + report.place()) +
+               ". The robot stays stopped until it answers or is restarted. To attach a debugger: gdb -p " +
+               std::to_string(child->pid()),
+           report.stack);
 }
 
 void OwnProgram::Implementation::heard() {
@@ -348,8 +347,8 @@ void OwnProgram::Implementation::stuck(const std::string& what) {
   const CrashReport report = lookIntoIt();
   setState(HostingStatus::NOT_ANSWERING,
            "The program of " + robot + " does not return from " + what +
-               ". The robot stands until it returns or its program is started again. A debugger looks at it "
-               "with: gdb -p " +
+               ". The robot stays stopped until it returns or its program is restarted. To attach a "
+               "debugger: gdb -p " +
                std::to_string(child->pid()),
            report.stack);
 }
@@ -362,7 +361,7 @@ void OwnProgram::Implementation::ended() {
   ports.close();
   setState(HostingStatus::ENDED,
            "The program of " + robot + " " + how + report.place() +
-               ". The robot stands until its program is started again.",
+               ". The robot stays stopped until its program is restarted.",
            report.stack);
 }
 
@@ -408,10 +407,10 @@ std::unique_ptr<ProgramPreview> OwnProgram::preview() {
 std::string OwnProgram::refusal() const {
   switch (implementation_->status.state()) {
     case HostingStatus::ENDED:
-      return "the program of " + implementation_->robot + " has ended; start it again in the view Processes";
+      return "the program of " + implementation_->robot + " has ended; restart it in the view Processes";
     case HostingStatus::NOT_ANSWERING:
       return "the program of " + implementation_->robot +
-             " does not answer; start it again in the view Processes";
+             " does not answer; restart it in the view Processes";
     default:
       return {};
   }

@@ -65,7 +65,7 @@ robotlink::Result<ProgramChild> ProgramChild::start(const std::filesystem::path&
                                                     const std::string& name) {
   const auto failed = [&](int number) {
     return robotlink::failure("program.start",
-                              "the program of " + name + " cannot be started in a process of its own: " +
+                              "the program of " + name + " cannot be started in its own process: " +
                                   std::strerror(number) + "; let it run in the workbench, or close something",
                               {executable.string(), 0, 0}, {name});
   };

@@ -120,9 +120,10 @@ void followAddress(FormState& state, const std::string& changed) {
   }
   const std::string address = textOf(values, "address");
   const bool isProgram = address.starts_with("ws://") || address.starts_with("wss://");
-  const std::string problem = isProgram
-                                  ? "a robot's program runs there, not only its line: choose Robot > Connect…"
-                                  : (url ? std::string() : url.error().text);
+  const std::string problem =
+      isProgram
+          ? "a robot's program runs at this address, so it is not a Pioneer's line: choose Robot > Connect…"
+          : (url ? std::string() : url.error().text);
   state.notes["address"] = {problem.empty() ? meaningOf(*url) : problem, !problem.empty()};
   state.complete = url.has_value();
 }
@@ -159,7 +160,7 @@ std::vector<PlatformField> lineFields() {
              return PlatformField::Items{
                  {.title = "&Network (TCP)",
                   .value = kNetwork,
-                  .help = "A simulated robot, or one whose line a computer forwards"},
+                  .help = "A simulated robot, or one whose serial line a computer forwards"},
                  {.title = "&Serial", .value = kSerial, .help = "A robot at a serial port of this computer"}};
            },
        .buttons = true,
@@ -171,7 +172,7 @@ std::vector<PlatformField> lineFields() {
       {.name = "port",
        .kind = Kind::kNumber,
        .label = "port",
-       .help = "8101 is the first robot's, 8102 the next one's",
+       .help = "8101 for the first robot, 8102 for the next",
        .initial = static_cast<double>(arcos::kDefaultPort),
        .noun = "port",
        .min = 1,
@@ -190,7 +191,7 @@ std::vector<PlatformField> lineFields() {
       {.name = "baud",
        .kind = Kind::kChoice,
        .label = "at",
-       .help = "As set in the robot; Pioneers start with 9600",
+       .help = "As set in the robot; Pioneers use 9600 by default",
        .initial = std::string("9600"),
        .unit = "baud",
        .items = baudItems,
@@ -242,16 +243,15 @@ PlatformForm pioneerForm() {
   form.fields.push_back({.name = "layout",
                          .kind = Kind::kChoice,
                          .label = "&Layout:",
-                         .help =
-                             "Which process of the robot's program does which tasks: a layout file or the "
-                             "name of a shipped one; empty: the robot's",
+                         .help = "Process layout (which process runs which tasks): a file or the "
+                                 "name of a shipped one; empty: the robot's",
                          .noun = "layout",
                          .items = layoutItems,
                          .editable = true});
   form.fields.push_back({.name = "map",
                          .kind = Kind::kFile,
                          .label = "&Map:",
-                         .help = "Map of where the robot drives, for localization; may be empty",
+                         .help = "Map of the area where the robot drives, for localization; may be empty",
                          .emptyText = "none: no localization in a map",
                          .files = "Maps (*.map)",
                          .option = "--map",

@@ -68,7 +68,7 @@ std::string applyOption(PioneerAddress& address, std::string_view option) {
     return value == "cm" || value == "mm" ? "" : "laser-unit is cm or mm";
   }
   return "its options are baud, robot, laser-step, laser-unit, and laser as the last one; '" +
-         std::string(name) + "' is none of them";
+         std::string(name) + "' is not one of them";
 }
 
 /// The laser's line; a serial one without a speed has that of scans.

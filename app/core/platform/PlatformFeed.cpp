@@ -45,11 +45,11 @@ Result<void> PlatformFeed::requestReplay(const robotcontrol::Request&) {
 
 robotlink::Errors PlatformFeed::setLayoutOf(const std::string& name, const std::filesystem::path& file) {
   (void)file;
-  return {
-      {"layout.robot",
-       "only robots of a simulation have layouts of their own; without a name, " + name + " gets that of all",
-       {name},
-       {}}};
+  return {{"layout.robot",
+           "only robots of a simulation can have individual layouts; without a name, " + name +
+               " gets the layout of all",
+           {name},
+           {}}};
 }
 
 tl::expected<bool, robotlink::Errors> PlatformFeed::reload(FileTexts, bool) {

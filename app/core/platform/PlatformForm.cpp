@@ -54,8 +54,8 @@ PlatformField ownProcessField() {
   return {.name = "own",
           .kind = PlatformField::Kind::kFlag,
           .help =
-              "The program of each robot runs in a process of its own: if it crashes or hangs, only that "
-              "robot stands",
+              "The program of each robot runs in its own process: if it crashes or hangs, only that robot "
+              "stops",
           .initial = false,
           .isArgument = false,
           .isShown = false,

@@ -60,7 +60,7 @@ std::string registerAll(const robotlink::PluginDescription& plugin) {
   } catch (const std::exception& thrown) {
     return std::string("it has failed: ") + thrown.what();
   } catch (...) {
-    return "it has failed, with an exception that says nothing";
+    return "it has failed with an exception without a text";
   }
   return robotlink::RegistrationTrial::problem();
 }

@@ -76,7 +76,7 @@ Result<void> setField(Message& message, const std::string& path, const std::stri
     if (field == nullptr) return wrong("does not exist");
     type = field->message_type();
     if (dot == std::string::npos) {
-      if (type != nullptr) return wrong("has fields of its own, which a preset names");
+      if (type != nullptr) return wrong("is a group; name one of its fields in the preset");
       text += name + ": " + textFor(*field, value);
       break;
     }

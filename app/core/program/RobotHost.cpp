@@ -114,7 +114,7 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   missingText_.clear();
   if (const std::string missing = program_->missingProcess(); !missing.empty()) {
     isComplete_ = false;
-    missingText_ = "The robot stands until process " + missing + ", which decides what it does, runs.";
+    missingText_ = "The robot stays stopped until process " + missing + ", which decides what it does, runs.";
   } else {
     isComplete_ = true;
   }
@@ -200,7 +200,7 @@ void RobotHost::noteStuck(const std::string& what) {
   stuck_ = what;
   stuckText_ = what.empty() ? "The program of " + robot_.name + " has returned and continues."
                             : "The program of " + robot_.name + " does not return from " + what +
-                                  ". The robot stands until it returns or its program is started again.";
+                                  ". The robot stays stopped until it returns or its program is restarted.";
   reportHosting();
 }
 
@@ -229,12 +229,13 @@ robotlink::Result<void> RobotHost::request(const robotcontrol::Request& request)
   if (isStuck())
     return robotlink::failure("program.stuck",
                               "the program of " + robot_.name + " does not return from " + stuck_ +
-                                  "; start it again in the view Processes" + takenBack,
+                                  "; restart it in the view Processes" + takenBack,
                               {}, {robot_.name});
   if (requests_.ask(request)) return {};
-  return robotlink::failure("request.queue-full",
-                            "robot " + robot_.name + " does not take requests now: too many wait already", {},
-                            {robot_.name});
+  return robotlink::failure(
+      "request.queue-full",
+      "robot " + robot_.name + " does not accept requests now: too many are waiting already", {},
+      {robot_.name});
 }
 
 robotlink::Result<void> RobotHost::whetherMoved() const {
@@ -329,8 +330,8 @@ void RobotHost::noteMissing() {
       isComplete_
           ? "All processes that decide what " + robot_.name + " does run."
           : "Process " + missing + ", which decides what " + robot_.name +
-                " does, has stopped, does not return, or cannot be reached. The robot stands until it is "
-                "back or its program is started again.";
+                " does, has stopped, does not return, or cannot be reached. The robot stays stopped until it "
+                "is back or its program is restarted.";
 }
 
 void RobotHost::reportHosting() {

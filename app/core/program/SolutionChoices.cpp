@@ -137,7 +137,7 @@ Errors checkShadows(const std::vector<robotlink::ShadowName>& shadows, const Tas
     if (unknown.empty() && isUsedByAll(task, solution, layouts))
       unknown.push_back({"solution.shadow",
                          "--shadow: " + solution + " is the solution that is used for " + task +
-                             "; name another one, or have another one used (--solution)",
+                             "; name another one, or choose another one for the task (--solution)",
                          {task, solution},
                          {}});
     std::ranges::move(unknown, std::back_inserter(errors));

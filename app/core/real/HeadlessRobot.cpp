@@ -18,7 +18,7 @@ using Kind = PlatformField::Kind;
 
 std::vector<PlatformField> headlessRobotFields(const std::string& robot) {
   const std::string usual = robot.empty() ? "" : " (" + robot + ")";
-  return {{.name = kMapField, .help = "Robots: a map (.map) of where it drives", .option = "--map"},
+  return {{.name = kMapField, .help = "Robots: a map (.map) of the area where it drives", .option = "--map"},
           {.name = kRobotField, .help = "Robots: its name" + usual, .option = "--robot", .check = robotName},
           {.name = kSecondsField,
            .kind = Kind::kNumber,
@@ -42,8 +42,8 @@ std::vector<PlatformField> headlessRobotFields(const std::string& robot) {
            .max = 65535,
            .option = "--team-port"},
           {.name = kTeamPeersField,
-           .help = "Robots: the others of its team, HOST:PORT with commas between them; a broadcast address "
-                   "reaches all of a network",
+           .help = "Robots: the others of its team, HOST:PORT, comma-separated; a broadcast address reaches "
+                   "a whole network",
            .option = "--team-peers"},
           {.name = kTeamField, .help = "Robots: the name of its team", .option = "--team"},
           ownProcessField()};

@@ -28,7 +28,7 @@ Errors refusalOfHosting(const std::string& robot, const std::string& asked, cons
   if (isSpread)
     return {{"spread.hosting",
              "the processes of " + robot +
-                 " are spread over several programs already; end this program, and start it again",
+                 " are spread over several programs already; restart this program to change that",
              {robot},
              {}}};
   if (choice.executor() == HostProgram::LOCKSTEP)

@@ -77,7 +77,7 @@ struct RecordingFetch::Part {
   tl::unexpected<robotlink::Error> problem() const {
     return failure("file.io",
                    std::string("cannot be written: ") + std::strerror(errno) +
-                       "; what was fetched is kept, and the next try continues there",
+                       "; what was downloaded is kept, and the next try resumes there",
                    {path.string(), 0, 0});
   }
   Result<void> append(std::string_view bytes) {

@@ -55,7 +55,7 @@ robotlink::Result<json> argumentOfCall(const std::string& name, const std::vecto
   if (call.encoding != kJsonCoding)
     return wrong(name + " takes JSON, not '" + std::string(call.encoding) + "'");
   auto argument = json::parse(call.payload.empty() ? "{}" : call.payload, nullptr, false);
-  if (!argument.is_object()) return wrong("the argument of " + name + " is no JSON object");
+  if (!argument.is_object()) return wrong("the argument of " + name + " is not a JSON object");
   for (const auto& [key, value] : argument.items()) {
     const auto member = std::ranges::find(members, key, &ArgumentMember::name);
     if (member == members.end()) return wrong(name + " takes no " + jsonMessage(json(key)));

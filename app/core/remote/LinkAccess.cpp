@@ -58,7 +58,7 @@ TrustRule askWhomToTrust() {
 
 TrustRule trustAndPrint(std::ostream& out) {
   return [&out](const std::string& server, const std::string& fingerprint) {
-    out << "The robot at " << server << " is new here, and remembered by its fingerprint " << fingerprint
+    out << "The robot at " << server << " is new here; its fingerprint is remembered: " << fingerprint
         << ": compare it with the one that the robot printed" << std::endl;
     return true;
   };

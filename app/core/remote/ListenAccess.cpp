@@ -46,9 +46,9 @@ robotlink::Result<ListenAccess> listenAccess(const robotlink::websocket::ListenA
   if (options.isInsecure) {
     if (isOpenToOthers)
       access.notes.push_back(
-          "Nothing is secure, as --insecure demands: everyone who reaches " + toString(address) +
-          " can watch and steer the robots, and read and change what is sent; use it only in a network in "
-          "which you know everyone");
+          "Connections are not secure (--insecure): anyone who can reach " + toString(address) +
+          " can watch and steer the robots, and read and change what is sent; use this only in a network "
+          "whose users you all trust");
     return access;
   }
   const fs::path state = robotlink::websocket::stateDirectory();

@@ -158,7 +158,7 @@ Result<void> RemoteRobots::steer(const std::string& robot, bool giveUp) {
     });
     return {};
   }
-  return robotlink::failure("steering.none", robot + " is no remote robot", {}, {robot});
+  return robotlink::failure("steering.none", robot + " is not a remote robot", {}, {robot});
 }
 
 Result<void> RemoteRobots::rememberToken(const std::string& url) {

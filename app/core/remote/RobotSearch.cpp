@@ -35,8 +35,8 @@ class NetworkSource final : public RobotSearch::Source {
     auto nodes = nodes_({});
     if (nodes.empty()) {
       problem_ =
-          "This computer is in no network: robots announce themselves on networks, not on the computer where "
-          "they run. Enter the URL instead.";
+          "This computer is not on a network, where robots "
+          "could announce themselves. Enter the URL instead.";
       return;
     }
     auto opened = RobotDiscovery::open(std::move(nodes));

@@ -68,8 +68,8 @@ void SessionOffer::end() {
 robotlink::Result<void> SessionOffer::steer(const std::string& robot, bool giveUp) {
   if (!isOffered())
     return robotlink::failure("steering.alone",
-                              "nobody else can steer " + robot + ", since this session is not offered", {},
-                              {robot});
+                              "no other client can steer " + robot + ", since this session is not offered",
+                              {}, {robot});
   server_->steer(robot, giveUp);
   return {};
 }

@@ -43,7 +43,7 @@ Result<void> ReplayFeed::requestReplay(const robotcontrol::Request& request) {
 
 Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request& request) {
   if (!request.has_host_program())
-    return failure("simulation.none", "a log is open, nothing is simulated; open a scene first");
+    return failure("simulation.none", "a log is open, not a simulation; open a scene first");
   auto done = changed([&] { return run_->hostProgram(request.robot(), request.host_program()); });
   if (done) rememberHosting(hosting_, kAdapter, request.host_program(), run_->options().hosting);
   return done;

@@ -302,18 +302,20 @@ bool recomputesAnything(const ReplayRun& run) {
 /// Reports options that have no effect, and what would have one.
 void warnOfUnusedChoices(const ReplayRun& run, std::ostream& errors) {
   if (run.robots().empty()) {
-    errors << "warning: the log names no robot known here, so nothing runs on it; 'robotctl log info' "
-              "shows what it holds\n";
+    errors << "warning: the log contains no known robot, so no program runs on it; 'robotctl log info' shows "
+              "its contents\n";
     return;
   }
   std::vector<std::string> unused = run.unusedSolutions();
   if ((!run.options().colorTable.empty() || !run.options().layout.empty()) && !recomputesAnything(run)) {
-    unused.emplace_back("nothing is recomputed, so --color-table and --layout change nothing");
+    unused.emplace_back(
+        "nothing is recomputed, so --color-table and --layout have no effect; add --package "
+        "PACKAGE=recomputed");
   }
   for (const std::string& sentence : unused) errors << "warning: " << sentence << "\n";
   if (unused.empty()) return;
   errors
-      << "warning: a task runs if what it yields is recomputed: --package PACKAGE=recomputed, or --package "
+      << "warning: a task only runs if its output is recomputed: --package PACKAGE=recomputed, or --package "
          "all=recomputed\n";
 }
 
@@ -372,7 +374,7 @@ tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const Headle
   if (Errors errors = run.jump(run.begin()); !errors.empty()) return tl::unexpected(std::move(errors));
   const std::uint64_t instants = playLog(run, recording, console);
   if (recording.isStuck())
-    console.errors << "The replay ends here, since its results would depend on how long that takes; "
+    console.errors << "The replay ends here, because waiting would make its results depend on timing; "
                       "--patience allows more time.\n";
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto closed = recording.close(); !closed) return tl::unexpected(Errors{closed.error()});
@@ -389,7 +391,7 @@ Result<ReplayOptions> replayOptionsOf(const HeadlessChoices& choices) {
   if (choices.preset)
     return robotlink::failure(
         "usage",
-        "--preset is for simulations and robots; the program of a log has what was logged, or --solution");
+        "--preset is for simulations and robots; the program on a log uses what was logged, or --solution");
   if (const std::string wrong = addLogs(choices, options); !wrong.empty())
     return robotlink::failure("usage", wrong);
   if (const auto packages = choices.options.lists.find(kPackage); packages != choices.options.lists.end()) {
@@ -427,7 +429,7 @@ Result<HeadlessServing> prepareServedReplay(const HeadlessChoices& choices, cons
   if (!options) return tl::unexpected(options.error());
   if (!choices.shadows.empty())
     return robotlink::failure("usage",
-                              "--shadow is not possible with --listen and a log; whoever watches it "
+                              "--shadow is not possible with --listen and a log; clients "
                               "can switch shadows on");
   if (auto read = readInputs(*options, console); !read) return tl::unexpected(read.error());
   return HeadlessServing{ReplayFeed::opening(std::move(*options))};
@@ -459,13 +461,14 @@ HeadlessPlatform headlessReplay() {
                    .option = "--color-table"},
                   {.name = kErrors,
                    .kind = Kind::kFlag,
-                   .help = "Adds how far percepts and models are from the truth, if the log has it",
+                   .help =
+                       "Adds the errors of percepts and models against the ground truth, if the log has it",
                    .initial = false,
                    .option = "--errors"},
                   {.name = kPatience,
                    .kind = Kind::kNumber,
-                   .help = "Seconds after which a module that does not return is named, and the command ends "
-                           "(30); 0: never. With --listen the log continues without it, after 2 s",
+                   .help = "Seconds after which a module that does not return is reported, and the command "
+                           "ends (30); 0: never. With --listen the log continues without it, after 2 s",
                    .initial = kUsualPatience,
                    .noun = "patience",
                    .max = 1e6,

@@ -226,7 +226,7 @@ void Planner::replaceTasks() {
       const bool goes = !outputs.empty() && replaced.size() == outputs.size();
       if (goes) {
         plan_.layout.absent.push_back(
-            {process.name, task.task, "what it yields is as logged: " + robotlink::joined(replaced)});
+            {process.name, task.task, "its output is taken from the log: " + robotlink::joined(replaced)});
       } else {
         plan_.layout.withheld.merge(replaced);
       }

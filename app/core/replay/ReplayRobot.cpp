@@ -218,7 +218,7 @@ Errors ReplayRobot::makeProgram(Start& start) {
   if (errors.empty() || !start.setup.layoutFromLog || !nothingChosen) return errors;
   // A log can be played even if its layout can no longer run.
   start.setup.layout = emptyLayout(start.setup.layout);
-  start.setup.notes.push_back("nothing is recomputed, as the log's layout cannot be run: " +
+  start.setup.notes.push_back("nothing is recomputed, because the log's layout cannot be run: " +
                               robotlink::describe(errors));
   return makeAvailable(start);
 }

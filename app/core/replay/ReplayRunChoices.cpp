@@ -116,7 +116,7 @@ robotlink::Result<void> ReplayRun::runShadows(const std::vector<robotlink::Shado
     if (!runs)
       return robotlink::failure("replay.shadow",
                                 solution + " of " + task + " cannot run in the shadow; " + refusal +
-                                    ". A task runs if what it yields is recomputed (--package)",
+                                    ". A task only runs if its output is recomputed (--package)",
                                 {}, {task, solution});
   }
   return {};

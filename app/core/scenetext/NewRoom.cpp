@@ -166,7 +166,7 @@ Result<std::string> newObjectText(const std::string& kind, const std::string& na
                                   const fs::path& file, const ModelFolders& folders) {
   constexpr double kMaxPlace = 1000;
   if (!(std::abs(x) <= kMaxPlace) || !(std::abs(y) <= kMaxPlace))
-    return failure("scene.place", "an object is placed within 1000 m of the middle of the scene");
+    return failure("scene.place", "an object must be within 1000 m of the center of the scene");
   static const std::map<std::string, const char*> kSimple{
       {"box", "box.sdf"},   {"ball", "ball.sdf"},     {"cylinder", "cylinder.sdf"},
       {"lamp", "lamp.sdf"}, {"camera", "camera.sdf"}, {"wall", "single-wall.sdf"}};
@@ -175,10 +175,10 @@ Result<std::string> newObjectText(const std::string& kind, const std::string& na
   const auto models = sceneModels(file, folders);
   const auto model = std::ranges::find(models, kind, &SceneModelFile::name);
   if (model == models.end())
-    return failure(
-        "scene.unknown-model",
-        "there is no model '" + kind + "'; beside models there are box, ball, cylinder, wall, lamp, camera",
-        {}, {kind});
+    return failure("scene.unknown-model",
+                   "there is no model '" + kind +
+                       "'; besides models, there are box, ball, cylinder, wall, lamp and camera",
+                   {}, {kind});
   if (!model->isRobot) return includeText(model->uri, name, x, y, 0);
   const auto height = standingHeight({.robot = kind}, model->file);
   if (!height) return tl::unexpected(height.error());

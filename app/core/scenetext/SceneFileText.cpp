@@ -256,7 +256,7 @@ Result<void> checkAxes(const std::string& text, const std::string& file, const E
   const Element* pose = name == "inertia" ? childOf(parent, "pose") : nullptr;
   if (pose == nullptr || !isTurned(contentOf(text, *pose))) return {};
   return failure("scene.file",
-                 "these moments are in the axes of the turned <pose> beside them; change them by hand",
+                 "these moments refer to the rotated <pose> next to them; edit them by hand in the file",
                  {file, lineAt(text, pose->begin), 0});
 }
 
@@ -267,7 +267,7 @@ Result<std::string> withContent(const std::string& text, const std::string& file
                        element.startTag.find("relative_to") != std::string::npos ||
                        element.startTag.find("rotation_format") != std::string::npos;
   if (element.name == "pose" && isOther) {
-    return failure("scene.file", "this pose is in degrees or in another frame; change it by hand",
+    return failure("scene.file", "this pose is in degrees or in another frame; edit it by hand in the file",
                    {file, lineAt(text, element.begin), 0});
   }
   if (!element.children.empty())
@@ -289,7 +289,8 @@ Result<std::string> withEachElement(const std::string& text, const std::string& 
                                     const std::vector<std::string>& values) {
   const auto names = wordsOf(element.back(), ',');
   if (names.size() != values.size())
-    return failure("scene.file", "as many values are needed as elements: " + element.back(), {file, 0, 0});
+    return failure("scene.file", "the number of values must match the number of elements: " + element.back(),
+                   {file, 0, 0});
   Result<std::string> changed = text;
   for (std::size_t i = 0; changed && i < names.size(); ++i) {
     element.back() = names[i];
@@ -356,7 +357,7 @@ Result<void> writeSceneChanges(const std::filesystem::path& scene, const std::fi
   std::map<std::string, std::string> before, texts;  // by file
   for (const SceneFileChange& change : changes) {
     if (!isFileOfScene(change.file, scene, models))
-      return failure("scene.file", "it is no file of the open scene, so it is not changed",
+      return failure("scene.file", "it is not a file of the open scene, so it is not changed",
                      {change.file, 0, 0});
     if (!texts.contains(change.file)) {
       auto read = robotlink::readFile(change.file);

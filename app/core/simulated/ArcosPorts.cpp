@@ -64,7 +64,7 @@ std::string ArcosPorts::url(std::size_t robot) const {
 std::string ArcosPorts::warning() const {
   if (ports_->loopbackOnly()) return {};
   return "the robots can be driven from every machine that reaches " + options_.address +
-         ", and ARCOS has no password; to prevent this, open them to this machine only";
+         ", because ARCOS has no password; to prevent this, open the ports to this machine only";
 }
 
 void ArcosPorts::clientCame(std::size_t robot, const std::string& address) {

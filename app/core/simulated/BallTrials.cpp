@@ -145,10 +145,11 @@ tl::expected<std::vector<BallTrials::Trial>, robotlink::Errors> BallTrials::play
     const bool placed = goals ? placeAnywhere(simulated, *simulated.field(), trial)
                               : placeBall(simulated, *this, trial.seed, trial.ball);
     if (!placed) {
-      return tl::unexpected(robotlink::Errors{{"trials.no-place",
-                                               "the ball fits nowhere within the radius; choose a larger one",
-                                               {},
-                                               {run.scene.string(), 0, 0}}});
+      return tl::unexpected(
+          robotlink::Errors{{"trials.no-place",
+                             "there is no room for the ball within the radius; choose a larger one",
+                             {},
+                             {run.scene.string(), 0, 0}}});
     }
     const auto played = goals ? playForGoal(simulated, *this, trial) : playOne(simulated, *this, trial);
     if (!played) break;

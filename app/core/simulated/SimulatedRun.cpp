@@ -247,7 +247,7 @@ Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::Ho
 }
 
 Errors SimulatedRun::exchangePrograms(const std::vector<RobotHost*>& robots) {
-  spoilJournal("programs were started again");
+  spoilJournal("programs were restarted");
   Candidates candidates;
   for (RobotHost* robot : robots) {
     auto made = makeProgramOnPlatform(*robot);

@@ -24,7 +24,7 @@ constexpr std::uint64_t kStepsTogether = SimulatedWorld::kStep / simcore::Simula
 auto cannotRunAgain(const std::string& why) {
   return failure("snapshot.programs",
                  "the programs cannot be brought to the state of the snapshot: " + why +
-                     "; without them the world can be put there",
+                     "; the world alone can be restored, without them",
                  {}, {why});
 }
 
@@ -102,7 +102,8 @@ Result<std::vector<std::string>> SimulatedRun::restore(const simcore::Snapshot& 
   if (!restored) return restored;
   again_.reset();
   goneMotions_.clear();
-  spoilJournal(isFresh ? "it began with a snapshot" : "the world was put to a snapshot without the programs");
+  spoilJournal(isFresh ? "the simulation began from a snapshot"
+                       : "the world was restored from a snapshot without the programs");
   restoreRadio(snapshot);
   restoreGame(snapshot);
   return restored;
@@ -150,11 +151,12 @@ Result<void> SimulatedRun::rewind(robotlink::Duration back) {
 
 Result<RunJournal> SimulatedRun::journalToRepeat(const simcore::Snapshot& snapshot) const {
   if (options_.executor() != ExecutorKind::kLockstep)
-    return cannotRunAgain("programs in threads do not do the same again");
+    return cannotRunAgain("programs in threads are not reproducible");
   if (options_.instead) return cannotRunAgain("they run elsewhere");
   if (ports_) return cannotRunAgain("other programs can drive the robots at their ports");
   const auto part = snapshot.parts.find(kJournalPart);
-  if (part == snapshot.parts.end()) return cannotRunAgain("it does not say what was asked of them");
+  if (part == snapshot.parts.end())
+    return cannotRunAgain("the snapshot does not contain the requests to them");
   auto journal = RunJournal::decode(part->second);
   if (!journal) return tl::unexpected(journal.error());
   if (!journal->spoiled().empty()) return cannotRunAgain(journal->spoiled());
@@ -214,8 +216,8 @@ void SimulatedRun::endRunningAgain() {
   againOutcome_ = "";
   if (world_->digest() == SimulatedWorld::digestOf(snapshot)) return;
   againOutcome_ =
-      "the programs did not come to the state of the snapshot, perhaps because their files have changed; the "
-      "world was put there";
+      "the programs did not reach the state of the snapshot, perhaps because their files have changed; the "
+      "world was restored";
   if (const auto restored = restore(snapshot); !restored) againOutcome_ = restored.error().text;
 }
 

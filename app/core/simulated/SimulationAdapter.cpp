@@ -92,11 +92,11 @@ Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
   const FormValues& values = choices.values;
   if (numberOf(values, "port") + numberOf(values, "robots") > kLastPort + 1) {
     return robotlink::failure("simulation.setup",
-                              "there are not so many ports above the first one; choose a lower first port");
+                              "there are not enough ports above the first one; choose a lower first port");
   }
   if (values.contains("teams") && !values.contains("robots") && !values.contains("kind"))
     return robotlink::failure("simulation.setup",
-                              "teams are for robots that are added; say how many of them (--robots)");
+                              "teams are for added robots; say how many to add (--robots)");
   RunOptions chosen;
   if (const auto done = chooseLayouts(linesIn(textOf(values, "layout")), chosen); !done)
     return tl::unexpected(done.error());
@@ -184,7 +184,7 @@ void followSimulation(FormState& state, const std::string& changed) {
   if (!adds || !playsInTeams(textOf(state.values, "kind"))) state.disabled.insert("teams");
   const bool ports = numberOf(state.values, "port") > 0;
   if (!ports) state.disabled.insert("network");
-  if (isMap(scene) && !adds) state.hint = "A map has no robots of its own: there will be none.";
+  if (isMap(scene) && !adds) state.hint = "A map contains no robots: set how many to add.";
   if (ports && flagOf(state.values, "network"))
     state.hint = "Anyone who can reach this computer over the network will be able to drive these robots.";
   state.complete = !scene.empty();
@@ -194,7 +194,7 @@ std::vector<PlatformField> robotFields() {
   return {{.name = "kind",
            .kind = Kind::kChoice,
            .label = "Kind:",
-           .help = "Kind of the robots to add to the world; by default that of the robots in it",
+           .help = "Kind of the robots to add to the world; by default the kind of the robots in it",
            .initial = simcore::RobotsToAdd{}.model,
            .noun = "kind of robots",
            .items = kindItems,
@@ -228,8 +228,8 @@ std::vector<PlatformField> portFields() {
   return {{.name = "port",
            .kind = Kind::kNumber,
            .label = "First port:",
-           .help = "TCP port of the first robot that speaks ARCOS, at which external programs find it; the "
-                   "next robot has the next one",
+           .help = "TCP port at which external programs reach the first ARCOS robot; each further robot has "
+                   "the next port",
            .initial = 8101.0,
            .noun = "first port",
            .min = 1,
@@ -261,8 +261,8 @@ std::vector<PlatformField> hiddenFields() {
           ownProcessField(),
           {.name = "executor",
            .kind = Kind::kChoice,
-           .help = "How the processes of the programs are executed: lockstep, one after the "
-                   "other and reproducible; or threads, one each, with the layout's priorities",
+           .help = "How the processes of the programs are executed: lockstep, one after "
+                   "another and reproducible; or threads, one each, with the layout's priorities",
            .noun = "executor",
            .items =
                [] {
@@ -315,8 +315,8 @@ PlatformForm simulationForm() {
                          .kind = Kind::kFlag,
                          .label = "Sensors with noise",
                          .help =
-                             "Sensors, cameras and odometry have errors, as the scene says; without, they "
-                             "measure what is true",
+                             "Sensors, cameras and odometry have the errors set in the scene; otherwise they "
+                             "measure the true values",
                          .initial = true,
                          .group = "Robots",
                          .remembered = "simulation_setup/7"});

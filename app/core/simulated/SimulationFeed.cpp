@@ -319,7 +319,7 @@ tl::expected<bool, robotlink::Errors> SimulationFeed::reload(FileTexts texts, bo
   useWorld();
   restartPace();
   publishScene();
-  say("The scene was loaded again; the simulation goes on in it.");
+  say("The scene was reloaded; the simulation continues in it.");
   for (const std::string& model : done->putBack) say(model + " is where the scene's file puts it.");
   for (const std::string& robot : done->started) say("The program of " + robot + " was started.");
   for (const std::string& robot : done->ended) say("The program of " + robot + " has ended.");

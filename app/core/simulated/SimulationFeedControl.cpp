@@ -30,8 +30,8 @@ robotlink::Result<void> SimulationFeed::sendEvent(const robotcontrol::Request& r
   simcore::Simulation& simulation = run_->world().simulation();
   if (simulation.controllers().empty() && external_.isEmpty())
     return robotlink::failure("simulation.no-controller",
-                              "there is no controller, neither in the scene nor elsewhere, that could hear "
-                              "of keys and clicks");
+                              "no controller, in the scene or "
+                              "external, receives keys and clicks");
   return simulation.addEvent(viewEvent(request.send_event()));
 }
 

@@ -79,7 +79,7 @@ robotlink::Result<void> SimulationFeed::controlSnapshots(const robotcontrol::Req
       if (!run_->ranAgain()) break;
       run_->stopRunningAgain();
       running_ = false;
-      publishJump("Running the programs again was ended before they came to the snapshot.");
+      publishJump("Replaying the programs was canceled before they reached the snapshot.");
       break;
     default:
       break;
@@ -120,7 +120,7 @@ robotlink::Result<void> SimulationFeed::restoreSnapshot(const robotcontrol::Requ
   if (!control.programs()) {
     const auto restored = run_->restore(snapshot);
     if (!restored) return tl::unexpected(restored.error());
-    publishJump(fmt::format("The world is at {:.3f} s again (snapshot '{}'); the programs run on.",
+    publishJump(fmt::format("The world is back at {:.3f} s (snapshot '{}'); the programs keep running.",
                             worldTime(snapshot), name));
     for (const std::string& model : *restored)
       say(model + " was changed since then; it is where the scene's file puts it.");
@@ -129,7 +129,8 @@ robotlink::Result<void> SimulationFeed::restoreSnapshot(const robotcontrol::Requ
   if (auto done = run_->runAgain(snapshot); !done) return done;
   restartPace();
   publishScene();
-  say(fmt::format("The programs are run again up to snapshot '{}' at {:.3f} s.", name, worldTime(snapshot)),
+  say(fmt::format("The programs are being replayed up to snapshot '{}' at {:.3f} s.", name,
+                  worldTime(snapshot)),
       foxglove::Log::INFO);
   // Its state may be that of the start.
   if (!run_->ranAgain()) runAgain();
@@ -138,14 +139,13 @@ robotlink::Result<void> SimulationFeed::restoreSnapshot(const robotcontrol::Requ
 
 robotlink::Result<void> SimulationFeed::rewind(double seconds) {
   if (running_) {
-    return robotlink::failure("simulation.rewind",
-                              "the simulation runs; it can be rewound while it is paused");
+    return robotlink::failure("simulation.rewind", "the simulation is running; pause it to rewind it");
   }
   stepsWanted_ = 0;
   const double before = robotlink::seconds(run_->world().simulation().time());
   if (auto done = run_->rewind(robotlink::fromSeconds(seconds)); !done) return done;
-  publishJump(fmt::format("The world was rewound from {:.3f} s to {:.3f} s; the programs run on.", before,
-                          robotlink::seconds(run_->world().simulation().time())));
+  publishJump(fmt::format("The world was rewound from {:.3f} s to {:.3f} s; the programs keep running.",
+                          before, robotlink::seconds(run_->world().simulation().time())));
   return {};
 }
 
@@ -166,7 +166,7 @@ robotlink::Result<void> SimulationFeed::whetherFree(const robotcontrol::Request&
     default:
       return robotlink::failure(
           "simulation.busy",
-          "the programs are being run again up to a snapshot; wait for that, or cancel it");
+          "the programs are being replayed up to a snapshot; wait until that is done, or cancel it");
   }
 }
 

@@ -46,7 +46,7 @@ Result<void> throwModel(SimulatedWorld& world, const Request& request) {
   const auto& thrown = request.throw_model();
   const auto pinned = world.simulation().pinned();
   if (std::ranges::any_of(pinned, [&](const auto& link) { return link.starts_with(thrown.model() + "/"); }))
-    return robotlink::failure("simulation.pinned", "'" + thrown.model() + "' is pinned; let it go first", {},
+    return robotlink::failure("simulation.pinned", "'" + thrown.model() + "' is pinned; release it first", {},
                               {thrown.model()});
   return world.simulation().throwModel(thrown.model(), vectorOf(thrown.velocity()), vectorOf(thrown.spin()));
 }

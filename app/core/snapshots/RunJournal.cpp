@@ -27,7 +27,7 @@ void RunJournal::begin(std::uint64_t seed, std::string settings,
 void RunJournal::add(std::uint64_t step, const robotcontrol::Request& request) {
   if (!spoiled_.empty()) return;
   bytes_ += sizeof(Entry) + request.ByteSizeLong();
-  if (bytes_ > kMaxBytes) return spoil("more was asked of it than is kept");
+  if (bytes_ > kMaxBytes) return spoil("there were more requests than are kept");
   entries_.push_back({step, request});
 }
 
@@ -71,7 +71,7 @@ robotlink::Result<RunJournal> RunJournal::decode(const std::vector<std::uint8_t>
   }
   if (!good || !reader.complete() ||
       !std::ranges::is_sorted(journal.entries_, {}, [](const Entry& entry) { return entry.step; }))
-    return robotlink::failure("snapshot.damaged", "what was asked of the programs cannot be read");
+    return robotlink::failure("snapshot.damaged", "the requests to the programs cannot be read");
   return journal;
 }
 

@@ -12,8 +12,8 @@ robotlink::Result<void> SnapshotShelf::keep(const std::string& name, simcore::Sn
   }
   if (others >= kMaxSnapshots || bytes > kMaxBytes) {
     return robotlink::failure("snapshot.room",
-                              "there is no room for a further snapshot: forget one, or write it to a file",
-                              {}, {name});
+                              "there is no room for another snapshot: delete one, or write it to a file", {},
+                              {name});
   }
   snapshots_[name] = std::move(snapshot);
   return {};

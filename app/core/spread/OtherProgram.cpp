@@ -127,11 +127,10 @@ void OtherProgram::lookForStuck() {
       stuck_.insert(process);
       const std::string task = taskOf(*process);
       running_->program->noteStuck(process->name(), task);
-      parts_.report(
-          name + " does not return from " + task +
-          ". If it decides what the robot does, that stands meanwhile. A debugger looks at it with: "
-          "gdb -p " +
-          std::to_string(::getpid()));
+      parts_.report(name + " does not return from " + task +
+                    ". If it controls the robot, the robot is stopped meanwhile. To attach a debugger: "
+                    "gdb -p " +
+                    std::to_string(::getpid()));
     } else {
       stuck_.erase(process);
       running_->program->noteStuck(process->name(), {});

@@ -15,11 +15,11 @@ std::string noteOf(const SpreadOptions& options, const robotlink::dds::NodeOptio
   const std::string domain = " (DDS domain " + std::to_string(options.domain) + ")";
   if (node.address.empty()) {
     return "Packages between programs go over the loopback interface" + domain +
-           "; whoever works on this machine can read and send them.";
+           "; every user of this machine can read and send them.";
   }
   return "Packages between programs go over the network of " + node.address + domain +
-         ", neither encrypted nor protected: whoever is in it can read them and command the robot. Use it in "
-         "networks that you trust only.";
+         ", neither encrypted nor protected: anyone in it can read them and command the robot. Use this only "
+         "in networks that you trust.";
 }
 
 }  // namespace

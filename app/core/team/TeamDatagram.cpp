@@ -73,12 +73,12 @@ robotlink::Result<std::shared_ptr<const robotcontrol::TeamMessage>> teamMessageI
   if (!reader.good() || magic != kTeamMagic) return damagedTeamMessage("begins with other bytes");
   if (version != kTeamVersion) return damagedTeamMessage("has version " + std::to_string(version));
   if (length > kMaxTeamBytes || length != reader.rest().size())
-    return damagedTeamMessage("has another length than it says");
+    return damagedTeamMessage("has a different length than it states");
   if (crc != crcOf(reader.rest())) return damagedTeamMessage("was damaged on its way");
   auto message = std::make_shared<robotcontrol::TeamMessage>();
   if (!message->ParseFromArray(reader.rest().data(), length)) return damagedTeamMessage("cannot be read");
   if (!isName(message->sender()) || !isName(message->team()))
-    return damagedTeamMessage("does not say who has sent it");
+    return damagedTeamMessage("does not name its sender");
   if (!isFiniteMessage(*message)) return damagedTeamMessage("has values that are not numbers");
   return std::shared_ptr<const robotcontrol::TeamMessage>(std::move(message));
 }

@@ -49,9 +49,8 @@ robotlink::Result<void> TeamLink::attach(robotlink::Platform& platform) {
     return sender->package() == robotlink::kTeamMessages.name;
   });
   if (hasOwn)
-    return robotlink::failure("team.platform",
-                              robot_ + " has its messages of the team carried by its platform already", {},
-                              {robot_});
+    return robotlink::failure(
+        "team.platform", robot_ + " already exchanges its team messages through its platform", {}, {robot_});
   ends_ = std::make_unique<GameEnds>(platform, mail_);
   return {};
 }

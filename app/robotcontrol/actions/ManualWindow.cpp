@@ -79,10 +79,10 @@ void ManualWindow::createWidgets(const QString& folder) {
   browser_->setOpenExternalLinks(true);
   auto* back = widgets::makeAction(
       this, "previous",
-      {"manualBack", tr("Back"), tr("Shows the page before"), QKeySequence(QStringLiteral("Alt+Left"))});
-  auto* forward = widgets::makeAction(this, "next",
-                                      {"manualForward", tr("Forward"), tr("Shows the page after this one"),
-                                       QKeySequence(QStringLiteral("Alt+Right"))});
+      {"manualBack", tr("Back"), tr("Shows the previous page"), QKeySequence(QStringLiteral("Alt+Left"))});
+  auto* forward = widgets::makeAction(
+      this, "next",
+      {"manualForward", tr("Forward"), tr("Shows the next page"), QKeySequence(QStringLiteral("Alt+Right"))});
   back->setEnabled(false);
   forward->setEnabled(false);
   connect(back, &QAction::triggered, browser_, &QTextBrowser::backward);

@@ -22,7 +22,7 @@ PluginsDialog::PluginsDialog(QWidget* parent) : QDialog(parent) {
   table_ = new QTableWidget(0, 3, this);
   widgets::describe(*table_, {"pluginsTable", tr("Plug-ins"), {}});
   table_->setHorizontalHeaderLabels(
-      {tr("Plug-in"), tr("Version"), tr("What it does, or why it is not in use")});
+      {tr("Plug-in"), tr("Version"), tr("What it does, or why it is not loaded")});
   table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // reasons may be long
   table_->verticalHeader()->hide();

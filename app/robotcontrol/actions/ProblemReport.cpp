@@ -163,7 +163,7 @@ void ProblemDialog::createWidgets() {
   note->setWordWrap(true);
   layout->addWidget(note);
   auto* shown = new QPlainTextEdit(report_, this);
-  widgets::describe(*shown, {"problemReport", tr("What the report has"), {}});
+  widgets::describe(*shown, {"problemReport", tr("Contents of the report"), {}});
   shown->setReadOnly(true);
   layout->addWidget(shown, 2);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Close, this);

@@ -28,7 +28,7 @@ StreamChooser::Texts StreamChooser::texts() {
           .placeholder = tr("all that a replay needs"),
           .example = tr("For example red1/*,-*/transforms"),
           .listName = tr("Streams"),
-          .listTip = tr("Current streams; checked ones are recorded")};
+          .listTip = tr("Current streams; check those to record")};
 }
 
 }  // namespace app

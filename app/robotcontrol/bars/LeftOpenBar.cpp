@@ -62,7 +62,7 @@ LeftOpenBar::LeftOpenBar(Workbench& workbench, CommandActions& actions, QWidget*
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* again = widgets::makeAction(
       this, "reset",
-      {"leftOpenAgain", tr("Open it again"), tr("Opens what was open before, instead of what runs here")});
+      {"leftOpenAgain", tr("Open it again"), tr("Opens what was open before, in place of what is open now")});
   auto* dismiss = widgets::makeAction(this, "close", {"leftOpenDismiss", tr("Dismiss"), tr("Hides this")});
   connect(again, &QAction::triggered, this, &LeftOpenBar::open);
   connect(dismiss, &QAction::triggered, this, &QWidget::hide);

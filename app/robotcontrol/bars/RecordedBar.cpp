@@ -49,7 +49,7 @@ void RecordedBar::createWidgets() {
     return button;
   };
   connect(add("recordedOpen", "time-line", tr("Open"),
-              tr("Opens the recording as a log, instead of what runs here")),
+              tr("Opens the recording as a log, in place of what is open now")),
           &QToolButton::clicked, this, &RecordedBar::open);
   connect(
       add("recordedFolder", "open", tr("Show in folder"), tr("Opens the folder that the recording is in")),

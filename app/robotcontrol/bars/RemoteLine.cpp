@@ -116,8 +116,8 @@ QString RemoteLine::tipOf(const RemoteRobots::Connection& connection) {
           .arg(QString::fromStdString(connection.url), QString::fromStdString(connection.text));
   if (!connection.state.isConnected() || !connection.state.roundTrip) return tip;
   return tip + QLatin1Char('\n') +
-         tr("The milliseconds include the wait behind data on its way: on a narrow line most of them are "
-            "that.");
+         tr("The milliseconds include waiting behind other "
+            "data: on a slow link that is most of them.");
 }
 
 void RemoteLine::showConnections() {
@@ -159,11 +159,11 @@ void RemoteLine::showOffer() {
   if (!offer.isOffered()) return offer_->hide();
   const QString url = QString::fromStdString(offer.url());
   const QString who = offer.clients().empty()
-                          ? tr("nobody is connected")
+                          ? tr("no client is connected")
                           : widgets::counted(offer.clients().size(), tr("1 client"), tr("%1 clients"));
   show(*offer_, tr("Offered: %1").arg(who), Meaning::kNote, widthOf(*offer_, kStateCharacters));
   offer_->setToolTip(tr("This session is offered at %1: %2").arg(url, who));
-  offer_->setAccessibleName(tr("Offer of this session"));
+  offer_->setAccessibleName(tr("State of the offered session"));
 }
 
 void RemoteLine::showSteering() {

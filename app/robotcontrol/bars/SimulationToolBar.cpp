@@ -93,7 +93,7 @@ void SimulationToolBar::createActions() {
   stop_->setShortcuts({QKeySequence(QStringLiteral("Shift+Esc")), QKeySequence(Qt::Key_Pause)});
   stop_->setShortcutContext(Qt::ApplicationShortcut);
   stop_->setToolTip(
-      tr("Stops all robots at their platforms, whatever their programs do, until released; pauses a log "
+      tr("Stops all robots at their platforms, regardless of their programs, until released; pauses a log "
          "(Shift+Esc, Pause)"));
 }
 
@@ -101,8 +101,8 @@ void SimulationToolBar::createBoxes() {
   scene_ = makeBox(this, "sceneBox", tr("Scene"), tr("The simulated scene"));
   layout_ =
       makeBox(this, "layoutBox", tr("Process layout"),
-              tr("Which process of the selected robot's program does which tasks; another one is for all "
-                 "robots, whose programs start again"));
+              tr("Process layout of the selected robot's program: which process runs which tasks. Choosing "
+                 "another restarts the programs of all robots"));
   robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot shown in views and toolbars"));
   speed_ = makeBox(this, "speedBox", tr("Speed"), tr("Speed of the simulation, relative to real time"));
   scene_->setPlaceholderText(tr("none"));

@@ -71,7 +71,7 @@ void SnapshotMenu::fill() {
     return;
   }
   QAction* take = addCommand(tr("&Take a snapshot"), "snapshot.take",
-                             tr("Keeps the present state of the world, until the scene is closed"),
+                             tr("Keeps the present state of the world until the scene is closed"),
                              QStringLiteral("simulation.snapshot"), freeName(*status));
   take->setIcon(widgets::icon("camera"));
   QAction* toFile = addAction(tr("Take a snapshot as a &file…"), this, &SnapshotMenu::takeFile);
@@ -89,8 +89,8 @@ void SnapshotMenu::fill() {
   addRewinding(!status->running(), status->rewindable());
   if (status->catching_up() <= 0) return;
   QAction* cancel =
-      addAction(tr("&Cancel running the programs again (%1 %)").arg(qRound(100 * status->catching_up())),
-                this, [this] { actions_.run(QStringLiteral("simulation.cancel")); });
+      addAction(tr("&Cancel replaying the programs (%1 %)").arg(qRound(100 * status->catching_up())), this,
+                [this] { actions_.run(QStringLiteral("simulation.cancel")); });
   cancel->setObjectName(QStringLiteral("snapshot.cancel"));
   cancel->setToolTip(tr("Leaves world and programs in their current state, and pauses"));
 }
@@ -108,7 +108,7 @@ void SnapshotMenu::addSnapshot(const std::string& name, const QString& title) {
   add(tr("&Go back"), tr("Restores this state of the world; the robots' programs keep running"),
       QStringLiteral("simulation.restore"), {name, false});
   add(tr("Go back with the &programs"),
-      tr("Runs the programs again from their start, with all that was asked, until they are there, too"),
+      tr("Also replays the programs from their start, with all requests, up to this snapshot"),
       QStringLiteral("simulation.restore"), {name, true})
       ->setObjectName(QStringLiteral("simulation.restore-programs ") + QString::fromStdString(name));
   add(tr("&Forget"), tr("Removes this snapshot"), QStringLiteral("simulation.forget"), {name});

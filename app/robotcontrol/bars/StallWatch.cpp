@@ -47,8 +47,7 @@ StallWatch::StallWatch(QObject* parent, QStatusBar* bar) : QObject(parent) {
   if (bar == nullptr) return;
   label_ = new QLabel;
   label_->setObjectName(QStringLiteral("stalls"));
-  toolTip_ =
-      tr("Stalls of the window: how many took more than %1 ms, and the longest one").arg(kLimit.count());
+  toolTip_ = tr("Stalls of the window: number longer than %1 ms, and the longest one").arg(kLimit.count());
   bar->addPermanentWidget(label_);
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &StallWatch::show);

@@ -110,31 +110,32 @@ void Tour::createSteps(QMainWindow& window, ViewDocks& docks) {
           "robots and log files are shown in the same views."),
        view("scene")},
       {tr("Play, pause, step"),
-       tr("F5 starts, F6 pauses, F10 takes one step of 8 ms, Ctrl+R starts again. Shift+Esc is STOP: the "
-          "robot "
-          "stands, whatever its program wants."),
+       tr("F5 starts, F6 pauses, F10 takes one step of "
+          "8 ms, Ctrl+R resets. Shift+Esc is STOP: it "
+          "halts the robot, whatever its program does."),
        child("simulationToolBar")},
       {tr("Debug keys"),
        tr("Type \"ball\", choose a key and press Enter: the program then publishes this drawing, plot or "
-          "package, and views show it. In Solutions, beside it, a click lets a task be done in another way."),
+          "package, and views show it. In Solutions, next to it, a click switches a task to another "
+          "solution."),
        view("debug-keys")},
       {tr("Time"),
-       tr("Ctrl+Space holds what all views show, while the robot goes on. In the timeline you then go back "
+       tr("Ctrl+Space freezes all views, while the robot continues. In the timeline you then go back "
           "and "
           "forth, for live robots as for logs; \"live\" returns to now."),
        [&window]() -> QWidget* { return window.statusBar(); }},
       {tr("Views and perspectives"),
-       tr("The menu View has all views; drag their tabs to arrange them, also out of the window. Window > "
+       tr("The menu View lists all views; drag their tabs to arrange them, even out of the window. Window > "
           "Perspective has arrangements for one job: colors, motions, logs, and your own."),
        [&window]() -> QWidget* { return window.menuBar(); }},
       {tr("Logs and other robots"),
        tr("Drop a log file on the window to open it. Robot > Connect… finds robots in your network; "
           "Ctrl+Shift+R records what the robot sends, and the log runs through the program again."),
        {}},
-      {tr("Everything by its words"),
-       tr("Ctrl+P finds every command and menu entry. F1 opens the manual at the page of the view that you "
-          "are "
-          "in. Help > Tour shows this again."),
+      {tr("Find everything by name"),
+       tr("Ctrl+P finds every command and menu entry. "
+          "F1 opens the manual at the page of the "
+          "focused view. Help > Tour shows this again."),
        {}}};
 }
 

@@ -82,7 +82,7 @@ void CommandPalette::show(std::vector<PaletteEntry> entries, bool areViews) {
   if (!isVisible()) before_ = QApplication::focusWidget();
   entries_ = std::move(entries);
   areViews_ = areViews;
-  input_->setPlaceholderText(areViews ? tr("Where to go: words of the title of a view")
+  input_->setPlaceholderText(areViews ? tr("Go to: words of a view's title")
                                       : tr("What to do: words of a command or menu entry"));
   input_->clear();
   refresh();

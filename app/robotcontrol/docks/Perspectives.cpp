@@ -172,14 +172,15 @@ void Perspectives::load() {
     std::filesystem::path aside = file_;
     aside += ".broken";
     std::filesystem::rename(file_, aside, error);
-    problems_.push_back(
-        {"window.file",
-         "the saved window layout cannot be used (" +
-             (text ? version > kVersion ? "it is of a newer version" : problem.errorString().toStdString()
-                   : text.error().text) +
-             "); it was kept as " + aside.filename().string() + ", and the shipped one is shown",
-         {},
-         {file_.string(), 0, 0}});
+    problems_.push_back({"window.file",
+                         "the saved window layout cannot be used (" +
+                             (text ? version > kVersion ? "it was written by a newer version"
+                                                        : problem.errorString().toStdString()
+                                   : text.error().text) +
+                             "); it was kept as " + aside.filename().string() +
+                             ", and the shipped one is shown",
+                         {},
+                         {file_.string(), 0, 0}});
     return;
   }
   kept_ = root.value(QStringLiteral("perspectives")).toObject();

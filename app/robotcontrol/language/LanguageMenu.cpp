@@ -18,7 +18,7 @@ LanguageMenu::LanguageMenu(QWidget* parent) : QMenu(tr("&Language"), parent) {
     QAction* action = addAction(text, this, [this, value = choice] { setLanguage(value); });
     action->setObjectName(QStringLiteral("language.") + nameOf(choice));
     action->setToolTip(
-        tr("The language of the window from the next start on; commands and scripts stay as they are"));
+        tr("The language of the window from the next start on; commands and scripts do not change"));
     action->setCheckable(true);
     group->addAction(action);
   }

@@ -55,7 +55,7 @@ void PresetsDialog::createWidgets() {
     parts_.push_back(box);
   }
   parts_[Preset::kCamera]->setToolTip(
-      tr("The settings of the camera; they are known while the view Camera is open"));
+      tr("The settings of the camera, known only while the view Camera is open"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   const auto add = [&](const char* name, const QString& text) {
     auto* button = buttons->addButton(text, QDialogButtonBox::ActionRole);
@@ -125,7 +125,7 @@ void PresetsDialog::compare() {
   if (current().empty()) {
     differences_->clear();
     return differences_->setPlaceholderText(
-        tr("There is no preset yet. Type a name, choose what belongs to it, and save."));
+        tr("There is no preset yet. Type a name, choose its parts, and save."));
   }
   const auto preset = presets_.named(current());
   if (!preset) return showDifferences(QString::fromStdString(preset.error().describe()));
@@ -134,7 +134,7 @@ void PresetsDialog::compare() {
     QString text = lines ? QString() : QString::fromStdString(lines.error().describe());
     for (const std::string& line : lines.value_or(std::vector<std::string>()))
       text += QString::fromStdString(line) + QLatin1Char('\n');
-    guard->showDifferences(text.isEmpty() ? tr("Everything is as in this preset.") : text);
+    guard->showDifferences(text.isEmpty() ? tr("The current settings match this preset.") : text);
   });
 }
 

@@ -50,7 +50,7 @@ void SweepDialog::createWidgets() {
   task_->setEditable(true);
   path_->setEditable(true);
   widgets::describe(*task_,
-                    {"sweepTask", tr("Solution"), tr("A task, for its active solution, or one of them")});
+                    {"sweepTask", tr("Solution"), tr("A task (for its active solution), or TASK/SOLUTION")});
   widgets::describe(*path_, {"sweepPath", tr("Parameter"), {}});
   widgets::describe(*values_, {"sweepValues", tr("Values"), tr("A list 1,2,5 or a range from:to:step")});
   widgets::describe(*figure_,
@@ -68,7 +68,7 @@ void SweepDialog::createWidgets() {
   form->addRow(tr("&Figure:"), figure_);
   form->addRow(tr("S&econds each:"), seconds_);
   table_ = new QTableWidget(0, 6, this);
-  widgets::describe(*table_, {"sweepTable", tr("What was measured"), {}});
+  widgets::describe(*table_, {"sweepTable", tr("Results"), {}});
   table_->setHorizontalHeaderLabels(
       {tr("Value"), tr("Count"), tr("Mean"), tr("Deviation"), tr("Minimum"), tr("Maximum")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -155,8 +155,8 @@ void FoundRobots::showHint(const RobotSearch::State& state) {
   if (!state.isListening || state.age < kFirstAnswers)
     return hint_->setHint(tr("Listening for robots on the network…"));
   hint_->setHint(
-      tr("No robot announces itself. Robots do if they were started with --listen and an address "
-         "of the network, such as --listen 0.0.0.0:8765."));
+      tr("No robots found. Robots announce themselves if they were started with --listen and a network "
+         "address, such as --listen 0.0.0.0:8765."));
 }
 
 }  // namespace app

@@ -40,8 +40,8 @@ OfferDialog::OfferDialog(robotlink::CommandTable& commands, const SessionOffer& 
   setWindowTitle(tr("Offer this session"));
   auto* layout = new QVBoxLayout(this);
   auto* what =
-      new QLabel(tr("Others watch and steer what is open here: with RobotControl (Robot > Connect…), "
-                    "robotctl watch, or any program that speaks the Foxglove WebSocket protocol."),
+      new QLabel(tr("Others can watch and steer what is open here: with RobotControl (Robot > Connect…), "
+                    "robotctl watch, or any client of the Foxglove WebSocket protocol."),
                  this);
   what->setWordWrap(true);
   layout->addWidget(what);
@@ -66,7 +66,7 @@ void OfferDialog::createFields() {
                              tr("The address of this machine at which others connect; 127.0.0.1 is for "
                                 "programs on this machine only")});
   port_ = new QSpinBox(this);
-  widgets::describe(*port_, {"offerPort", tr("Port"), tr("8765 is the usual one; 0: any that is free")});
+  widgets::describe(*port_, {"offerPort", tr("Port"), tr("Usually 8765; 0: any free port")});
   port_->setRange(0, 65535);
   port_->setValue(robotlink::websocket::kDefaultPort);
   auto* where = new QHBoxLayout;
@@ -106,10 +106,10 @@ QLayout* OfferDialog::createTokens() {
     row->addWidget(button);
     return button;
   };
-  copyControl_ = add("offerCopyControl", tr("Copy the one to &control"),
+  copyControl_ = add("offerCopyControl", tr("Copy the token to &control"),
                      tr("Copies the token for full control to the clipboard"), &SessionOffer::controlToken);
   copyWatch_ =
-      add("offerCopyWatch", tr("Copy the one to &watch"),
+      add("offerCopyWatch", tr("Copy the token to &watch"),
           tr("Copies the token for watching and STOP only to the clipboard"), &SessionOffer::watchToken);
   row->addStretch(1);
   return row;
@@ -157,7 +157,7 @@ void OfferDialog::showOffer() {
   host_->setEnabled(!offered);
   port_->setEnabled(!offered);
   url_->setText(QString::fromStdString(offer_.url()));
-  url_->setPlaceholderText(tr("nothing is offered"));
+  url_->setPlaceholderText(tr("not offered"));
   url_->setToolTip(tr("What others connect to: %1").arg(joined(offer_.urls(), QStringLiteral(", "))));
   copy_->setEnabled(offered);
   copyControl_->setEnabled(!offer_.controlToken().empty());
@@ -193,13 +193,13 @@ void OfferDialog::showClients() {
     const auto& client = clients[static_cast<std::size_t>(i)];
     QTreeWidgetItem& row = *clients_->topLevelItem(i);
     const QString name = client.name.empty() ? tr("unnamed") : QString::fromStdString(client.name);
-    row.setText(0, client.isReadOnly ? tr("%1 (may only watch)").arg(name) : name);
+    row.setText(0, client.isReadOnly ? tr("%1 (watch only)").arg(name) : name);
     row.setText(1, QString::fromStdString(client.address));
     row.setText(2, tr("%1/s").arg(size(static_cast<qint64>(client.bytesPerSecond))));
     row.setText(3, client.waitingBytes == 0 ? QString() : size(static_cast<qint64>(client.waitingBytes)));
   }
   if (!offer_.isOffered()) return;
-  state_->setText(count == 0 ? tr("Offered. Nobody is connected yet.")
+  state_->setText(count == 0 ? tr("Offered. No client is connected yet.")
                              : widgets::counted(clients.size(), tr("Offered. 1 client is connected."),
                                                 tr("Offered. %1 clients are connected.")));
 }

@@ -119,7 +119,7 @@ void RecordingsDialog::createProgress() {
   progress_->setObjectName(QStringLiteral("recordingsProgress"));
   progress_->setRange(0, 1000);
   cancel_ = makePushButton(this, {"recordingsCancel", tr("&Cancel"),
-                                  tr("Ends fetching; the next time it continues where it stopped")});
+                                  tr("Stops the download; the next one resumes where it stopped")});
   hideInPlace(*progress_);
   hideInPlace(*cancel_);
   row->addWidget(progress_, 1);
@@ -138,7 +138,7 @@ void RecordingsDialog::createButtons() {
     return button;
   };
   fetch_ = add("recordingsFetch", "down", tr("&Fetch"),
-               tr("Copies the selected recordings from the robot, with a check of every byte"));
+               tr("Downloads the selected recordings from the robot, and verifies their checksums"));
   fetch_->setDefault(true);
   open_ = add("recordingsOpen", "time-line", tr("&Open"),
               tr("Opens the selected recording as a log, instead of what is open here"));
@@ -219,7 +219,7 @@ void RecordingsDialog::showRecordings(RecordingJobs& jobs) {
     const auto& connection = connections[static_cast<std::size_t>(robot_->currentIndex())];
     if (connection.state.isConnected() && !connection.hasRecordings && !connection.robots.empty()) {
       widgets::showOutcome(*state_,
-                           tr("This robot's program keeps no recordings: it has to be started with "
+                           tr("This robot's program keeps no recordings. Restart it with "
                               "--recordings FOLDER."),
                            true);
       return;
@@ -274,19 +274,20 @@ void RecordingsDialog::showOutcome(const RecordingJobs::Outcome& outcome) {
   const QString name = QString::fromStdString(outcome.name);
   if (outcome.error && outcome.error->id == "canceled") {
     return widgets::showOutcome(
-        *state_, tr("Fetching %1 was canceled. The next time it continues where it stopped.").arg(name),
+        *state_, tr("The download of %1 was canceled. The next one resumes where it stopped.").arg(name),
         false);
   }
   if (outcome.error)
     return widgets::showOutcome(*state_, QString::fromStdString(outcome.error->describe()), true);
-  const QString resumed = outcome.fetched.resumedAt == 0
-                              ? QString()
-                              : tr(", %1 of them from before").arg(sizeText(outcome.fetched.resumedAt));
+  const QString resumed =
+      outcome.fetched.resumedAt == 0
+          ? QString()
+          : tr(", %1 of them from an earlier download").arg(sizeText(outcome.fetched.resumedAt));
   const QString text = outcome.kind == Kind::kFetch
-                           ? tr("%1 was fetched: %2%3; the checksum is that of the robot.")
+                           ? tr("%1 was downloaded: %2%3; the checksum matches the robot's.")
                                  .arg(name, sizeText(outcome.fetched.bytes), resumed)
-                       : outcome.kind == Kind::kRemove ? tr("%1 was deleted at the robot.").arg(name)
-                       : outcome.kind == Kind::kStart  ? tr("The robot records.")
+                       : outcome.kind == Kind::kRemove ? tr("%1 was deleted on the robot.").arg(name)
+                       : outcome.kind == Kind::kStart  ? tr("The robot is recording.")
                                                        : tr("The recording at the robot has ended.");
   widgets::showOutcome(*state_, text, false);
 }
@@ -345,7 +346,7 @@ void RecordingsDialog::chooseFolder() {
 void RecordingsDialog::fetch() {
   if (!QFileInfo(folder_->text()).isDir())
     return widgets::showOutcome(*state_,
-                                tr("There is no folder %1: choose another one.").arg(folder_->text()), true);
+                                tr("There is no folder %1. Choose another one.").arg(folder_->text()), true);
   for (const QString& name : selected()) {
     const QFileInfo file = fileOf(name);
     const bool replaces = file.exists();
@@ -375,9 +376,9 @@ void RecordingsDialog::remove() {
   });
   const QString what = chosen.size() == 1 ? chosen.front() : tr("these %1 recordings").arg(chosen.size());
   const QString text = isSafe
-                           ? tr("Delete %1 at the robot? The copy here stays.").arg(what)
-                           : tr("Delete %1 at the robot? There is no copy here; it will be lost.").arg(what);
-  if (QMessageBox::question(this, tr("Delete at the robot?"), text) != QMessageBox::Yes) return;
+                           ? tr("Delete %1 on the robot? The copy here stays.").arg(what)
+                           : tr("Delete %1 on the robot? There is no copy here; it will be lost.").arg(what);
+  if (QMessageBox::question(this, tr("Delete on the robot?"), text) != QMessageBox::Yes) return;
   for (const QString& name : chosen)
     if (RecordingJobs* robot = jobs()) robot->remove(name.toStdString());
 }

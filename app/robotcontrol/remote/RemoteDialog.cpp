@@ -55,11 +55,11 @@ RemoteDialog::RemoteDialog(robotlink::CommandTable& commands, const RemoteRobots
   setWindowTitle(tr("Connect to robots"));
   setWindowIcon(widgets::icon("connect"));
   auto* layout = new QVBoxLayout(this);
-  auto* what = new QLabel(tr("Robots that run remotely: there, robotctl sim or robotctl run was "
-                             "started with --listen, or somebody chose Robot > Offer this session. They are "
-                             "shown beside those that are open here. Where only robotctl platform was "
-                             "started, the program runs here, in place of what is open. Those that announce "
-                             "themselves are listed; a click takes their address."),
+  auto* what = new QLabel(tr("Connects remote robots: there, robotctl sim or robotctl run was started with "
+                             "--listen, or somebody chose Robot > Offer this session. They are shown in "
+                             "addition to those that are open here. Where only robotctl platform was "
+                             "started, the program runs here, in place of what is open. Robots that announce "
+                             "themselves are listed; click one to use its address."),
                           this);
   what->setWordWrap(true);
   layout->addWidget(what);
@@ -135,7 +135,7 @@ QLayout* RemoteDialog::createToken() {
   token_ = new QLineEdit(this);
   widgets::describe(*token_,
                     {"remoteToken", tr("Token"),
-                     tr("The robot prints it when it is made. A robot that wants one asks for it, and "
+                     tr("The robot prints it when it creates it. A robot that needs one asks for it; "
                         "it can be remembered then")});
   token_->setEchoMode(QLineEdit::PasswordEchoOnEdit);
   forget_ = makePushButton(
@@ -152,17 +152,18 @@ QLayout* RemoteDialog::createToken() {
 
 QLayout* RemoteDialog::createLimits() {
   images_ = new QComboBox(this);
-  widgets::describe(*images_, {"remoteImages", tr("Images"),
-                               tr("How the robots at this URL send images; JPEG needs a tenth of the line")});
-  images_->addItem(tr("raw, as JPEG where the line is too narrow"), QStringLiteral("auto"));
+  widgets::describe(*images_,
+                    {"remoteImages", tr("Images"),
+                     tr("How the robots at this URL send images; JPEG needs a tenth of the bandwidth")});
+  images_->addItem(tr("raw, or JPEG if the link is too slow"), QStringLiteral("auto"));
   images_->addItem(tr("always raw"), QStringLiteral("raw"));
   images_->addItem(tr("as JPEG"), QStringLiteral("jpeg"));
   images_->addItem(tr("as PNG"), QStringLiteral("png"));
   rate_ = new QDoubleSpinBox(this);
   widgets::describe(*rate_,
                     {"remoteImageRate", tr("Images a second"),
-                     tr("How many images a second of each stream the robots at this URL send at most. "
-                        "What is left out counts as thinned")});
+                     tr("Maximum images per second of each stream from the robots at this URL. Images left "
+                        "out count as thinned")});
   rate_->setRange(0, 1000);
   rate_->setDecimals(1);
   rate_->setSuffix(tr(" a second"));
@@ -170,8 +171,8 @@ QLayout* RemoteDialog::createLimits() {
   rate_->setKeyboardTracking(false);
   limit_ = new QDoubleSpinBox(this);
   widgets::describe(*limit_, {"remoteLimit", tr("Limit"),
-                              tr("What the robots at this URL may send at most. Newer images and states "
-                                 "then replace those that wait; texts and results come late")});
+                              tr("Maximum data rate of the robots at this URL. Newer images and states "
+                                 "replace those still waiting; texts and results arrive late")});
   limit_->setRange(0, 1e6);
   limit_->setDecimals(0);
   limit_->setSingleStep(100);
@@ -262,8 +263,9 @@ void RemoteDialog::createConnections() {
   connect_ = makePushButton(this, {"remoteConnect", tr("&Connect"), tr("Connects to the server at this URL")},
                             "connect");
   connect_->setDefault(true);
-  disconnect_ = makePushButton(this, {"remoteDisconnect", tr("&Disconnect"),
-                                      tr("Ends the selected connection; its robots leave the window")});
+  disconnect_ =
+      makePushButton(this, {"remoteDisconnect", tr("&Disconnect"),
+                            tr("Ends the selected connection and removes its robots from the window")});
   row->addWidget(connect_);
   row->addWidget(disconnect_);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
@@ -434,7 +436,7 @@ void RemoteDialog::showMissing(QTreeWidgetItem& row, const std::string& url) {
   }
   if (count == 0) {
     if (row.childCount() == 0) new QTreeWidgetItem(&row);
-    row.child(count)->setText(0, tr("everything was sent"));
+    row.child(count)->setText(0, tr("everything sent"));
     row.child(count++)->setText(1, QString());
   }
   while (row.childCount() > count) delete row.takeChild(count);

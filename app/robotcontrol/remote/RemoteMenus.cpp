@@ -52,7 +52,8 @@ void RemoteMenus::addRobots(QMenu& menu) {
 void RemoteMenus::addRecordings(QMenu& menu) {
   QAction* recordings = menu.addAction(tr("&Recordings at the robot…"), this, [this] { show(*recordings_); });
   recordings->setObjectName(QStringLiteral("remote.recordings"));
-  recordings->setToolTip(tr("Begins, fetches, opens and deletes recordings in the storage of remote robots"));
+  recordings->setToolTip(
+      tr("Starts, downloads, opens and deletes recordings in the storage of remote robots"));
 }
 
 void RemoteMenus::fillAgain() {

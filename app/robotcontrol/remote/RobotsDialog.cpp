@@ -85,7 +85,8 @@ RobotsDialog::RobotsDialog(Workbench& workbench, CommandActions& actions, QWidge
 void RobotsDialog::createTop() {
   auto* row = new QHBoxLayout;
   name_ = new QLineEdit(this);
-  widgets::describe(*name_, {"robotsName", tr("Name of the set"), tr("For people, such as Home game")});
+  widgets::describe(*name_,
+                    {"robotsName", tr("Name of the set"), tr("A name for display, such as Home game")});
   addLabeled(row, tr("&Set:"), name_);
   const auto add = [&](const char* name, const char* icon, const QString& text, const QString& help,
                        void (RobotsDialog::*act)()) {
@@ -94,7 +95,7 @@ void RobotsDialog::createTop() {
     connect(button, &QPushButton::clicked, this, act);
     row->addWidget(button);
   };
-  add("robotsNew", "file-new", tr("&New"), tr("Begins a set without robots"), &RobotsDialog::newSet);
+  add("robotsNew", "file-new", tr("&New"), tr("Starts a set without robots"), &RobotsDialog::newSet);
   add("robotsOpen", "open", tr("&Open…"), tr("Opens the file of a set"), &RobotsDialog::askForFile);
   add("robotsSave", "save", tr("Sa&ve"), tr("Saves the set as a text file (YAML)"), &RobotsDialog::save);
   add("robotsSaveAs", "save", tr("Save &as…"), tr("Saves the set in another file"), &RobotsDialog::saveAs);
@@ -121,10 +122,9 @@ void RobotsDialog::createTable() {
   auto* hint = new widgets::EmptyHint(table_);
   hint->setObjectName(QStringLiteral("robotsHint"));
   const auto showHint = [this, hint] {
-    hint->setHint(table_->topLevelItemCount() > 0
-                      ? QString()
-                      : tr("The set has no robots yet. Add gives it one; a double "
-                           "click on a robot below takes that."));
+    hint->setHint(table_->topLevelItemCount() > 0 ? QString()
+                                                  : tr("The set has no robots yet. Click "
+                                                       "Add, or double click a robot below."));
   };
   connect(table_->model(), &QAbstractItemModel::rowsInserted, hint, showHint);
   connect(table_->model(), &QAbstractItemModel::rowsRemoved, hint, showHint);
@@ -155,16 +155,16 @@ void RobotsDialog::createButtons() {
       tr("Chooses the layout, the color table, the preset, or the folder of parameters or motions for the "
          "selected cell"));
   row->addStretch(1);
-  connect_ = add("robotsConnect", "connect", tr("&Connect"), tr("Connects all robots that are ticked"));
-  disconnect_ = add("robotsDisconnect", "close", tr("D&isconnect"), tr("Disconnects all that are ticked"));
+  connect_ = add("robotsConnect", "connect", tr("&Connect"), tr("Connects all checked robots"));
+  disconnect_ = add("robotsDisconnect", "close", tr("D&isconnect"), tr("Disconnects all checked robots"));
   check_ = add("robotsCheck", "search", tr("C&heck"),
-               tr("Compares the files of the robots that are ticked with those here, by their checksums"));
+               tr("Compares the files on the checked robots with those here, by checksum"));
   deploy_ = add("robotsDeploy", "send", tr("De&ploy"),
-                tr("Sends what differs to the robots that are ticked, and compares again"));
+                tr("Sends the files that differ to the checked robots, and compares again"));
   restart_ =
       add("robotsRestart", "reset", tr("Restart pro&grams"),
-          tr("Starts the programs of the robots that are ticked again, if they have not read yet what was "
-             "deployed; these robots stand meanwhile"));
+          tr("Restarts the programs of the checked robots that have not read the deployed files yet; these "
+             "robots are stopped meanwhile"));
   cancel_ = add("robotsCancel", "close", tr("Cance&l"), tr("Cancels comparing and sending"));
   restart_->setEnabled(false);
   cancel_->setEnabled(false);
@@ -174,9 +174,9 @@ void RobotsDialog::createButtons() {
 void RobotsDialog::createReport() {
   using Kind = widgets::ColumnKind;
   report_ = makeList(this, {"robotsReport", tr("What the robots have"), {}},
-                     {{tr("File at the robot"), Kind::kName,
+                     {{tr("File on the robot"), Kind::kName,
                        QStringLiteral("parameters/ers210/motion.wheel-model-rectangle.textproto")},
-                      {tr("Compared with the one here"), Kind::kText}},
+                      {tr("Compared with the file here"), Kind::kText}},
                      kReportLines);
   report_->setRootIsDecorated(true);
   static_cast<QVBoxLayout*>(layout())->addWidget(report_, 3);

@@ -39,7 +39,7 @@ QString stateNameOf(State state) {
     case State::kMissing:
       return RobotsDialog::tr("is missing");
     case State::kWaiting:
-      return RobotsDialog::tr("the same; takes effect when the program starts again");
+      return RobotsDialog::tr("the same; takes effect when the program restarts");
   }
   return {};
 }
@@ -121,7 +121,7 @@ QString RobotsDialog::deployTo(const RobotSet::Robot& robot, Deploy what) {
   DeployJobs* jobs = connection == nullptr ? nullptr : workbench_.deploymentAt(connection->url);
   if (jobs == nullptr || !connection->state.isConnected()) return tr("%1 is not connected.").arg(name);
   if (!connection->hasResources)
-    return tr("%1 takes no files: its program has to be started with --resources FOLDER.").arg(name);
+    return tr("%1 takes no files. Restart its program with --resources FOLDER.").arg(name);
   switch (what) {
     case Deploy::kCheck:
       jobs->check(robot.name, *std::move(files));

@@ -20,18 +20,18 @@ QString questionFor(const QString& url, TokenDialog::Shown shown) {
   switch (shown) {
     case TokenDialog::Shown::kNone:
       return TokenDialog::tr(
-                 "The robot at %1 only accepts clients with its token. It printed two when they were "
-                 "made: one to control, and one to watch.")
+                 "The robot at %1 only accepts clients with its token. It printed two when it created them: "
+                 "one to control, and one to watch.")
           .arg(url);
     case TokenDialog::Shown::kEntered:
       return TokenDialog::tr(
                  "The robot at %1 does not accept this token. Enter one of the two that it printed "
-                 "when they were made.")
+                 "when it created them.")
           .arg(url);
     case TokenDialog::Shown::kRemembered:
       return TokenDialog::tr(
-                 "The robot at %1 does not accept the token that is remembered here any more. "
-                 "Enter one of the two that it printed when they were made.")
+                 "The robot at %1 does not accept the remembered token any more. Enter one of the two that "
+                 "it printed when it created them.")
           .arg(url);
   }
   return {};

@@ -23,19 +23,19 @@ TrustDialog::TrustDialog(const std::string& url, const ServerObjection& objectio
   setObjectName(QStringLiteral("trustDialog"));
   const bool isNew = objection.kind == ServerObjection::Kind::kNewCertificate;
   const QString where = QString::fromStdString(url);
-  setWindowTitle(isNew ? tr("A new robot") : tr("Another robot than before?"));
+  setWindowTitle(isNew ? tr("A new robot") : tr("Not the same robot as before?"));
   setWindowIcon(widgets::icon(isNew ? "connect" : "warning"));
   new QVBoxLayout(this);
   if (isNew) {
     addText("trustText",
-            tr("This computer has never connected to the robot at %1. It printed a fingerprint at its "
-               "start: is it this one? If so it is remembered, and known again the next time.")
+            tr("This computer has never connected to the robot at %1. Is this the fingerprint that the robot "
+               "printed at its start? If so, it is remembered for the next connections.")
                 .arg(where));
   } else {
     addText(
         "trustText",
-        tr("The robot at %1 shows another certificate than before. Either it was set up again, or somebody "
-           "else answers in its place, and would see the token and all that is sent.")
+        tr("The certificate of the robot at %1 has changed. Either the robot was set up again, or someone "
+           "else is answering in its place and would see the token and everything that is sent.")
             .arg(where));
     widgets::setMeaning(*findChild<QLabel*>(QStringLiteral("trustText")), widgets::Meaning::kBad);
   }

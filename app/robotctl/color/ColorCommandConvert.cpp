@@ -65,15 +65,17 @@ int convert(const ConvertArguments& arguments) {
 void addColorConvertCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = color.add_subcommand(
-      "convert", "Converts another team's color table to .c64, with a file of the names of its classes");
+      "convert",
+      "Converts another team's color table to .c64, and writes a file with the names of its classes");
   command->add_option("from", arguments->from, "The other team's table, also compressed (.bz2)")->required();
   command->add_option("to", arguments->to, "The new table (.c64)")->required();
   std::vector<std::string> names;
   for (const TableFormatName& format : colortool::tableFormats()) names.emplace_back(format.name);
   command->add_option("--format", arguments->format, "Format of the table, if it is not recognized")
       ->check(CLI::IsMember(names));
-  command->add_option("--colors", arguments->colors,
-                      "tekkotsu: its classes (.col), if not those of the same name or alone beside it");
+  command->add_option(
+      "--colors", arguments->colors,
+      "tekkotsu: its classes (.col), if not the file of the same name, or the only one, next to it");
   addClassesOption(*command, arguments->classes,
                    "Names of the classes, in the order of their numbers, instead of that team's");
   command->callback([arguments, &status] { status = convert(*arguments); });

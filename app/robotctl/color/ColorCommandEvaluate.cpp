@@ -102,7 +102,7 @@ Result<int> addImage(const ColorImages& images, const std::string& name, const E
   const auto image = images.load(name);
   if (!image) return tl::unexpected(image.error());
   if (image->width != (*labels)->width || image->height != (*labels)->height) {
-    return robotlink::failure("image.size", "the labels are not of the size of image " + name,
+    return robotlink::failure("image.size", "the labels differ in size from image " + name,
                               {arguments.labels, 0, 0}, {name});
   }
   evaluation.add(table, *image, (*labels)->data);
@@ -151,7 +151,7 @@ int evaluate(const EvaluateArguments& arguments) {
   if (evaluated == 0) {
     return printErrors({{"color.labels",
                          inLog(arguments) ? "no image has true classes here: record with --class-images"
-                                          : "no image has labels here: PNG files of the same names",
+                                          : "no image has labels here: add PNG files with the images' names",
                          {},
                          {arguments.labels, 0, 0}}});
   }
@@ -177,14 +177,15 @@ void addColorEvaluateCommand(CLI::App& color, int& status) {
   command
       ->add_option("--labels", arguments->labels,
                    "A folder of gray PNG files with the classes' numbers, named like the images; 0 is "
-                   "background, 255 is passed over; or again the log file, with true classes")
+                   "background, 255 is ignored; or again the log file, with true classes")
       ->required();
-  addClassesOption(*command, arguments->classes,
-                   "Names of the table's classes, in the order of their numbers, if not those beside it");
+  addClassesOption(
+      *command, arguments->classes,
+      "Names of the table's classes, in the order of their numbers, if not from the file next to it");
   command
       ->add_option("--label-classes", arguments->labelClasses,
-                   "Names of the labels' classes, if numbered differently; else --classes, the file "
-                   "labels.classes among the labels, or the real log's")
+                   "Names of the labels' classes, if numbered differently; default: --classes, the file "
+                   "labels.classes among the labels, or the classes in the log")
       ->delimiter(',');
   command->add_flag("--json", arguments->json, "Prints JSON: fractions");
   command->callback([arguments, &status] { status = evaluate(*arguments); });

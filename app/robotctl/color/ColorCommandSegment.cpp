@@ -80,10 +80,11 @@ void addColorSegmentCommand(CLI::App& color, int& status) {
   command->add_option("--images", arguments->images, "A folder of images (PNG, JPEG, .yuyv), or a log file")
       ->required();
   command->add_option("--out", arguments->out, "The folder for the pictures")->required();
-  addClassesOption(*command, arguments->classes,
-                   "Names of the classes, in the order of their numbers, if not those beside the table");
+  addClassesOption(
+      *command, arguments->classes,
+      "Names of the classes, in the order of their numbers, if not from the file next to the table");
   command->add_flag("--numbers", arguments->numbers,
-                    "Gray pictures with the classes' numbers, as labels have them");
+                    "Gray pictures with the classes' numbers, in the format of labels");
   command->callback([arguments, &status] { status = segment(*arguments); });
 }
 

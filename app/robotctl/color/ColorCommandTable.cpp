@@ -115,8 +115,9 @@ void addColorTableCommands(CLI::App& color, int& status) {
   auto arguments = std::make_shared<TableArguments>();
   const auto add = [&](const char* name, const char* help, int (*run)(const TableArguments&)) {
     CLI::App* command = color.add_subcommand(name, help);
-    addClassesOption(*command, arguments->classes,
-                     "Names of the classes, in the order of their numbers, if not those beside the table");
+    addClassesOption(
+        *command, arguments->classes,
+        "Names of the classes, in the order of their numbers, if not from the file next to the table");
     command->callback([arguments, &status, run] { status = run(*arguments); });
     return command;
   };

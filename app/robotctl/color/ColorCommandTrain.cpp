@@ -192,26 +192,26 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
     command.add_option(name, value, help)->check(range)->capture_default_str();
   };
   number("--radius", settings.votes.radius,
-         "How far a sample reaches in Cb and Cr: one standard deviation; farther along the saturation of "
-         "strong colors, less far across it",
+         "Reach of a sample in Cb and Cr: one standard deviation; for strong colors more along their "
+         "saturation, less across it",
          numberFrom(Votes::kMinRadius, Votes::kMaxRadius));
   number("--y-weight", settings.votes.brightnessWeight, "Weight of a difference in Y, relative to Cb or Cr",
          numberFrom(Votes::kMinBrightnessWeight, 1));
   number("--rejection", settings.votes.rejection,
-         "Votes that a class needs at least, as a share of one sample's own vote", nonNegativeNumber());
+         "Minimum votes that a class needs, as a fraction of one sample's own vote", nonNegativeNumber());
   number("--background-weight", settings.votes.backgroundWeight,
          "Weight of a background sample, relative to one of a class",
          numberFrom(0, Votes::kMaxBackgroundWeight));
   number("--shading", settings.votes.shading,
-         "Vote of a sample for its color in shadow and glare, as a share of its own vote",
+         "Vote of a sample for its color in shadow and glare, as a fraction of its own vote",
          numberFrom(0, Votes::kMaxShading));
   number("--gray-guard", settings.votes.grayGuard,
-         "Extra votes that colors of objects need where they are nearly gray, for each stroke of the class",
+         "Extra votes that nearly gray colors of objects need, for each stroke of the class",
          nonNegativeNumber());
   number("--reject-distance", settings.gaussians.mostSquaredDistance,
-         "gauss: squared Mahalanobis distance from a class beyond which a color is not of it",
+         "gauss: squared Mahalanobis distance from a class beyond which a color does not belong to it",
          positiveNumber());
-  number("--cost", settings.supportVectors.cost, "svm: cost of a sample on the wrong side", positiveNumber());
+  number("--cost", settings.supportVectors.cost, "svm: cost of a misclassified sample", positiveNumber());
   number("--gamma", settings.supportVectors.gamma, "svm: gamma of its radial basis functions",
          positiveNumber());
   number("--reject-radius", settings.supportVectors.mostDistance,
@@ -236,10 +236,9 @@ void addColorTrainCommand(CLI::App& color, int& status) {
                                              "Samples that the workbench saved, instead of strokes");
   CLI::Option* labels = command->add_option(
       "--labels", arguments->labels,
-      "A folder of gray PNG files with the true classes' numbers, as of robotctl sim --labelled-images, "
-      "instead of strokes: some are made in the midst of each class");
-  command
-      ->add_option("--discs", arguments->discs, "How many strokes are made in each class of a labeled image")
+      "A folder of gray PNG files with the true classes' numbers, as robotctl sim --labelled-images writes "
+      "them, instead of strokes: strokes are made inside each class");
+  command->add_option("--discs", arguments->discs, "Number of strokes made in each class of a labeled image")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str()
       ->needs(labels);
@@ -250,7 +249,7 @@ void addColorTrainCommand(CLI::App& color, int& status) {
   command->add_option("--save-samples", arguments->samplesOut,
                       "Also writes the training samples, for the workbench");
   addClassesOption(*command, arguments->classes,
-                   "Names of the classes, in the order of their numbers; they are written beside the table");
+                   "Names of the classes, in the order of their numbers; they are written next to the table");
   command
       ->add_option(
           "--method", arguments->method,
@@ -259,7 +258,7 @@ void addColorTrainCommand(CLI::App& color, int& status) {
       ->capture_default_str();
   command
       ->add_option("--several", arguments->several,
-                   "kernel: a cell keeps all classes that have this share of the best one's votes")
+                   "kernel: a cell keeps all classes with at least this fraction of the best one's votes")
       ->check(numberFrom(0, 1));
   addSettings(*command, arguments->settings);
   CLI::Option* own = command->add_flag("--own-settings", arguments->asLearned,

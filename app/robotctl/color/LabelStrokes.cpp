@@ -61,7 +61,8 @@ robotlink::Result<std::vector<DiscStroke>> strokesOfLabels(const ColorImages& im
     strokes.insert(strokes.end(), added.begin(), added.end());
   }
   if (strokes.empty())
-    return robotlink::failure("color.labels", "no image has labels here: PNG files of the same names",
+    return robotlink::failure("color.labels",
+                              "no image has labels here: add PNG files with the images' names",
                               {labels.string(), 0, 0});
   return strokes;
 }

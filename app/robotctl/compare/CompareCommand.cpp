@@ -97,13 +97,13 @@ std::string noTruthNote(const CompareArguments& arguments, const std::vector<std
       }))
     return {};
   std::string text = fmt::format(
-      "The task {} has no truth of its own: of what it yields ({}), nothing is right or wrong by "
-      "itself. Compare by what comes of it: goals and other figures of the game, how far what "
-      "other tasks believe is from the truth, and what it costs.",
+      "The task {} has no ground truth: its output ({}) is neither right "
+      "nor wrong by itself. Compare its effects: goals and other figures "
+      "of the game, the errors of other tasks, and its computing time.",
       arguments.task, joined(packages));
   if (arguments.task == "motion")
     text += " The options '-- --walk 1' measure how fast and how upright a robot walks.";
-  if (!arguments.logs.empty()) text += " In a log, nothing that the task does has an effect: use --scene.";
+  if (!arguments.logs.empty()) text += " On a log the task's output has no effect: use --scene.";
   return text;
 }
 
@@ -117,9 +117,9 @@ int runCompare(const CompareArguments& arguments) {
     return usage("compare", "give either --scene or --log to compare on");
   if (std::set<std::string>(arguments.solutions.begin(), arguments.solutions.end()).size() !=
       arguments.solutions.size())
-    return usage("compare", "each solution can be named once");
+    return usage("compare", "name each solution only once");
   if (!arguments.logs.empty() && !arguments.execution.options.empty())
-    return usage("compare", "options behind -- are for simulations");
+    return usage("compare", "options after -- are for simulations: use --scene");
   if (const auto known = checkSolutions(arguments.task, arguments.solutions); !known)
     return usage("compare", known.error().text);
   if (arguments.solutions.size() < 2) return usage("compare", "name two solutions or more");
@@ -151,10 +151,11 @@ void addCompareCommand(CLI::App& app, int& status) {
       ->delimiter(',')
       ->required();
   command
-      ->add_option("--log", arguments->logs, "Logs with the truth (oracle/world), on which all is recomputed")
+      ->add_option("--log", arguments->logs,
+                   "Logs with ground truth (oracle/world), on which everything is recomputed")
       ->check(CLI::ExistingFile);
   command->add_option("--scene", arguments->scene, "A scene that is simulated with each solution and seed");
-  command->add_option("--seeds", arguments->seeds, "How many seeds")
+  command->add_option("--seeds", arguments->seeds, "Number of seeds")
       ->check(numberFrom(1, 100000))
       ->capture_default_str();
   arguments->execution.addOptionsTo(*command);

@@ -237,9 +237,9 @@ std::string figureTables(const Comparison& comparison, const ReportTitle& title)
     (isOwn(title, row.name) ? own : others).push_back(&row);
   const char* note =
       "<p class=note>Means over the runs, in brackets the bounds that hold the mean with 95 % confidence "
-      "(bootstrap over the runs, each of which counts once). In a run, errors of several robots are pooled "
-      "by "
-      "how many samples each has; medians and 95 % are means weighted so. A dot is a run; its tip says "
+      "(bootstrap over the runs, each of which counts once). In a run, errors of several robots are pooled, "
+      "weighted by their numbers of samples; so are medians and 95 % quantiles. Each dot is a run; its "
+      "tooltip says "
       "which.</p>\n";
   if (own.empty()) return std::string("<h2>Figures</h2>\n") + note + summaryTable(comparison, others);
   return fmt::format("<h2>Figures of {}</h2>\n{}{}<h2>Other figures of the same runs</h2>\n{}",
@@ -275,12 +275,13 @@ std::string differenceTable(const Comparison& comparison, const std::vector<Diff
   if (rows.empty()) {
     const bool areFew = std::ranges::all_of(
         differences, [](const Difference& one) { return one.subjects < kFewestForChance; });
-    return areFew
-               ? fmt::format(
-                     "<p>None: fewer than {} runs of each variant tell nothing apart, however much "
-                     "they differ.</p>\n",
-                     kFewestForChance)
-               : std::string("<p>None: these runs do not tell the variants apart. More of them may.</p>\n");
+    return areFew ? fmt::format(
+                        "<p>None: with fewer than {} runs of each "
+                        "variant no difference is significant.</p>\n",
+                        kFewestForChance)
+                  : std::string(
+                        "<p>None: the variants do not differ significantly in these runs. More runs may show "
+                        "a difference.</p>\n");
   }
   return "<div class=wide><table><tr><th>figure</th><th>from</th><th>to</th><th></th><th>change</th>"
          "<th>by chance</th><th>runs</th></tr>\n" +

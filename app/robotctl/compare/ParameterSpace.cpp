@@ -69,7 +69,7 @@ robotlink::Result<ParameterSpace> ParameterSpace::of(const std::vector<std::stri
       return wrongParameter(axis.path, "is named twice");
     const auto number =
         parameters.message() == nullptr ? std::nullopt : numberAt(*parameters.message(), axis.path);
-    if (!number) return wrongParameter(axis.path, "is no number of " + space.solution_);
+    if (!number) return wrongParameter(axis.path, "is not a numeric parameter of " + space.solution_);
     axis.start = number->first;
     axis.isWhole = number->second;
     axis.low = std::min(axis.start / 2, axis.start * 2);

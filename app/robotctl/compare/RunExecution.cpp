@@ -122,8 +122,8 @@ void RunExecution::addTo(CLI::App& command) {
   command
       .add_option(
           "--out", out,
-          "The folder of results and report. Results that are there count as long as the program, its "
-          "resources and the named files are the same")
+          "The folder for results and report. Existing results are reused as long as the program, its "
+          "resources and the named files are unchanged")
       ->required();
   command.add_option("--batch", batch, "Submits the runs to a batch system as a job array")
       ->check(CLI::IsMember({"slurm"}));
@@ -131,13 +131,13 @@ void RunExecution::addTo(CLI::App& command) {
       .add_option("--parallel", parallel,
                   "Maximum number of concurrent local runs (default: number of cores)")
       ->check(numberFrom(1, 1024));
-  command.add_option("--retries", retries, "How often a run that fails is tried again")
+  command.add_option("--retries", retries, "How many times a failed run is retried")
       ->check(numberFrom(0, 10))
       ->capture_default_str();
 }
 
 void RunExecution::addOptionsTo(CLI::App& command) {
-  command.add_option("options", options, "Options of `robotctl sim` for each run, behind --");
+  command.add_option("options", options, "Options of `robotctl sim` for each run, after --");
 }
 
 robotlink::Result<std::vector<PlannedRun>> RunExecution::executeAll(const RunFiles& files,

@@ -80,7 +80,7 @@ robotlink::Result<std::vector<PlannedRun>> SlurmBatch::execute(
     return tl::unexpected(written.error());
   const ShellOutcome submitted = shell(shellLine({"sbatch", "--parsable", script.string()}));
   if (submitted.status != 0)
-    return robotlink::failure("compare.slurm", "Slurm takes no jobs: " + submitted.text, {},
+    return robotlink::failure("compare.slurm", "Slurm accepts no jobs: " + submitted.text, {},
                               {submitted.text});
   const std::string job = submitted.text.substr(0, submitted.text.find(';'));
 

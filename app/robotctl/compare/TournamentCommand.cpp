@@ -104,23 +104,23 @@ int playTournament(TournamentArguments& arguments) {
 void addTournamentCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<TournamentArguments>();
   CLI::App* command = app.add_subcommand(
-      "tournament", "Plays games between two teams of simulated robots, and says which is better");
+      "tournament", "Plays games between two teams of simulated robots, and reports which is better");
   command
       ->add_option("team", arguments->first,
                    "What the robots of a team run: NAME:LAYOUT,TASK=SOLUTION,preset=PRESET, each of which "
                    "may be left out")
       ->required();
-  command->add_option("opponent", arguments->second, "The same of the other team")->required();
+  command->add_option("opponent", arguments->second, "The same for the other team")->required();
   command
       ->add_option("--games", arguments->tournament.games,
-                   "How many games; in each second one the sides are swapped, with the same seed")
+                   "Number of games; in every second one the sides are swapped, with the same seed")
       ->check(numberFrom(1, 100000))
       ->capture_default_str();
   command
       ->add_option("--scene", arguments->tournament.scene, "A scene with two teams and the rules of a game")
       ->capture_default_str();
   command->add_flag("--errors", arguments->tournament.errors,
-                    "Adds how far percepts and models of both teams are from the truth");
+                    "Adds the errors of both teams' percepts and models against the ground truth");
   command->add_flag("--json", arguments->asJson, "Prints games and standings as one JSON object");
   arguments->execution.addOptionsTo(*command);
   arguments->execution.addTo(*command);

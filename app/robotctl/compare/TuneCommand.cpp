@@ -167,7 +167,7 @@ void addTuneCommand(CLI::App& app, int& status) {
   TuningTask& tuning = arguments->tuning;
   CLI::App* command = app.add_subcommand(
       "tune",
-      "Searches better parameters of a solution by simulation, and tries them with seeds it has not seen");
+      "Searches for better parameters of a solution by simulation, and tests them with held-out seeds");
   command->add_option("--task", arguments->task, "The task, such as motion")->required();
   command->add_option("--solution", arguments->solution, "Its solution")->required();
   command
@@ -182,10 +182,11 @@ void addTuneCommand(CLI::App& app, int& status) {
   command->add_option("--scene", tuning.scene, "The scene that is simulated with each candidate and seed")
       ->required();
   command
-      ->add_option("--figure", tuning.figure,
-                   "What is minimized, by its name in a report: 'models/ball position mean', 'walk forward'")
+      ->add_option(
+          "--figure", tuning.figure,
+          "The figure to minimize, by its name in a report: 'models/ball position mean', 'walk forward'")
       ->required();
-  command->add_flag("--maximize", tuning.maximize, "The figure is maximized");
+  command->add_flag("--maximize", tuning.maximize, "Maximizes the figure instead");
   command->add_option("--seeds", tuning.seeds, "Number of seeds for each candidate")
       ->check(numberFrom(1, 10000))
       ->capture_default_str();
@@ -197,12 +198,12 @@ void addTuneCommand(CLI::App& app, int& status) {
       ->capture_default_str();
   command
       ->add_option("--algorithms", arguments->algorithms,
-                   "Algorithms of NLopt, one after the other, with commas between them")
+                   "Algorithms of NLopt, run one after another, comma-separated")
       ->allow_extra_args(false)
       ->delimiter(',')
       ->check(CLI::IsMember(Optimizer::algorithms()))
       ->capture_default_str();
-  command->add_option("--evaluations", arguments->evaluations, "How many candidates are tried in all")
+  command->add_option("--evaluations", arguments->evaluations, "Total number of candidates tried")
       ->check(numberFrom(1, 1e6))
       ->capture_default_str();
   tuning.execution.addOptionsTo(*command);

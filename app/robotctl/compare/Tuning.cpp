@@ -95,8 +95,8 @@ robotlink::Result<void> Tuning::checkThatParametersMatter() const {
     return {};
   return robotlink::failure(
       "tune.alike",
-      fmt::format("the first {} candidates all have {} of '{}': what is tuned does not change it; does the "
-                  "scene's layout run the task, or is an option missing behind --?",
+      fmt::format("the first {} candidates all have {} of '{}', so the tuned parameters do not affect it; "
+                  "does the scene's layout run the task, or is an option missing after --?",
                   kAlike, *first, task_.figure),
       {}, {task_.figure});
 }

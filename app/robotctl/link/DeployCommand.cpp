@@ -122,7 +122,7 @@ int runDeploy(const DeployArguments& arguments) {
     waits = waits || (done && needsRestart(*done));
   }
   if (waits && !arguments.asJson)
-    std::cerr << "Start the programs again, while the robots may stand: robotctl deploy " << arguments.file
+    std::cerr << "Restart the programs when the robots may stop: robotctl deploy " << arguments.file
               << " --restart" << std::endl;
   if (arguments.asJson) std::cout << jsonOutput(all);
   return status;
@@ -139,14 +139,14 @@ void addDeployCommand(CLI::App& app, int& status) {
       ->type_name("SET.yaml");
   auto* checks =
       command->add_flag("--check", arguments->checks,
-                        "Sends nothing, and says what differs; the exit status is 1 if something does");
+                        "Sends nothing, but lists what differs; the exit status is 1 if anything does");
   command
       ->add_flag(
           "--restart", arguments->restarts,
-          "Then starts the programs again that have not read all of it yet; these robots stand meanwhile")
+          "Then restarts programs that have not read all of it yet; these robots are stopped meanwhile")
       ->excludes(checks);
   command->add_option("--robot", arguments->robots, "Only this robot; may be repeated");
-  command->add_option("--token", arguments->token, "The robots' token; without it those that are remembered")
+  command->add_option("--token", arguments->token, "The robots' token; default: the remembered ones")
       ->envname("ROBOTCONTROL_TOKEN");
   command->add_flag("--json", arguments->asJson, "Prints JSON");
   command->callback([arguments, &status] { status = runDeploy(*arguments); });

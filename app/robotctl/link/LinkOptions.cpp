@@ -12,7 +12,7 @@ void LinkOptions::addTo(CLI::App& command) {
   command.add_option("url", url, "The robot's URL: ws://HOST:PORT, or wss:// for encryption")
       ->required()
       ->type_name("URL");
-  command.add_option("--token", token, "The robot's token, which was printed when it was created")
+  command.add_option("--token", token, "The robot's token, as printed when it was created")
       ->envname("ROBOTCONTROL_TOKEN");
 }
 

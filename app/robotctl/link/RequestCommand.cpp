@@ -99,7 +99,7 @@ int callService(Client& client, const RequestArguments& arguments,
   auto answer = promise->get_future();
   client.call(std::move(call), [promise](const Answer& got) { promise->set_value(got); });
   const auto isReady = [&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
-  if (!waitFor(isReady, end + std::chrono::seconds(1))) return printProblem("no answer came");
+  if (!waitFor(isReady, end + std::chrono::seconds(1))) return printProblem("there was no answer");
   const Answer got = answer.get();
   return got ? printAnswer(*got) : printProblem(got.error().text);
 }
@@ -111,7 +111,7 @@ int request(const RequestArguments& arguments) {
     return kUsage;
   }
   if (!arguments.argument.empty() && !json::accept(arguments.argument)) {
-    std::cerr << "robotctl request: the argument is no JSON: write it as '{\"name\": \"value\"}'\n";
+    std::cerr << "robotctl request: the argument is not JSON: write it as '{\"name\": \"value\"}'\n";
     return kUsage;
   }
   const Interrupt interrupt;

@@ -56,15 +56,15 @@ int listRobots(const RobotsArguments& arguments) {
 
 void addRobotsCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<RobotsArguments>();
-  CLI::App* command = app.add_subcommand(
-      "robots",
-      "Lists robots that announce themselves on this machine's networks: those that were started "
-      "with --listen ADDRESS:PORT");
-  command->add_option("--seconds", arguments->seconds, "How long it listens, s")
+  CLI::App* command =
+      app.add_subcommand("robots",
+                         "Lists robots that announce themselves on this machine's networks: those started "
+                         "with --listen ADDRESS:PORT");
+  command->add_option("--seconds", arguments->seconds, "How long to listen, s")
       ->check(numberFrom(0.1, 3600))
       ->capture_default_str();
   command->add_option("--interface", arguments->address,
-                      "The address of the network interface that it listens on (all)");
+                      "The address of the network interface to listen on (all)");
   command->callback([arguments, &status] { status = listRobots(*arguments); });
 }
 

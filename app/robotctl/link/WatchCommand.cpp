@@ -235,30 +235,28 @@ void addWatchCommand(CLI::App& app, int& status) {
           "* matches any text, - excludes (red1/models/*,-*/log)")
       ->type_name("STREAMS")
       ->excludes(csv);
-  command->add_option("--seconds", arguments->seconds, "Ends after so long; otherwise with Ctrl-C")
+  command->add_option("--seconds", arguments->seconds, "Ends after this time; default: with Ctrl-C")
       ->check(positiveNumber());
   command
       ->add_option("--budget", arguments->limits.bytesPerSecond,
-                   "Bytes a second that the robot may send; 0 is without limit")
+                   "Bytes per second that the robot may send; 0: no limit")
       ->check(nonNegativeNumber());
-  auto* jpeg =
-      command->add_flag("--jpeg", arguments->asJpeg, "Lets the robot send images as JPEG, for narrow lines");
-  auto* png =
-      command->add_flag("--png", arguments->asPng, "Lets the robot send images as PNG")->excludes(jpeg);
+  auto* jpeg = command->add_flag("--jpeg", arguments->asJpeg, "Requests images as JPEG, for slow links");
+  auto* png = command->add_flag("--png", arguments->asPng, "Requests images as PNG")->excludes(jpeg);
   command
       ->add_option("--image-rate", arguments->limits.imagesPerSecond,
-                   "Images a second that the robot may send of each stream; 0 is all")
+                   "Images per second of each stream that the robot may send; 0: all")
       ->check(nonNegativeNumber());
   command
       ->add_flag("--raw", arguments->asRaw,
-                 "Leaves images raw, also where the line is too narrow; else they come as JPEG then")
+                 "Keeps images raw even if the link is too slow; by default they are sent as JPEG then")
       ->excludes(jpeg)
       ->excludes(png);
   command->add_flag("--json", arguments->asJson, "Prints one JSON object at the end");
   command->footer(
-      "What is subscribed to is what a workbench would: tables, states and texts, what debug keys that are "
-      "on publish,\n"
-      "and what is recorded or printed; a rate of '-' means that a stream is not. Exit status: 1 if the "
+      "It subscribes to what a workbench would: tables, states and texts, the output of debug keys that are "
+      "on,\nand what is recorded or printed; a rate of '-' marks a stream not subscribed to. Exit status: 1 "
+      "if the "
       "robot was\n"
       "never reached.");
   command->callback([arguments, &status] { status = watch(*arguments); });

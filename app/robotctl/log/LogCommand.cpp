@@ -63,7 +63,7 @@ void TimeRangeOptions::addTo(CLI::App& command) {
       "in seconds from the log's start, or @ and the log's own time, or a date in UTC (2026-05-04T12:30:01), "
       "or a bookmark's text";
   command.add_option("--from", from, std::string("Where to begin: ") + kinds);
-  command.add_option("--to", to, "Where to end; the same");
+  command.add_option("--to", to, "Where to end, in the same form");
 }
 
 Result<TimeRangeOptions::Instants> TimeRangeOptions::of(const std::filesystem::path& log) const {

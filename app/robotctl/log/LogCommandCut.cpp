@@ -117,7 +117,7 @@ void addOutput(CLI::App& command, CutArguments& arguments) {
                   "Compression of the new file: none, lz4 or zstd (default)")
       ->transform(CLI::CheckedTransformer(kCompressions).description("{none,lz4,zstd}"))
       ->type_name("TEXT");
-  command.add_flag("--force", arguments.options.overwrite, "Overwrites a file of this name");
+  command.add_flag("--force", arguments.options.overwrite, "Overwrites an existing file");
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ void addOutput(CLI::App& command, CutArguments& arguments) {
 void addLogCutCommands(CLI::App& log, int& status) {
   auto arguments = std::make_shared<CutArguments>();
   CLI::App* command = log.add_subcommand(
-      "cut", "Copies a time range, with what is latched at its start, whole frames and bookmarks");
+      "cut", "Copies a time range: whole frames, bookmarks, and messages latched at its start");
   addFiles(*command, *arguments);
   arguments->range.addTo(*command);
   addStreams(*command, *arguments);
@@ -142,8 +142,8 @@ void addLogCutCommands(CLI::App& log, int& status) {
   auto& joining = arguments->options.joining;
   auto* concatenate = command->add_flag_callback(
       "--concatenate", [&joining] { joining = logplayer::Joining::kConcatenate; },
-      "One after another, or not at all; the default where times do not overlap and robots with equal names "
-      "run the same program");
+      "Joins the logs one after another, or fails; the default if their times do not overlap and robots with "
+      "equal names run the same program");
   command
       ->add_flag_callback(
           "--separate", [&joining] { joining = logplayer::Joining::kSeparate; },

@@ -115,18 +115,17 @@ void addLogExportCommand(CLI::App& log, int& status) {
       "file; - is standard output";
   command->add_option("--csv", arguments->csv, "STREAMS OUT, a table: " + streams)->expected(2);
   command
-      ->add_option("--json", arguments->json,
-                   "STREAMS OUT, a JSON object a line for each message: " + streams)
+      ->add_option("--json", arguments->json, "STREAMS OUT, one JSON object per line and message: " + streams)
       ->expected(2);
-  command->add_flag("--texts", arguments->texts, "Texts, one a line with time, level and source");
+  command->add_flag("--texts", arguments->texts, "Texts, one per line with time, level and source");
   command->add_option("--output", arguments->output, "A file for the texts, instead of standard output");
   arguments->range.addTo(*command);
   command
       ->add_option("--streams", arguments->streams.include,
-                   "Of images and texts only these; * matches any text")
+                   "Only images and texts of these streams; * matches any text")
       ->allow_extra_args(false);
   command->add_option("--exclude", arguments->streams.exclude, "None of these")->allow_extra_args(false);
-  command->add_flag("--force", arguments->force, "Overwrites files of these names");
+  command->add_flag("--force", arguments->force, "Overwrites existing files");
   command->callback([arguments, &status] { status = exportLog(*arguments); });
 }
 

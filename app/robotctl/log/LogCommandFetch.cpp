@@ -79,8 +79,9 @@ int fetchOne(RecordingFetch& fetch, const RecordingFetch::Progress& progress, co
   }
   std::fprintf(stderr, "%s: %.2f MB", file.c_str(), static_cast<double>(fetched->bytes) * 1e-6);
   if (fetched->resumedAt > 0)
-    std::fprintf(stderr, ", %.2f MB of them from before", static_cast<double>(fetched->resumedAt) * 1e-6);
-  std::cerr << (arguments.removes ? "; deleted at the robot\n" : "\n");
+    std::fprintf(stderr, ", %.2f MB of them from an earlier download",
+                 static_cast<double>(fetched->resumedAt) * 1e-6);
+  std::cerr << (arguments.removes ? "; deleted on the robot\n" : "\n");
   return kDone;
 }
 
@@ -129,8 +130,9 @@ void addLogFetchCommand(CLI::App& log, int& status) {
   arguments->link.addTo(*command);
   command->add_option("name", arguments->name, "The recording; if omitted, all recordings are listed");
   command->add_option("file", arguments->file, "The local file; by default the same name in this folder");
-  command->add_flag("--force", arguments->force, "Replaces a file that exists");
-  command->add_flag("--delete", arguments->removes, "Deletes the recording at the robot once it is here");
+  command->add_flag("--force", arguments->force, "Replaces an existing file");
+  command->add_flag("--delete", arguments->removes,
+                    "Deletes the recording on the robot once it has been downloaded");
   command->add_flag("--json", arguments->asJson, "Prints JSON");
   command->callback([arguments, &status] { status = runFetch(*arguments); });
 }

@@ -117,7 +117,7 @@ CLI::App* addImporter(CLI::App& log, const char* name, const char* help,
   CLI::App* command = log.add_subcommand(name, help);
   command->add_option("from", arguments->from, "The log to read; - is standard input")->required();
   command->add_option("to", arguments->to, "The MCAP file to write")->required();
-  command->add_flag("--force", arguments->force, "Overwrites a file of this name");
+  command->add_flag("--force", arguments->force, "Overwrites an existing file");
   return command;
 }
 
@@ -132,7 +132,7 @@ void addLogImportCommands(CLI::App& log, int& status) {
       arguments);
   command
       ->add_option("--robot", arguments->options.robot,
-                   "The name that the robot gets; without it: nao, or camera")
+                   "The name that the robot gets (default: nao, or camera)")
       ->check(robotName);
   command
       ->add_option("--color-table", arguments->colorTable,

@@ -156,7 +156,7 @@ void addLogNoteCommands(CLI::App& log, int& status) {
   command->add_option("file", marks->file, "A log file; for listing also -, standard input")->required();
   auto* added =
       command->add_option("--add", marks->add, "The text of a new bookmark at --from, or from there --to");
-  command->add_option("--remove", marks->remove, "The text of those to remove")->excludes(added);
+  command->add_option("--remove", marks->remove, "The text of the bookmarks to remove")->excludes(added);
   marks->range.addTo(*command);
   command->add_flag("--json", marks->asJson, "Prints them as JSON");
   command->callback([marks, &status] { status = bookmark(*marks); });
@@ -167,16 +167,18 @@ void addLogNoteCommands(CLI::App& log, int& status) {
   command->add_option("file", arguments->file, "A log file; unless it is changed also -, standard input")
       ->required();
   auto* add = command->add_option("--add", arguments->add, "A file to attach")->check(CLI::ExistingFile);
-  command->add_option("--name", arguments->options.name, "Its name there; else the file's")->needs(add);
+  command->add_option("--name", arguments->options.name, "Its name in the log; default: the file's")
+      ->needs(add);
   command
       ->add_option("--media-type", arguments->options.mediaType,
-                   "Such as text/plain; else by the file's extension")
+                   "Such as text/plain; default: by the file's extension")
       ->needs(add);
-  auto* extract = command->add_option("--extract", arguments->extract, "The name of one to write to a file")
-                      ->excludes(add);
-  command->add_option("--output", arguments->output, "The file to write; else the attachment's name")
+  auto* extract =
+      command->add_option("--extract", arguments->extract, "The name of an attachment to write to a file")
+          ->excludes(add);
+  command->add_option("--output", arguments->output, "The file to write; default: the attachment's name")
       ->needs(extract);
-  command->add_flag("--force", arguments->force, "Overwrites a file of this name");
+  command->add_flag("--force", arguments->force, "Overwrites an existing file");
   command->add_flag("--json", arguments->asJson, "Prints them as JSON");
   command->callback([arguments, &status] { status = attachment(*arguments); });
 }

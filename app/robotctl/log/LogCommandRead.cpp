@@ -68,7 +68,7 @@ Result<Findings> verify(const std::filesystem::path& path) {
                      {"messages", readable->messages},
                      {"chunks", readable->chunks},
                      {"losses", findings.losses}};
-  findings.text = file + (findings.losses.empty() ? ": whole, " : ": readable with losses, ") +
+  findings.text = file + (findings.losses.empty() ? ": whole, " : ": readable in part, ") +
                   ofAll(readable->messages, messages) + " messages in " + ofAll(readable->chunks, chunks) +
                   " chunks\n";
   return findings;

@@ -108,7 +108,7 @@ int printSearchError(robotlink::Error error) {
 int printFound(logplayer::SearchReport report, const SearchArguments& arguments, json hits) {
   if (report.hits >= arguments.limit) {
     report.losses.push_back("only the first " + logplayer::plural(arguments.limit, "hit") +
-                            " were looked for; --limit takes more");
+                            " hits were searched for; --limit allows more");
   }
   if (arguments.asJson) {
     std::cout << jsonOutput(json{{"file", arguments.file},
@@ -162,8 +162,8 @@ void addLogSearchCommand(CLI::App& log, int& status) {
   auto arguments = std::make_shared<SearchArguments>();
   CLI::App* command = log.add_subcommand(
       "search",
-      "Finds where a condition becomes true, without playing the log; what the log lacks, the "
-      "programs of its robots compute");
+      "Finds where a condition becomes true, without playing the log; the programs of its robots compute "
+      "what the log lacks");
   command->add_option("file", arguments->file, "A log file (MCAP or an older format); - is standard input")
       ->required();
   command
@@ -176,7 +176,7 @@ void addLogSearchCommand(CLI::App& log, int& status) {
                       "name of a shipped one; else that of the log or of the robot");
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of that layout's");
   command->add_flag("--json", arguments->asJson, "Prints one JSON object");
-  command->add_option("--limit", arguments->limit, "Ends the search after so many hits")
+  command->add_option("--limit", arguments->limit, "Ends the search after this many hits")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   arguments->range.addTo(*command);

@@ -28,12 +28,14 @@ void ArcosOptions::addTo(CLI::App& command) {
   teams_ = command.add_option("--teams", teams, "The teams of added robots that play: both, red or blue")
                ->check(CLI::IsMember({"both", "red", "blue"}))
                ->capture_default_str();
-  arcos_ = command
-               .add_option("--arcos", port,
-                           "Opens the robots to programs over ARCOS: the first at this TCP port (8101), the "
-                           "next at the next; runs in real time, without programs of its own")
-               ->expected(0, 1)
-               ->default_str("8101");
+  arcos_ =
+      command
+          .add_option(
+              "--arcos", port,
+              "Lets external programs drive the robots over ARCOS: the first at this TCP port "
+              "(8101), the others at the ports after it; runs in real time, without the robots' own programs")
+          ->expected(0, 1)
+          ->default_str("8101");
   command
       .add_option("--bind", address,
                   "The address of these ports; addresses other than loopback open them to the network")
@@ -43,7 +45,7 @@ void ArcosOptions::addTo(CLI::App& command) {
                    "Robots on wheels are moved by their odometry instead of by forces");
   command
       .add_flag("--all-sonars", allSonars,
-                "Sonars all come with each information packet, instead of firing in turn")
+                "Each information packet has the readings of all sonars, which otherwise fire in turn")
       ->needs(arcos_);
 }
 

@@ -86,12 +86,12 @@ void addLaunchCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<LaunchArguments>();
   CLI::App* command = app.add_subcommand(
       "launch",
-      "Starts all programs that a layout names under 'programs' on this machine, and prints what they write "
-      "behind their names. Ctrl-C ends all; when one crashes, the others go on");
+      "Starts all programs that a layout names under 'programs' on this machine, and prints their output "
+      "after their names. Ctrl-C ends all; if one crashes, the others continue");
   command->add_option("LAYOUT", arguments->layout, "A process layout: a file, or the name of a shipped one")
       ->required();
   command->prefix_command();
-  command->footer("All that follows LAYOUT are options of robotctl run, for each of the programs.");
+  command->footer("Everything after LAYOUT is passed as options of robotctl run to each of the programs.");
   command->callback([command, arguments, &status] {
     arguments->others = command->remaining();
     status = withResources([&] { return launch(*arguments); });

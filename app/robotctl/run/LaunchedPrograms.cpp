@@ -132,7 +132,7 @@ void LaunchedPrograms::noteEnd(Program& program) {
     what = "has failed with status " + std::to_string(WEXITSTATUS(status));
   }
   out_ << "Program " << program.name << " " << what;
-  out_ << (anyRuns() ? "; the others go on. To start it again: " + program.again : ".") << '\n';
+  out_ << (anyRuns() ? "; the others continue. To restart it: " + program.again : ".") << '\n';
 }
 
 void LaunchedPrograms::signalAll(int signal) {

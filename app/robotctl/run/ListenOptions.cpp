@@ -36,22 +36,23 @@ void ListenOptions::addTo(CLI::App& command) {
               throw CLI::ValidationError("--resources", used.error().describe());
             resources_ = folder;
           },
-          "With --listen: a resource folder of the robot's own, made as a copy of the installed one if there "
-          "is "
-          "none. Clients may deploy layouts, parameters, motions and color tables into it (robotctl deploy)")
+          "With --listen: the robot's own resource folder, created as a copy of the installed one if "
+          "missing. Clients may deploy layouts, parameters, motions and color tables into it (robotctl "
+          "deploy)")
       ->type_name("FOLDER")
       ->needs(option_);
-  auto* secure = command.add_flag("--secure", access_.isSecure, "Encryption and tokens at 127.0.0.1, too")
-                     ->needs(option_);
+  auto* secure =
+      command.add_flag("--secure", access_.isSecure, "Requires encryption and tokens at 127.0.0.1 as well")
+          ->needs(option_);
   auto* tokens = command
                      .add_option("--token-file", access_.tokenFile,
-                                 "The file of the tokens that clients have to show; made if there is none "
+                                 "The file of the tokens that clients need; created if missing "
                                  "(robotcontrol/tokens in ~/.local/state)")
                      ->needs(option_)
                      ->type_name("FILE");
   command
       .add_flag("--insecure", access_.isInsecure,
-                "No encryption, no tokens: all who reach the address can watch and steer the robots")
+                "No encryption, no tokens: anyone who can reach the address can watch and steer the robots")
       ->needs(option_)
       ->excludes(secure)
       ->excludes(tokens);
@@ -61,8 +62,9 @@ void ListenOptions::addTo(CLI::App& command) {
       ->needs(option_)
       ->type_name("ORIGIN");
   command
-      .add_option("--motion-timeout", motionTimeout_,
-                  "A robot stops when the client that steers it has not repeated a motion for this long, s")
+      .add_option(
+          "--motion-timeout", motionTimeout_,
+          "A robot stops when the client that steers it has not repeated its motion request for this long, s")
       ->needs(option_)
       ->check(numberFrom(0.1, 60))
       ->capture_default_str();

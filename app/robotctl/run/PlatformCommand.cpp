@@ -91,8 +91,9 @@ void addPlatformCommand(CLI::App& app, int& status) {
       ->required();
   arguments->listen.addTo(*command);
   command
-      ->add_option("--watchdog", arguments->watchdog,
-                   "The robot stops when its commands are lost, or are based on readings older than this, s")
+      ->add_option(
+          "--watchdog", arguments->watchdog,
+          "The robot stops if no commands arrive, or if they are based on readings older than this, s")
       ->check(numberFrom(0.05, 60))
       ->capture_default_str();
   command->add_option("--robot", arguments->robot, "The name of a real robot")
@@ -102,7 +103,7 @@ void addPlatformCommand(CLI::App& app, int& status) {
                     "Switches the motors of a real robot on as soon as it is connected");
   command
       ->add_option("--models", arguments->models,
-                   "Folders in which model://NAME is searched first, with colons between them")
+                   "Folders in which model://NAME is searched first, separated by colons")
       ->expected(1)
       ->take_all()
       ->delimiter(':')
@@ -111,7 +112,7 @@ void addPlatformCommand(CLI::App& app, int& status) {
   command->add_flag("--no-noise", arguments->noNoise, "Simulated sensors without noise");
   command->add_option("--seconds", arguments->seconds, "How long it runs (until Ctrl-C)")
       ->check(numberFrom(0, 1e6));
-  command->add_flag("--quiet", arguments->isQuiet, "Does not print what happens to the bodies");
+  command->add_flag("--quiet", arguments->isQuiet, "Does not print the events of the bodies");
   command->callback(
       [arguments, &status] { status = withResources([&] { return offerBodies(*arguments); }); });
 }

@@ -109,14 +109,15 @@ void addSpreadOptions(CLI::App& command, SpreadOptions& spread) {
               "--program", spread.program,
               "Runs one of the programs that the layout names under 'programs'; start the others with "
               "the same options, or all on this machine with robotctl launch. --listen, --record and "
-              "what concerns the robot's line act in the one that has the debug process")
+              "the options for the robot's line act in the one that has the debug process")
           ->type_name("NAME");
   command
       .add_flag("--local", spread.local, "All programs run on this machine, whatever hosts the layout names")
       ->needs(program);
   command
-      .add_option("--dds-domain", spread.domain,
-                  "Programs meet in this DDS domain, 0 to 230: one for each group on a network")
+      .add_option(
+          "--dds-domain", spread.domain,
+          "The programs communicate in this DDS domain, 0 to 230: use one for each group on a network")
       ->needs(program)
       ->check(CLI::Range(0, 230))
       ->capture_default_str();
@@ -147,8 +148,8 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of the layout's");
   command->add_option(
       "--shadow", arguments->shadows,
-      "TASK=SOLUTION that runs beside the one that is used, on the same inputs; with --errors "
-      "it has figures of its own, and --record has what it yields, draws and takes");
+      "TASK=SOLUTION to run in the shadow of the active one, on the same inputs; --errors gives it its own "
+      "figures, and --record records its output, drawings and times");
   command->add_option("--preset", arguments->preset,
                       "A preset (a file, or a name of one of yours) with the keys, solutions and parameters "
                       "that a robot's program starts with");

@@ -322,7 +322,7 @@ robotlink::Result<void> checkOptions(const CLI::App& sim, const SimArguments& ar
         "--snapshot-at", "--restore",  "--record",         "--errors",      "--texts",    "--digest",
         "--progress",    "--patience", "--labelled-images"}},
       {!arguments.script.empty(),
-       "a script says itself what is done and recorded",
+       "a script itself controls the run and its recording",
        {"--walk", "--trials", "--listen", "--seconds", "--speed", "--snapshot-at", "--restore", "--record",
         "--errors", "--texts", "--digest", "--json", "--progress", "--labelled-images"}},
       {!arguments.walk.empty(),
@@ -398,7 +398,7 @@ int runSim(const CLI::App& sim, SimArguments& arguments) {
 void addProgramOptions(CLI::App& sim, SimArguments& arguments) {
   sim.add_option(
          "--executor", arguments.executor,
-         "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
+         "How processes run: lockstep (reproducible), or threads (the simulation does not wait for them)")
       ->check(CLI::IsMember({"lockstep", "threads"}))
       ->capture_default_str();
   sim.add_option(
@@ -406,10 +406,9 @@ void addProgramOptions(CLI::App& sim, SimArguments& arguments) {
          "How many threads share physics, sensors, images and the robots' programs; the results are the "
          "same for any number (default: as many as the machine has cores)")
       ->check(numberFrom(1, robotlink::ThreadPool::kMaxThreads));
-  sim.add_option(
-         "--own-process", arguments.ownProcesses,
-         "ROBOT whose program runs in a process of its own, so that a crash of it harms nothing else; "
-         "'all' for each robot")
+  sim.add_option("--own-process", arguments.ownProcesses,
+                 "ROBOT whose program runs in its own process, so that a crash harms nothing else; "
+                 "'all' for each robot")
       ->delimiter(',')
       ->type_name("ROBOT|all");
   sim.add_option("--program-memory", arguments.programMemory,
@@ -417,8 +416,8 @@ void addProgramOptions(CLI::App& sim, SimArguments& arguments) {
       ->check(numberFrom(0, 1 << 20))
       ->capture_default_str();
   sim.add_option("--patience", arguments.patience,
-                 "Seconds after which a module that does not return is named, and the game goes on without "
-                 "its robot; 0: never, or with --listen after 2 s")
+                 "Seconds after which a module that does not return is reported, and the game continues "
+                 "without its robot; 0: never, or with --listen after 2 s")
       ->check(numberFrom(0, 1e6))
       ->capture_default_str();
 }
@@ -432,13 +431,13 @@ void addSimCommand(CLI::App& app, int& status) {
                   "An SDFormat world, a map (*.map), or the name of a shipped one")
       ->required();
   sim->add_option("--seconds", arguments->seconds,
-                  "Simulated seconds (10; with --trials 60 for each; with --arcos or --listen until Ctrl-C)")
+                  "Simulated seconds (10; with --trials 60 each; with --arcos or --listen until Ctrl-C)")
       ->check(numberFrom(0, 1e6));
   sim->add_option("--seed", arguments->run.world.seed, "Seed of all noise and of the trials' places")
       ->capture_default_str();
   arguments->teams.addTo(*sim);
   sim->add_option("--models", arguments->models,
-                  "Folders in which model://NAME is searched first, with colons between them")
+                  "Folders in which model://NAME is searched first, separated by colons")
       ->expected(1)
       ->take_all()
       ->delimiter(':')
@@ -465,15 +464,15 @@ void addSimCommand(CLI::App& app, int& status) {
       ->needs(trials);
   sim->add_option(
          "--walk", arguments->walk,
-         "Measures how the first robot walks when it is asked for FORWARD[,LEFT[,TURN]] (m/s, degrees/s), "
+         "Measures how the first robot walks when FORWARD[,LEFT[,TURN]] (m/s, degrees/s) is requested, "
          "for --seconds (5)")
       ->delimiter(',')
       ->expected(1, 3)
       ->check(numberFrom(-1000, 1000))
       ->excludes(trials);
   sim->add_option("--speed", arguments->speed,
-                  "How many times real time; 0 is as fast as possible (lockstep 0, threads, "
-                  "--arcos and --listen 1)")
+                  "Speed relative to real time; 0 is as fast as possible (default: 0 in lockstep, 1 with "
+                  "threads, --arcos or --listen)")
       ->check(numberFrom(0, 100))
       ->excludes(trials);
   sim->add_flag("--progress", arguments->progress,
@@ -482,13 +481,14 @@ void addSimCommand(CLI::App& app, int& status) {
   arguments->arcos.addTo(*sim);
   arguments->listen.addTo(*sim);
   sim->add_flag("--paused", arguments->isPaused,
-                "With --listen: waits before the first step until a client starts it, so that controllers "
-                "elsewhere miss none (the service control_simulation with {\"action\": \"START\"})")
+                "With --listen: waits before the first step until a client starts it, so that external "
+                "controllers miss none (the service control_simulation with {\"action\": \"START\"})")
       ->needs("--listen");
   arguments->camera.addTo(*sim);
   arguments->record.addTo(*sim);
-  sim->add_flag("--errors", arguments->errors,
-                "Adds to the figures how far percepts and models of each robot are from the truth");
+  sim->add_flag(
+      "--errors", arguments->errors,
+      "Adds to the figures the errors of each robot's percepts and models against the ground truth");
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
   sim->add_flag("--digest", arguments->digest, "Prints only a hash of everything that happened");
   sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");

@@ -108,7 +108,8 @@ int runSimScript(const RunOptions& options, const std::filesystem::path& script)
   const Interrupt interrupt;
   const EmptyUserFolder folder;
   if (folder.path().empty())
-    return printErrors({{"sim.script", "no temporary folder can be made, which a script needs", {}, {}}});
+    return printErrors(
+        {{"sim.script", "a script needs a temporary folder, which cannot be created", {}, {}}});
   ScriptedSimulation simulation(folder.path());
   const int opened = simulation.open(options);
   return opened == kDone ? simulation.run(script) : opened;

@@ -8,7 +8,7 @@
 namespace app {
 
 void CameraOptions::addTo(CLI::App& command) {
-  command.add_option("--light", lighting.brightness, "Brightness of all light, times that of the scene")
+  command.add_option("--light", lighting.brightness, "Brightness of all light, relative to the scene's")
       ->check(numberFrom(0, simcore::LightAdjustment::kMaxBrightness))
       ->capture_default_str();
   command.add_option("--warmth", lighting.warmth, "Color of all light: above 0 reddish, below 0 bluish")
@@ -16,8 +16,8 @@ void CameraOptions::addTo(CLI::App& command) {
       ->capture_default_str();
   command
       .add_option("--vignetting", vignetting,
-                  "Share of light missing in the corners of images, and further share of red and green "
-                  "missing there (0), instead of the cameras' own")
+                  "Fraction of light missing in the corners of images, and additional fraction of red and "
+                  "green missing there (0), instead of the cameras' own")
       ->expected(1, 2)
       ->check(numberFrom(0, 1));
   command
@@ -31,7 +31,9 @@ void CameraOptions::addTo(CLI::App& command) {
       command.add_option("--labelled-images", labeledFolder,
                          "Writes images into DIR/images and their true classes into DIR/labels, for "
                          "robotctl color evaluate");
-  command.add_option("--images-every", labeledEvery, "At most one of these per robot in this many seconds")
+  command
+      .add_option("--images-every", labeledEvery,
+                  "At most one of these images per robot in this many seconds")
       ->check(numberFrom(0, 1e6))
       ->capture_default_str()
       ->needs(folder);

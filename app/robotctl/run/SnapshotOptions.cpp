@@ -15,18 +15,17 @@ using robotlink::Result;
 
 void SnapshotOptions::addTo(CLI::App& command) {
   command
-      .add_option(
-          "--snapshot-at", at,
-          "SECONDS=FILE: writes a snapshot of the simulation when it has come so far; may be repeated")
+      .add_option("--snapshot-at", at,
+                  "SECONDS=FILE: writes a snapshot of the simulation at that time; may be repeated")
       ->type_name("SECONDS=FILE");
   auto* file = command
                    .add_option("--restore", restored,
-                               "A snapshot with which the simulation begins; the programs start over there")
+                               "A snapshot from which the simulation begins; the programs start anew there")
                    ->type_name("FILE");
   command
       .add_flag(
           "--programs", programs,
-          "With --restore: runs the programs again from their start, so that they are as they were, too")
+          "With --restore: replays the programs from their start, so that their state is restored as well")
       ->needs(file);
 }
 
@@ -58,7 +57,7 @@ Result<void> SnapshotOptions::restore(SimulatedRun& run) const {
   const auto show = progress.function();
   while (const auto share = run.ranAgain()) {
     if (Interrupt::noted() || (show && !show(*share)))
-      return robotlink::failure("sim.interrupted", "running the programs again was interrupted");
+      return robotlink::failure("sim.interrupted", "replaying the programs was interrupted");
     run.step();
   }
   progress.erase();

@@ -64,8 +64,8 @@ void TeamOptions::addTo(CLI::App& command) {
       ->take_all();
   command.add_option(
       "--shadow", shadows,
-      "TASK=SOLUTION that runs in all programs beside the one that is used, on the same inputs; "
-      "NAME/TASK=SOLUTION for one robot or team; with --errors it has figures of its own");
+      "TASK=SOLUTION to run in all programs in the shadow of the active one, on the same inputs; "
+      "NAME/TASK=SOLUTION for one robot or team; --errors gives it its own figures");
   command.add_option("--game", game,
                      "The rules of the game: the name of shipped ones (2002), or a file; none: without a "
                      "referee (default: as the scene says)");

@@ -34,7 +34,8 @@ tl::expected<void, std::string> ChunkLoader::load(const Section& section, Buffer
     return {};
   }
   if (!section.unknownCompression.empty()) {
-    return problem("a chunk is compressed by " + section.unknownCompression + ", which is not known here");
+    return problem("a chunk is compressed by " + section.unknownCompression +
+                   ", which is not supported here");
   }
   std::uint8_t bytes[kChunkHeadBytes];
   const std::span<std::uint8_t> begin =

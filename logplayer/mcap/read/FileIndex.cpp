@@ -131,7 +131,7 @@ std::optional<Summary> readSummary(const Source& source, std::size_t maxRecordBy
 tl::expected<FileIndex, NoSummary> indexBySummary(const Source& source, std::size_t maxRecordBytes) {
   const auto without = [](std::string damage) { return tl::unexpected(NoSummary{std::move(damage)}); };
   const std::optional<Footer> footer = readFooter(source);
-  if (!footer) return without("the file does not end as it should: its writer was not closed");
+  if (!footer) return without("the file does not end properly: its writer was not closed");
   if (footer->summaryStart == 0) return without({});
   std::optional<Header> header = readHeader(source, maxRecordBytes);
   std::optional<Summary> summary = readSummary(source, maxRecordBytes);

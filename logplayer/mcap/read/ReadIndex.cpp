@@ -101,7 +101,7 @@ robotlink::Result<FileIndex> readIndex(const Source& source, const ReadOptions& 
   }
   const bool nothing = scanned.sections.empty() && scanned.channels.empty() && scanned.attachments.empty();
   if (nothing && !std::ranges::equal(source.read(0, sizeof kMagic), kMagic)) {
-    return robotlink::failure("mcap.none", "this is not an MCAP file, or nothing of it is left",
+    return robotlink::failure("mcap.none", "this is not an MCAP file, or nothing in it can be read",
                               {source.file().string(), 0, 0});
   }
   return scanned;

@@ -184,8 +184,7 @@ void Scanner::noteLost(std::uint64_t from, std::uint64_t to, bool goesOn, std::u
   if (to - data < kZeros) data = to;
   if (data < to) {
     note(data, 0,
-         "the file continues with " + std::to_string(to - data) +
-             " bytes that are all 0: nothing was written there");
+         "the file continues with " + std::to_string(to - data) + " zero bytes: nothing was written there");
   }
   if (data > from) {
     note(from, data - from,

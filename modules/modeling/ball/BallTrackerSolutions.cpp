@@ -21,8 +21,7 @@ using robotlink::Pose2;
 const robotlink::PlotKey kRollingKey{"ball-model/rolling",
                                      "The probability that the ball rolls, and its speed"};
 const robotlink::RobotDrawingKey kBallParticlesKey{
-    "ball-model/particles",
-    "The places that the filter weighs against each other, with velocities (drawn around the robot)"};
+    "ball-model/particles", "The particles of the filter, with velocities (drawn around the robot)"};
 
 constexpr robotlink::ParameterRange kBallEvidence{0, 1, true};
 
@@ -81,7 +80,7 @@ class KalmanBall final : public PerceptBallModeler<RollingBallFilter> {
 const robotlink::SolutionRegistration kKalmanBall =
     robotlink::SolutionBuilder<KalmanBall>(
         "ball-model", "kalman",
-        "Two Kalman filters with velocity, of a resting and of a rolling ball, mixed by how well they fit.")
+        "Two Kalman filters with velocity, for a resting and a rolling ball, weighted by how well they fit.")
         .source("H. Blom, Y. Bar-Shalom: The interacting multiple model algorithm, 1988.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)
@@ -149,7 +148,7 @@ class ParticleBallModeler final : public PerceptBallModeler<ParticleBall> {
 const robotlink::SolutionRegistration kParticleBall =
     robotlink::SolutionBuilder<ParticleBallModeler>(
         "ball-model", "particle",
-        "A particle filter over place and velocity of the ball; each particle rests or rolls.")
+        "A particle filter over position and velocity of the ball; each particle rests or rolls.")
         .source("C. Kwok, D. Fox: Map-based multiple model tracking of a moving object, RoboCup 2004.")
         .needs(robotlink::kBallPercept)
         .uses(robotlink::kMotionStatus)

@@ -27,16 +27,15 @@ using robotlink::Pose2;
 using robotlink::Vector2;
 
 const robotlink::FieldDrawingKey kFittedLinesKey{
-    "self-localisation/lines",
-    "The points of lines that were seen, where the estimated pose puts them (drawn on the field)"};
+    "self-localisation/lines", "The seen line points, placed by the estimated pose (drawn on the field)"};
 const robotlink::PlotKey kLandmarkFitKey{"self-localisation/fit",
-                                         "How well the landmarks fit to the particles, 0 to 1"};
+                                         "How well the landmarks fit the particles, 0 to 1"};
 const robotlink::FieldDrawingKey kHypothesesKey{
     "self-localisation/hypotheses",
-    "The poses between which the filter has not decided, with their deviations (drawn on the field)"};
+    "The hypotheses of the filter, with their deviations (drawn on the field)"};
 const robotlink::PlotKey kHypothesisWeightKey{
     "self-localisation/hypothesis-weights",
-    "How many hypotheses there are, and the weight of the heaviest one (plots)"};
+    "The number of hypotheses, and the weight of the best one (plots)"};
 
 constexpr robotlink::ParameterRange kEvidence{0, 1, true};
 
@@ -177,8 +176,8 @@ class FieldMonteCarloLocalization final : public FieldLocalization<FieldMonteCar
 const robotlink::SolutionRegistration kFieldMonteCarlo =
     robotlink::SolutionBuilder<FieldMonteCarloLocalization>(
         "self-localisation", "field-monte-carlo",
-        "A particle filter over dead reckoning, beacons, goals and lines; finds itself anywhere, and again "
-        "after it was carried away.")
+        "A particle filter over dead reckoning, beacons, goals and lines; localizes globally, and again "
+        "after the robot was carried away.")
         .source(
             "D. Fox, W. Burgard, F. Dellaert, S. Thrun: Monte Carlo localization, 1999; S. Lenser, M. "
             "Veloso: Sensor resetting localization, 2000; T. R\u00f6fer, M. J\u00fcngel: Vision-based fast "

@@ -26,7 +26,7 @@ const robotlink::FieldDrawingKey kGridKey{
     "players-model/grid", "The evidence for other robots in each cell of the field (drawn on the field)"};
 const robotlink::FieldDrawingKey kTracksKey{
     "players-model/tracks",
-    "How uncertain the other robots' positions are, and where they go (drawn on the field)"};
+    "The uncertainty of the other robots' positions, and where they go (drawn on the field)"};
 
 /// Other robots are not found farther away, m.
 constexpr double kFarthestPlayer = 2.5;
@@ -124,7 +124,7 @@ class GridPlayers final : public FilteredPlayers<PlayerGrid> {
 const robotlink::SolutionRegistration kGridPlayers =
     robotlink::SolutionBuilder<GridPlayers>(
         "players-model", "grid",
-        "Collects evidence in the cells of the field, which fades where nobody is seen; players are peaks.")
+        "Collects evidence in the cells of the field, which fades where no robot is seen; players are peaks.")
         .source("H. Moravec, A. Elfes: High resolution maps from wide angle sonar, 1985.")
         .needs(robotlink::kRobotPercepts)
         .needs(robotlink::kRobotPose)

@@ -22,12 +22,12 @@ using robotlink::Pose2;
 using robotlink::Vector2;
 
 const robotlink::FieldDrawingKey kTeamBallKey{
-    "team-ball/ball", "Where the team believes the ball to be, and how certain it is (drawn on the field)"};
+    "team-ball/ball", "The team's estimate of the ball's position with its uncertainty (drawn on the field)"};
 const robotlink::FieldDrawingKey kReportsKey{
     "team-ball/reports",
-    "Where each robot of the team knows the ball to be, with a line from the robot (drawn on the field)"};
+    "Each team robot's estimate of the ball, with a line from the robot (drawn on the field)"};
 const robotlink::PlotKey kTeamBallPlotKey{
-    "team-ball/position", "Place of the team's ball, its deviation, and how many robots it is based on"};
+    "team-ball/position", "Position of the team's ball, its deviation, and how many robots it is based on"};
 
 /// The clocks of robots on different machines may differ by more than this, s; their messages then count from
 /// their arrival.
@@ -131,7 +131,7 @@ class OwnTeamBall final : public TeamBallModeler {
 
 const robotlink::SolutionRegistration kOwnBall =
     robotlink::SolutionBuilder<OwnTeamBall>("team-ball", "own",
-                                            "The ball as the robot itself knows it, whatever its team says.")
+                                            "The robot's own estimate of the ball, regardless of its team.")
         .source("A method of this project.")
         .needs(robotlink::kBallModel)
         .needs(robotlink::kRobotPose)
@@ -185,7 +185,7 @@ class WeightedTeamBall final : public TeamBallModeler {
 const robotlink::SolutionRegistration kWeightedBall =
     robotlink::SolutionBuilder<WeightedTeamBall>(
         "team-ball", "weighted",
-        "Fuses what the robots of the team know of the ball, by how certain each is (covariance "
+        "Fuses the ball estimates of the team's robots, weighted by their certainty (covariance "
         "intersection).")
         .source(
             "S. Julier, J. Uhlmann: A non-divergent estimation algorithm in the presence of unknown "

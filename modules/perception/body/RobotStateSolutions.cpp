@@ -35,7 +35,7 @@ const robotlink::PlotKey kEventsKey{
 const robotlink::PlotKey kContactsKey{"robot-state/contacts", "The contacts of the paws, 1 on the ground"};
 const robotlink::PlotKey kLoadKey{
     "robot-state/load",
-    "The torque with which the knees bear the body, and the legs' errors in standard deviations"};
+    "The torque with which the knees support the body, and the legs' errors in standard deviations"};
 
 constexpr std::array<const char*, 4> kLegNames{"front left", "front right", "hind left", "hind right"};
 /// Slower walks do not count, because their steps are too small, m/s and rad/s.
@@ -203,7 +203,7 @@ class ContactRobotState final : public RobotStateEstimator {
 const robotlink::SolutionRegistration kContactState =
     robotlink::SolutionBuilder<ContactRobotState>(
         "robot-state", "contacts",
-        "Judges by the foot switches and the accelerometer: a robot without contacts was picked up, and a "
+        "Uses the foot switches and the accelerometer: a robot without contacts was picked up, and a "
         "leg that does not step has collided.")
         .source("A method of this project.")
         .needs(robotlink::kBodySensors)
@@ -277,8 +277,8 @@ class JointErrorRobotState final : public RobotStateEstimator {
 const robotlink::SolutionRegistration kJointErrorState =
     robotlink::SolutionBuilder<JointErrorRobotState>(
         "robot-state", "joint-errors",
-        "Judges by what the joints do: a robot whose knees bear nothing was picked up, and a leg whose "
-        "angles lag more than usual behind what is requested has collided.")
+        "Uses the joints: a robot whose knees support no weight was picked up, and a leg whose angles lag "
+        "behind the request more than usual has collided.")
         .source(
             "M. Quinlan, C. Murch, R. Middleton, S. Chalup: Traction monitoring for collision detection with "
             "legged robots, RoboCup 2003.")

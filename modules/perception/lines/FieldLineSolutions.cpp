@@ -32,7 +32,7 @@ const robotlink::RobotDrawingKey kLinePlacesKey{
     "Where the points of lines are on the ground, with the lines' directions (drawn around the robot)"};
 const robotlink::PlotKey kLineCountKey{"line-percepts/count", "How many points and segments were found"};
 const robotlink::RobotDrawingKey kSegmentsKey{
-    "line-percepts/segments", "The segments that were put together of points (drawn around the robot)"};
+    "line-percepts/segments", "The segments that were fitted to points (drawn around the robot)"};
 
 /// The colors of segments and their points, in turn.
 constexpr std::array kSegmentColors{robotlink::colors::kRed,     robotlink::colors::kBlue,
@@ -222,7 +222,7 @@ class RansacLinePerceptor final : public ScanningPerceptor {
 const robotlink::SolutionRegistration kRansacSegments =
     robotlink::SolutionBuilder<RansacLinePerceptor>(
         "line-percepts", "ransac-segments",
-        "Puts the points of edges together to segments by random sample consensus, and drops the others.")
+        "Combines edge points into segments by random sample consensus, and drops the others.")
         .source(
             "M. Fischler, R. Bolles: Random sample consensus, 1981, on the points of T. R\u00f6fer, M. "
             "J\u00fcngel, 2003.")
@@ -286,9 +286,9 @@ class OracleLinePerceptor final : public LinePerceptor {
 };
 
 const robotlink::SolutionRegistration kOracleLines =
-    robotlink::SolutionBuilder<OracleLinePerceptor>(
-        "line-percepts", "oracle",
-        "The lines of the field and the feet of its walls as the true camera sees them, from the simulator.")
+    robotlink::SolutionBuilder<OracleLinePerceptor>("line-percepts", "oracle",
+                                                    "The lines of the field and the bottom edges of its "
+                                                    "walls as the true camera sees them, from the simulator.")
         .source("The simulator.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kOracleWorld)

@@ -268,8 +268,8 @@ Result<std::unique_ptr<RobotPorts>> RobotPorts::open(const Options& options) {
                    {}, {options.address});
   }
   if (options.firstPort != 0 && options.firstPort + options.robots > 65536) {
-    return failure("arcos.ports", "there are not so many ports from " + std::to_string(options.firstPort) +
-                                      " on; begin with a lower one");
+    return failure("arcos.ports", "there are not enough ports from " + std::to_string(options.firstPort) +
+                                      " on; start with a lower one");
   }
   std::unique_ptr<RobotPorts> ports(new RobotPorts);
   Implementation& made = *ports->implementation_;

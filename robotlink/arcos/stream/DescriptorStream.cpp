@@ -91,8 +91,8 @@ Result<void> DescriptorStream::write(std::span<const std::uint8_t> bytes) {
       case Wait::kTimedOut:
         return failure(
             "stream.busy",
-            address_ + " takes no more bytes; is it still switched on? Close the line and connect again", {},
-            {address_});
+            address_ + " accepts no more bytes; is it still switched on? Close the line and connect again",
+            {}, {address_});
       case Wait::kClosed:
         return closedHere();
     }

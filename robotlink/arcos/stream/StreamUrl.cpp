@@ -78,7 +78,7 @@ Result<StreamUrl> parseUrl(const std::string& text) {
   if (view.find("://") == std::string_view::npos && view.find(':') != std::string_view::npos)
     return parseTcp(text, view);
   if (!text.empty() && view.find("://") == std::string_view::npos)
-    return bad(text, "for a network write its port, too, as in " + text +
+    return bad(text, "for a network address also give its port, as in " + text +
                          ":8101; for a serial line the device's whole path");
   return bad(text, "write tcp://localhost:8101 or serial:///dev/ttyUSB0?baud=9600");
 }

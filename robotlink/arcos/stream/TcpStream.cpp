@@ -73,7 +73,7 @@ Result<std::unique_ptr<ByteStream>> openTcp(const TcpAddress& address, Duration 
   const auto end = std::chrono::steady_clock::now() + timeLimit;
   const auto found = HostLookup::start(address.host)->wait(timeLimit);
   if (!found)
-    return notFound(address, "the network has not yet said which machine is called '" + address.host +
+    return notFound(address, "the network has not yet resolved the name '" + address.host +
                                  "': try again, or give its IP address");
   if (!*found) return notFound(address, found->error().text);
   std::vector<tcp::endpoint> endpoints;
@@ -91,7 +91,7 @@ Result<std::unique_ptr<ByteStream>> openTcp(const TcpAddress& address, Duration 
   context.run_until(end);
   if (!outcome) {
     return failure("stream.no-answer",
-                   endpointOf(address) + " does not answer: is it switched on, and in this network?", {},
+                   endpointOf(address) + " does not answer: is it switched on, and on this network?", {},
                    {endpointOf(address)});
   }
   if (*outcome) return notConnected(address, *outcome);

@@ -32,7 +32,7 @@ HostLookup::Outcome addressesOf(const std::string& host) {
   if (found != nullptr) freeaddrinfo(found);
   if (status == 0 && !addresses.empty()) return addresses;
   return failure("host.unknown",
-                 "no machine is called '" + host + "' (" + gai_strerror(status) +
+                 "there is no machine named '" + host + "' (" + gai_strerror(status) +
                      "); check its name, or give its IP address",
                  {}, {host});
 }
@@ -59,7 +59,7 @@ std::shared_ptr<HostLookup> HostLookup::start(const std::string& host, Resolver 
   try {
     std::thread([lookup, host, resolver] { lookup->finish(tried(resolver, host)); }).detach();
   } catch (const std::system_error& error) {
-    lookup->finish(failure("host.unknown", std::string("the system starts no thread: ") + error.what()));
+    lookup->finish(failure("host.unknown", std::string("the system cannot start a thread: ") + error.what()));
   }
   return lookup;
 }

@@ -68,9 +68,9 @@ std::vector<std::string> OtherPrograms::update() {
       program.generation = program.table->generation();
     } else if (!running && program.running) {
       news.push_back("Program " + program.name +
-                     " does not run any more, or its machine cannot be reached. The others continue" +
-                     (isCommanding(program) ? ", but the robot stands until it is back" : "") +
-                     "; start it again.");
+                     " is no longer running, or its machine cannot be reached. The others continue" +
+                     (isCommanding(program) ? ", but the robot stays stopped until it is back" : "") +
+                     "; restart it.");
     }
     program.running = running;
     for (Seat& seat : program.seats) {
@@ -87,7 +87,7 @@ std::string OtherPrograms::followStuck(const Program& program, Seat& seat) {
   const std::string who = "Process " + row->name() + " of program " + program.name;
   if (!isStuck) return who + " has returned and continues.";
   return who + " " + row->state() + "." +
-         (seat.isCommanding ? " The robot stands until it returns or its program is started again." : "");
+         (seat.isCommanding ? " The robot stays stopped until it returns or its program is restarted." : "");
 }
 
 /// A program that was started again, or that was out of reach, gets all requests that still matter.

@@ -32,7 +32,7 @@ std::string wrongGame(const robotcontrol::Request& request) {
     case ControlGame::RETURN:
       return control.robot().empty() ? "the robot is not named" : "";
     case ControlGame::SCORE:
-      if (control.goals() > kMaxGoals) return "a team has at most 99 goals";
+      if (control.goals() > kMaxGoals) return "a team can have at most 99 goals";
       [[fallthrough]];
     case ControlGame::KICK_OFF:
       return control.team().empty() ? "the team is not named" : "";

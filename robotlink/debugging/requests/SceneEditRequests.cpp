@@ -23,15 +23,15 @@ bool isModelName(const std::string& name) {
 std::string wrongModelName(const std::string& name) {
   return isModelName(name) ? ""
                            : "'" + name +
-                                 "' is no name of a model: up to 100 letters, digits and signs, "
-                                 "without blanks, slashes and colons, and without __ at the begin";
+                                 "' is not a valid model name: use up to 100 letters, digits and signs, "
+                                 "without blanks, slashes and colons, and no __ at the start";
 }
 
 std::string wrongAddition(const robotcontrol::AddModel& add) {
-  if (add.model().empty()) return "the model that is to be added is not named";
+  if (add.model().empty()) return "the request must name the model to add";
   if (add.model().find("..") != std::string::npos && add.model().find("://") != std::string::npos)
     return "a model's URI must not lead out of its folder";
-  if (!add.has_pose_in_field()) return "the place of the added model is missing";
+  if (!add.has_pose_in_field()) return "the request needs the place of the added model";
   const auto& pose = add.pose_in_field();
   const auto isNumber = [](double value) { return std::isfinite(value); };
   if (!std::ranges::all_of(std::array{pose.x(), pose.y(), pose.heading(), add.height()}, isNumber))
@@ -47,16 +47,16 @@ std::string wrongSceneEdit(const Request& request) {
     case robotcontrol::EditScene::kAdd:
       return wrongAddition(edit.add());
     case robotcontrol::EditScene::kRemove:
-      return edit.remove().model().empty() ? "the model that is to be removed is not named" : "";
+      return edit.remove().model().empty() ? "the request must name the model to remove" : "";
     case robotcontrol::EditScene::kDuplicate:
-      return edit.duplicate().model().empty() ? "the model that is to be duplicated is not named"
+      return edit.duplicate().model().empty() ? "the request must name the model to duplicate"
                                               : wrongModelName(edit.duplicate().name());
     case robotcontrol::EditScene::kUndo:
       return "";
     case robotcontrol::EditScene::WHAT_NOT_SET:
       break;
   }
-  return "it is not said what is to be changed in the scene";
+  return "the request must say what to change in the scene";
 }
 
 std::string fileOfSceneEdit(const Request& request) {

@@ -214,7 +214,7 @@ void Client::send(const ClientMessage& message, Urgency urgency) {
   Frame frame = encode(message);
   conversation_.waitingBytes += frame.bytes.size();
   if (conversation_.waitingBytes > limits_.waitingBytes)
-    conversation_.overflow = "the robot takes what is sent to it too slowly";
+    conversation_.overflow = "the robot receives data too slowly; send less, or connect again";
   auto& queue = urgency == Urgency::kUrgent ? conversation_.urgent : conversation_.waiting;
   queue.push_back(std::move(frame));
   wake();
@@ -292,7 +292,7 @@ void Client::lost() {
     state_.bytesPerSecond = 0;
     failAll(
         calls, [](const PendingCall& pending) { return pending.isSent; },
-        "the connection was lost before the robot answered, so it may have been done or not");
+        "the connection was lost before the robot answered; the request may or may not have been executed");
     if (wasGreeted && handlers_.disconnected) calls.emplace_back(handlers_.disconnected);
   }
   for (const auto& call : calls) call();
@@ -320,7 +320,7 @@ std::string Client::reasonFor(const PendingCall& pending) const {
   if (pending.isSent)
     return "the robot did not answer within " +
            std::to_string(std::chrono::duration_cast<std::chrono::seconds>(pending.call.answerTime).count()) +
-           " s, so it may have been done or not";
+           " s; the request may or may not have been executed";
   if (conversation_.isGreeted) return "the robot offers no '" + pending.call.service + "'";
   return "there is no connection with the robot" + (state_.reason.empty() ? "" : ": " + state_.reason);
 }

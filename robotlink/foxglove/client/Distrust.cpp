@@ -29,7 +29,7 @@ Distrust whyNotTrusted(const std::string& server, const std::string& fingerprint
                 ": compare it with the one that the robot printed",
             {Kind::kNewCertificate, server, fingerprint, {}}};
   const auto added = known.add(server, fingerprint);
-  return {added ? "" : "it cannot be remembered which robot this is: " + added.error().describe()};
+  return {added ? "" : "the robot's fingerprint cannot be saved: " + added.error().describe()};
 }
 
 }  // namespace robotlink::websocket

@@ -53,15 +53,15 @@ LinkWatch::Action LinkWatch::nextWhileConnecting(Instant now) {
     return Action::kGiveUp;
   }
   if (step_ == Step::kLookup && now - stepAt_ >= times_.connectTime)
-    enter(phase_, since_, "the network has not yet said which address this name has");
+    enter(phase_, since_, "the name of the robot has not been resolved yet");
   return Action::kNone;
 }
 
 std::string LinkWatch::whyNoStep() const {
   if (step_ == Step::kLookup)
-    return "the network does not say which address this name has; check the name, or give the IP address";
-  if (step_ == Step::kTcp) return "nothing answers there; is the robot switched on, and in this network?";
-  return "something listens there, but does not answer";
+    return "the name of the robot cannot be resolved; check the name, or use the IP address";
+  if (step_ == Step::kTcp) return "nothing answers there; is the robot switched on, and on this network?";
+  return "the port is open, but there is no answer";
 }
 
 void LinkWatch::addressFound(Instant now) {

@@ -26,12 +26,12 @@ std::string shortened(const std::string& text) {
 
 std::string whyNotReached(const error_code& error) {
   if (error == asioError::connection_refused)
-    return "nobody listens there: is the robot's program running, with --listen and this port?";
+    return "nothing is listening there: is the robot's program running, with --listen and this port?";
   if (error == asioError::host_unreachable || error == asioError::network_unreachable)
-    return "there is no way to that machine: is it switched on, and in this network?";
+    return "that machine cannot be reached: is it switched on, and on this network?";
   if (error == asioError::timed_out)
-    return "nothing answers there; is the robot switched on, and in this network?";
-  return "it cannot be connected: " + error.message();
+    return "nothing answers there; is the robot switched on, and on this network?";
+  return "it cannot connect: " + error.message();
 }
 
 std::string whyNotSecured(const error_code& error) {
@@ -40,14 +40,14 @@ std::string whyNotSecured(const error_code& error) {
     return "the connection was closed before it was encrypted; is this the robot's port? If it does not "
            "encrypt, "
            "use ws://";
-  return "what listens there does not encrypt as robots do: use ws:// if it does not encrypt at all (" +
+  return "the encryption there is not a robot's: use ws:// if the robot does not encrypt (" +
          error.message() + ")";
 }
 
 std::string whyNoHandshake(const error_code& error) {
   if (error == asioError::eof || error == asioError::connection_reset)
     return "the connection was closed before it began; is this the robot's port?";
-  return "what listens there is no WebSocket server; is this the robot's port? (" + error.message() + ")";
+  return "that is not a WebSocket server; is this the robot's port? (" + error.message() + ")";
 }
 
 std::string whyRefused(unsigned status, const std::string& text, ShownToken shown) {
@@ -55,13 +55,13 @@ std::string whyRefused(unsigned status, const std::string& text, ShownToken show
   const std::string http = "HTTP " + std::to_string(status) + (theirs.empty() ? "" : ": " + theirs);
   switch (status) {
     case 401:
-      return std::string(shown == ShownToken::kOne ? "the robot wants another token"
-                                                   : "the robot wants a token") +
-             ": give the one that it printed when it was made (" + http + ")";
+      return std::string(shown == ShownToken::kOne ? "the robot requires a different token"
+                                                   : "the robot requires a token") +
+             ": use the one that it printed when it created it (" + http + ")";
     case 403:
-      return "the robot does not let this program in (" + http + ")";
+      return "the robot does not accept this program (" + http + ")";
     case 404:
-      return "the robot has nothing at this address: leave out what follows the port (" + http + ")";
+      return "the robot has nothing at this path: leave out what follows the port (" + http + ")";
     case 503:
       return "the robot has too many clients: disconnect one (" + http + ")";
     default:
@@ -70,7 +70,7 @@ std::string whyRefused(unsigned status, const std::string& text, ShownToken show
 }
 
 std::string whyOtherProtocol(const std::string& protocol) {
-  return "what listens there speaks " +
+  return "the server there speaks " +
          (protocol.empty() ? "no sub-protocol" : "the sub-protocol '" + shortened(protocol) + "'") +
          ", but not " + kSdkProtocol + " or " + kWebSocketProtocol +
          ": is this the port of a Foxglove WebSocket server?";
@@ -83,7 +83,7 @@ std::string whyClosed(const std::string& reason) {
 
 std::string whyTooLong(std::size_t maxBytes) {
   return "the robot sends messages of more than " + std::to_string(maxBytes >> 20U) +
-         " MiB, which are not taken";
+         " MiB, which are not accepted";
 }
 
 std::string whyNoToken(const std::string& token) {
@@ -94,7 +94,7 @@ std::string whyNoToken(const std::string& token) {
 }
 
 std::string whyTooLongForThem() {
-  return "the robot ended the connection, because what was sent to it was longer than it takes";
+  return "the robot ended the connection, because a message to it was longer than it accepts";
 }
 
 std::string whyBroken(const error_code& error) {

@@ -16,7 +16,7 @@ constexpr std::size_t kMaxUrl = 2048;
 tl::unexpected<Error> wrongUrl(std::string_view text, const std::string& why) {
   const std::string shown = validUtf8(std::string(text.substr(0, 100)));
   return failure("foxglove.url",
-                 "'" + shown + "' is no address of a robot: " + why +
+                 "'" + shown + "' is not the address of a robot: " + why +
                      "; write ws://HOST:PORT, such as ws://127.0.0.1:8765",
                  {}, {shown});
 }
@@ -46,7 +46,7 @@ Result<ServerUrl> parseServerUrl(std::string_view text) {
   }
   rest = rest.substr(0, end);
   if (rest.find('@') != std::string_view::npos)
-    return wrongUrl("", "names of users do not belong there, a token is given by itself");
+    return wrongUrl("", "user names do not belong there; give a token separately");
   const bool isBracketed = rest.starts_with('[');
   const std::size_t hostEnd = isBracketed ? rest.find(']') : std::min(rest.find(':'), rest.size());
   if (hostEnd == std::string_view::npos) return wrongUrl(text, "the bracket ']' is missing");

@@ -109,8 +109,8 @@ Result<Certificate> parseCertificate(std::string pem, const std::string& file) {
   ERR_clear_error();
   if (!fits)
     return failure("certificate.file",
-                   "this is no certificate with its key: remove the file, and a new one is made; clients "
-                   "that know the robot will be warned then",
+                   "this is not a certificate with its key: remove the file to have a new one created; "
+                   "clients that know the robot will be warned then",
                    {file, 0, 0});
   std::string fingerprint = fingerprintOf(certificate.get());
   return Certificate{std::move(pem), std::move(fingerprint)};

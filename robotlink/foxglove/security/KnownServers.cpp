@@ -68,8 +68,8 @@ Result<bool> KnownServers::isKnown(const std::string& server, const std::string&
           " is not the one that was there before: its certificate has the "
           "fingerprint " +
           fingerprint + " now, it had " + found->second +
-          ". Somebody may be listening in. If you know that the robot was set up again, remove its line "
-          "from " +
+          ". Someone may be intercepting the connection. If you know that the robot was set up again, remove "
+          "its line from " +
           file_.string() + " and connect again",
       {}, {server, fingerprint, found->second, file_.string()});
 }

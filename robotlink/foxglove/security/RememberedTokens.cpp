@@ -59,7 +59,7 @@ std::optional<std::string> RememberedTokens::find(const std::string& url) const 
 
 Result<void> RememberedTokens::add(const std::string& url, const std::string& token) const {
   if (!isPlain(url) || !isPlain(token))
-    return failure("tokens.text", "a token has no blanks and no letters but those of ASCII");
+    return failure("tokens.text", "a token must not contain blanks or non-ASCII characters");
   auto tokens = read();
   if (!tokens) return tl::unexpected(tokens.error());
   (*tokens)[url] = token;

@@ -72,8 +72,8 @@ Result<std::string> readSecret(const fs::path& path) {
                    {path.string(), 0, 0});
   if (S_ISREG(status.st_mode) && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
     return failure("secret.readable",
-                   "other users of this machine may read this secret: remove the file, so that a new one is "
-                   "made, or if you are sure that nobody has read it, run chmod 600 on it",
+                   "other users of this machine can read this secret: remove the file to have a new one "
+                   "created, or if you are sure that nobody has read it, run chmod 600 on it",
                    {path.string(), 0, 0});
   return readFile(path, kMaxSecret);
 }

@@ -56,8 +56,9 @@ Result<Tokens> parseTokens(std::string_view text, const std::string& file) {
     }
   }
   if (tokens.control.empty() && tokens.watch.empty())
-    return wrong("there is no token: add a line 'control TOKEN', or remove the file so that one is made");
-  if (tokens.control == tokens.watch) return wrong("both tokens are the same: no client could only watch");
+    return wrong("there is no token: add a line 'control TOKEN', or remove the file to have one created");
+  if (tokens.control == tokens.watch)
+    return wrong("both tokens are the same, so no client could be limited to watching; change one");
   return tokens;
 }
 
@@ -74,7 +75,7 @@ std::string toText(const Tokens& tokens) {
 Result<Tokens> makeTokens() {
   std::array<unsigned char, 32> random{};
   if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
-    return failure("tokens.random", "the system gives no random numbers to make a token of");
+    return failure("tokens.random", "the system provides no random numbers to create a token");
   std::string text;
   for (const unsigned char byte : random)
     for (const unsigned digit : {byte / 16U, byte % 16U}) text += "0123456789abcdef"[digit];

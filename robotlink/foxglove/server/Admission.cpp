@@ -51,10 +51,9 @@ bool lists(std::string_view list, std::string_view word) {
 /// Describes the problem with the token of a request, for its client and for the robot's log.
 std::string sentenceOnToken(const Knock& knock) {
   const bool isShown = !knock.authorization.empty() || !tokenIn(knock.target).empty();
-  return std::string(isShown ? "The token that was shown is not one of this robot's."
-                             : "No token was shown.") +
-         " This robot wants its token as 'Authorization: Bearer TOKEN' or as '?token=TOKEN' behind the URL; "
-         "it printed the token when it was made, and says at each start which file has it.";
+  return std::string(isShown ? "The token is not one of this robot's." : "No token was sent.") +
+         " This robot requires its token as 'Authorization: Bearer TOKEN' or as '?token=TOKEN' after the "
+         "URL; it printed the token when it created it, and prints at each start which file has it.";
 }
 
 }  // namespace

@@ -7,8 +7,8 @@ namespace robotlink::websocket {
 
 Result<ListenAddress> parseListenAddress(std::string_view text) {
   const auto wrong = [&](const std::string& why) {
-    return failure("foxglove.address", "'" + std::string(text) + "' is not where one can listen: " + why, {},
-                   {std::string(text)});
+    return failure("foxglove.address", "'" + std::string(text) + "' is not an address to listen on: " + why,
+                   {}, {std::string(text)});
   };
   ListenAddress result;
   const std::size_t colon = text.rfind(':');

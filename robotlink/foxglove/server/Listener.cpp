@@ -23,13 +23,13 @@ tl::unexpected<Error> cannotListen(const ListenAddress& address, const error_cod
   const std::string where = toString(address);
   std::string advice = error.message() + "; choose another address or port";
   if (error == asio::error::address_in_use)
-    advice = "another program listens there: end it, or choose another port (0 takes any that is free)";
+    advice = "another program is listening there: end it, or choose another port (0: any free one)";
   if (error == boost::system::errc::address_not_available)
     advice =
         "this machine does not have that address: 127.0.0.1 is for programs on this machine, 0.0.0.0 for all "
         "networks";
   if (error == asio::error::access_denied)
-    advice = "ports below 1024 need special rights: choose a higher one";
+    advice = "ports below 1024 require root privileges: choose a higher one";
   return failure("foxglove.listen", "clients cannot connect at " + where + ": " + advice, {}, {where});
 }
 
@@ -58,7 +58,7 @@ Result<void> ListenerPort::open() {
   if (error)
     return failure(
         "foxglove.listen",
-        "'" + options.address.address + "' is no IP address: write one of this machine, such as 127.0.0.1",
+        "'" + options.address.address + "' is not an IP address: use one of this machine, such as 127.0.0.1",
         {}, {options.address.address});
   const tcp::endpoint endpoint(address, options.address.port);
   acceptor_.open(endpoint.protocol(), error);
@@ -95,7 +95,7 @@ void ListenerPort::tryReport(const std::string& sentence) {
 void ListenerPort::report(const std::string& sentence) {
   if (now() - reportsSince_ >= kReportTime) {
     if (reports_ > kMaxReports)
-      server->report(std::to_string(reports_ - kMaxReports) + " more sentences about clients were left out");
+      server->report(std::to_string(reports_ - kMaxReports) + " more messages about clients were left out");
     reportsSince_ = now();
     reports_ = 0;
   }

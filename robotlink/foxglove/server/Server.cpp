@@ -368,7 +368,7 @@ void Server::sendAll(const ServerMessage& message) {
 void Server::sendShared(ServedClient& client, FrameKind kind, const SharedBytes& bytes) {
   if (!client.closing.empty()) return;
   if (!client.outbox.pushControl(kind, bytes))
-    return close(client, "you take what you asked for too slowly: connect again, and ask for less");
+    return close(client, "you receive your subscriptions too slowly: connect again, and subscribe to less");
   wake(client);
 }
 

@@ -118,10 +118,10 @@ void Server::handle(const ClientPtr& client, const ClientAdvertise& message, Cal
 }
 
 std::string Server::advertise(const ClientPtr& client, const ClientChannel& channel, Calls& calls) {
-  if (!handlers_.clientMessage) return "this robot takes no messages of clients";
+  if (!handlers_.clientMessage) return "this robot accepts no messages from clients";
   if (client->info.isReadOnly) return kOnlyWatches;
   if (std::ranges::find(options_.encodings, channel.encoding) == options_.encodings.end())
-    return channel.topic + " has the encoding " + channel.encoding + ", which this robot does not take";
+    return channel.topic + " has the encoding " + channel.encoding + ", which this robot does not accept";
   if (client->channels.contains(channel.id))
     return "the channel of " + channel.topic + " has the id of another one: " + std::to_string(channel.id);
   if (client->channels.size() >= options_.limits.channels)
@@ -286,7 +286,7 @@ void Server::handle(const ClientPtr& client, const UnsubscribeConnectionGraph&, 
 
 void Server::handle(const ClientPtr& client, const PlaybackControl& message, Calls& calls) {
   if (!handlers_.playbackControl || !playable_)
-    return complain(*client, "this is no log that could be played");
+    return complain(*client, "this is not a log, so it cannot be played");
   if (client->info.isReadOnly) return complain(*client, kOnlyWatches);
   calls.push_back([this, client, message] { handlers_.playbackControl(client->info, message); });
 }
@@ -328,7 +328,7 @@ std::string Server::addPart(ServedClient& client, const ServiceCallRequest& mess
                     partial->call.callId == message.callId && partial->call.encoding == part.encoding &&
                     partial->total == part.total && partial->payload.size() == part.offset &&
                     message.payload.size() <= part.total - part.offset && !message.payload.empty();
-  if (!fits) return "the parts of a call must come in order, one call after the other";
+  if (!fits) return "the parts of a call must arrive in order, one call after another";
   partial->payload += message.payload;
   return {};
 }

@@ -238,12 +238,12 @@ void StreamConnection::read() {
 void StreamConnection::onRead(error_code error, std::size_t bytes) {
   isReading_ = false;
   if (error == beast::websocket::error::message_too_big)
-    reportEnd("a message of it is longer than " + std::to_string(port_.options.messageBytes) + " bytes");
+    reportEnd("it sent a message longer than " + std::to_string(port_.options.messageBytes) + " bytes");
   if (error || state_ == State::kEnded) return end();
   noteHeard();
   if (buffer_.size() == bytes) messageAt_ = heardAt_;
   if (socket_.got_text() && buffer_.size() > port_.options.textBytes) {
-    port_.server->disconnect(client_->info.id, "a message of yours is longer than " +
+    port_.server->disconnect(client_->info.id, "you sent a message longer than " +
                                                    std::to_string(port_.options.textBytes) + " bytes");
     buffer_.consume(buffer_.size());
   }
@@ -318,8 +318,8 @@ void StreamConnection::lookAtSilence(Instant now) {
   const ListenerOptions& options = port_.options;
   const bool isSilent = now - heardAt_ > options.idleTime;
   const bool isTrickling = buffer_.size() > 0 && now - messageAt_ > options.messageTime;
-  std::string reason = isSilent      ? "nothing was heard of it"
-                       : isTrickling ? "a message of it took too long"
+  std::string reason = isSilent      ? "it was silent for too long"
+                       : isTrickling ? "a message from it took too long"
                                      : port_.server->closingReason(*client_);
   // A client that is told to go, but does not take what is being sent, is waited for only a little.
   if (reason.empty()) closingAt_ = now;

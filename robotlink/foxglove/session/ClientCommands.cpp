@@ -77,7 +77,7 @@ std::string commandTopics() {
 Result<void> checkCommandChannel(const ClientChannel& channel) {
   const CommandTopic* topic = commandTopic(channel.topic);
   if (topic == nullptr)
-    return wrongCommand("nobody takes what you publish on " + channel.topic + ": there are " +
+    return wrongCommand("nothing receives what you publish on " + channel.topic + ": there are " +
                         commandTopics());
   const std::string type = topic->type().GetTypeName();
   if (channel.encoding == "protobuf" && !channel.schemaName.empty() && channel.schemaName != type)

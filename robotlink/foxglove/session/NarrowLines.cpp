@@ -45,7 +45,7 @@ std::vector<NarrowLines::Finding> NarrowLines::look(const std::vector<ClientStat
       if (count.narrow < 2 && !(isNarrow && thinned >= 5 * sent)) continue;
       count.isFound = true;
       found.push_back({client.info.id, topic,
-                       "the line carries " + share + " raw images a second of " + topic +
+                       "the link carries " + share + " raw images a second of " + topic +
                            "; as JPEG they are a tenth as large"});
     }
   }

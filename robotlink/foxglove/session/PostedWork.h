@@ -26,7 +26,8 @@ class PostedWork {
     std::size_t pieces = 4096, urgent = 256, bytes = 64U << 20U;
   };
   /// The reason for clients whose wish was not taken.
-  static constexpr char kRefusal[] = "too much waits for an answer already: the robot's session is busy";
+  static constexpr char kRefusal[] =
+      "too many requests are waiting already: the robot's session is busy; try again later";
 
   PostedWork() : PostedWork(Limits()) {}
   explicit PostedWork(Limits limits) : limits_(limits) {}

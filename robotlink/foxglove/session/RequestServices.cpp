@@ -167,8 +167,8 @@ Result<Request> requestOf(const std::string& robot, const std::string& service,
                      "the argument is no " + field->message_type()->full_name() + ": " + status.ToString());
     }
   } else {
-    return failure("foxglove.service",
-                   "arguments are 'json' or 'protobuf', not '" + std::string(call.encoding) + "'");
+    return failure("foxglove.service", "the encoding of arguments must be 'json' or 'protobuf', not '" +
+                                           std::string(call.encoding) + "'");
   }
   nameStop(request);
   if (const std::string wrong = wrongWith(request); !wrong.empty()) return failure("foxglove.service", wrong);

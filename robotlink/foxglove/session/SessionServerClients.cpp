@@ -176,7 +176,7 @@ void SessionServer::call(const std::string& robot, const std::string& service, c
   if (!wanted) return reply.fail(wanted.error().text);
   if (client.isReadOnly && wanted->has_stop() && !engagesStop(*wanted))
     return answer(reply, call.encoding,
-                  "you may only watch: everybody may engage STOP, but only those who control release it");
+                  "you may only watch: anyone may engage STOP, but only clients with control may release it");
   if (Steering::isSteering(*wanted)) {
     const std::string why = steering_.admit(client, *wanted, server_->clock().now());
     if (!why.empty()) return answer(reply, call.encoding, why);

@@ -184,9 +184,9 @@ void Steering::watchMotion(const std::string& name, Robot& robot, Instant now) {
   if (robot.client == 0 || !robot.motion || now - robot.commandedAt <= limits_.commandTime) return;
   stand(name, robot);
   if (robot.goal) robot.toAsk.pop_back();  // the robot continues to it
-  publish(
-      name, robot,
-      robot.who + " did not repeat its motion for " + inSeconds(limits_.commandTime) + ": the robot stands");
+  publish(name, robot,
+          robot.who + " did not repeat its motion for " + inSeconds(limits_.commandTime) +
+              ": the robot was stopped");
 }
 
 void Steering::watchLink(const std::string& name, Robot& robot, Instant now) {
@@ -199,7 +199,7 @@ void Steering::watchLink(const std::string& name, Robot& robot, Instant now) {
     const bool moved = robot.motion || robot.goal;
     stand(name, robot);
     publish(name, robot,
-            robot.who + (heardAt ? " is not heard" : " is gone") + (moved ? ": the robot stands" : ""));
+            robot.who + (heardAt ? " is silent" : " is gone") + (moved ? ": the robot was stopped" : ""));
   } else if (!isSilent && robot.silentSince) {
     robot.silentSince.reset();
     publish(name, robot, robot.who + " steers");

@@ -53,7 +53,7 @@ TEST(BodyFeed, anErs210WalksByAProgramHereAndStandsWhileTheLineIsCut) {
   Way way(desk);
   ASSERT_TRUE(desk.soon([&] { return way.length() > 0.05; }));
   EXPECT_TRUE(desk.soon([&] { return desk.bodyMoves(); }));
-  EXPECT_TRUE(desk.said("It stands when no command comes in time for 0.5 s"));
+  EXPECT_TRUE(desk.said("It stops when no command arrives in time for 0.5 s"));
 
   relay.set(Relay::State::kSilent);
   EXPECT_TRUE(desk.soon([&] { return desk.bodyStands(); }));
@@ -61,7 +61,7 @@ TEST(BodyFeed, anErs210WalksByAProgramHereAndStandsWhileTheLineIsCut) {
   EXPECT_GE(desk.feed().platform().counts().cuts, 1U);
 
   relay.set(Relay::State::kOpen);
-  EXPECT_TRUE(desk.soon([&] { return desk.said("is within reach again"); }));
+  EXPECT_TRUE(desk.soon([&] { return desk.said("can be reached again"); }));
   EXPECT_TRUE(desk.soon([&] { return desk.bodyMoves(); }));
   Way again(desk);
   EXPECT_TRUE(desk.soon([&] { return again.length() > 0.05; }));
@@ -164,7 +164,7 @@ TEST(BodyFeed, aBodyWithStopIsNotSaidToMove) {
   ASSERT_TRUE(desk.soon([&] { return desk.said("The body moves as this program commands."); }));
   desk.forgetTexts();
   desk.stopAtBody(true);
-  EXPECT_TRUE(desk.soon([&] { return desk.said("The body: it stands: STOP is engaged there."); }));
+  EXPECT_TRUE(desk.soon([&] { return desk.said("The body: it is stopped: STOP is engaged there."); }));
   EXPECT_FALSE(desk.said("The body moves"));
   desk.stopAtBody(false);
   EXPECT_TRUE(desk.soon([&] { return desk.said("The body moves as this program commands."); }));

@@ -44,7 +44,7 @@ TEST_F(BodyInboxTest, theNewestCommandIsTakenOnce) {
 TEST_F(BodyInboxTest, aBodyObeysOneProgramAtATime) {
   ASSERT_EQ(put(first_, 1, kStart), "");
   EXPECT_EQ(put(second_, 2, kStart + milliseconds(1999)),
-            "red1 obeys the program of Ann; that one has to end first");
+            "red1 obeys the program of Ann; end that program first");
   EXPECT_EQ(taken(), 1U) << "what was refused replaces nothing";
   EXPECT_EQ(inbox_.commander("red1"), "Ann");
 }

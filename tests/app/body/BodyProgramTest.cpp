@@ -108,7 +108,7 @@ TEST_F(BodyProgramTest, withoutCommandsItStandsAfterHalfASecondOfItsOwnTime) {
   stepFor(30ms);
   EXPECT_TRUE(state().stands());
   EXPECT_THAT(state().text(),
-              HasSubstr("for 0.5 s no command of the program of desk 1 arrived in time; the line may"));
+              HasSubstr("for 0.5 s no command of the program of desk 1 arrived in time; the link may"));
   const double held = angle(1);
   stepFor(300ms);
   EXPECT_NEAR(angle(1), held, 0.05);

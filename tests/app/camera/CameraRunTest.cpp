@@ -109,8 +109,7 @@ TEST_F(CameraRunTest, aCameraThatWasUnpluggedIsOpenedAgain) {
   open();
   EXPECT_TRUE(playUntil([&] { return run_->platform().isConnected(); }));
   camera_.unplug(true);
-  EXPECT_TRUE(
-      playUntil([&] { return !run_->platform().isConnected() && reportedProblem("it is tried again"); }));
+  EXPECT_TRUE(playUntil([&] { return !run_->platform().isConnected() && reportedProblem("trying again"); }));
   EXPECT_EQ(camera_.opened(), 0);
   camera_.unplug(false);
   run_->connectNow();

@@ -161,7 +161,7 @@ TEST_F(RestartTest, whyAProgramIsNotStartedAgainIsSaid) {
   why_ = "its layout is no layout";
   const auto refused = deployment_.restart(files());
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().text, HasSubstr("not started again: its layout is no layout"));
+  EXPECT_THAT(refused.error().text, HasSubstr("not restarted: its layout is no layout"));
 }
 
 TEST_F(RestartTest, onlyLayoutsOfTheRobotAreStarted) {
@@ -231,7 +231,7 @@ TEST_F(DeploymentTest, theRobotRefusesWhatItShouldNotWrite) {
               HasSubstr("is not allowed"));
   EXPECT_THAT(put(R"({"path": "layouts/a.yaml", "content": "eA==", "sha256": "00"})"), HasSubstr("checksum"));
   EXPECT_THAT(put(R"({"path": "layouts/a.yaml", "content": "?"})"), HasSubstr("base64"));
-  EXPECT_THAT(put("[]"), HasSubstr("no JSON object"));
+  EXPECT_THAT(put("[]"), HasSubstr("not a JSON object"));
   EXPECT_THAT(put("{}"), testing::Ne("done"));
   EXPECT_FALSE(std::filesystem::exists(files_ / "robot"));
 }

@@ -39,11 +39,12 @@ TEST_F(GameCommandsTest, goalsAreWholeNumbers) {
   EXPECT_EQ(desk_.run("game.score red 99"), "control_game { action: SCORE team: \"red\" goals: 99 }");
   for (const char* goals : {"1.5", "-1"}) {
     EXPECT_EQ(desk_.run("game.score red " + std::string(goals)),
-              "game.request: goals are a whole number from 0 on")
+              "game.request: the number of goals must be a whole number, 0 or more")
         << goals;
   }
   for (const char* goals : {"100", "4294967297", "1e300"})
-    EXPECT_EQ(desk_.run("game.score red " + std::string(goals)), "game.request: a team has at most 99 goals")
+    EXPECT_EQ(desk_.run("game.score red " + std::string(goals)),
+              "game.request: a team can have at most 99 goals")
         << goals;
   EXPECT_EQ(desk_.run("game.score '' 1"), "game.request: the team is not named");
   EXPECT_THAT(desk_.asked, IsEmpty());

@@ -162,7 +162,7 @@ TEST_F(PlatformThreadTest, onlyRobotsOfASimulationHaveLayoutsOfTheirOwn) {
   EXPECT_EQ(all->layout, "walk.yaml");
   const auto one = resultOf([&](auto handler) { thread_->setLayout("run.yaml", handler, "red1"); });
   ASSERT_FALSE(one);
-  EXPECT_THAT(one.error().front().text, HasSubstr("without a name, red1 gets that of all"));
+  EXPECT_THAT(one.error().front().text, HasSubstr("without a name, red1 gets the layout of all"));
 }
 
 TEST_F(PlatformThreadTest, stepsInALogThatCannotKeepUpAreMadeAsOne) {
@@ -242,8 +242,8 @@ TEST_F(PlatformThreadTest, whatAProgramLeavesOpenIsRefusedWhenItEnds) {
   EXPECT_THAT(answers_, IsEmpty());
   ASSERT_TRUE(close());
   ASSERT_TRUE(answered(1));
-  EXPECT_THAT(answers_, ElementsAre("set key of red1: the robot's program ended before it answered; ask the "
-                                    "one that runs now"));
+  EXPECT_THAT(answers_, ElementsAre("set key of red1: the robot's program ended before it answered; repeat "
+                                    "the request"));
 }
 
 TEST_F(PlatformThreadTest, aSceneIsReadAgainInPlaceOrOpenedOrNeither) {

@@ -154,11 +154,11 @@ TEST_F(SceneCommandsTest, whatIsDoneByHandIsAskedForWithAllItsNumbers) {
 
 TEST_F(SceneCommandsTest, whatMakesNoSenseByHandIsRefusedBeforeItIsAsked) {
   publishStatus();
-  EXPECT_EQ(run("scene.throw ball 1000 0"), "scene.hand: a model is thrown with at most 100 m/s");
+  EXPECT_EQ(run("scene.throw ball 1000 0"), "scene.hand: a model can be thrown with at most 100 m/s");
   EXPECT_EQ(run("scene.drag ball 0 0 1 1000"),
             "scene.hand: the strength of dragging must be between 0.01 and 100 times the usual one");
-  EXPECT_EQ(run("scene.push ball 1 0 0 61"), "scene.hand: an object is pushed for at most 60 s");
-  EXPECT_EQ(run("scene.turn '' 1"), "scene.hand: the model that is to be turned is not named");
+  EXPECT_EQ(run("scene.push ball 1 0 0 61"), "scene.hand: an object can be pushed for at most 60 s");
+  EXPECT_EQ(run("scene.turn '' 1"), "scene.hand: the request must name the model to turn");
   EXPECT_THAT(desk_.asked, IsEmpty());
 }
 
@@ -181,7 +181,7 @@ TEST_F(SceneCommandsTest, theSceneIsChangedByNames) {
   EXPECT_EQ(run("scene.duplicate red1 --name red2"),
             "edit_scene { duplicate { model: \"red1\" name: \"red2\" } }");
   EXPECT_EQ(run("scene.undo"), "edit_scene { undo: true }");
-  EXPECT_EQ(run("scene.remove ''"), "scene.edit: the model that is to be removed is not named");
+  EXPECT_EQ(run("scene.remove ''"), "scene.edit: the request must name the model to remove");
   publishObjects();
   EXPECT_THAT(offered("scene.remove"), ElementsAre("red1", "crane")) << "models, not what is in them";
 }

@@ -196,7 +196,7 @@ TEST_F(OwnProgramTest, aModuleThatTakesAllMemoryIsStopped) {
   ASSERT_FALSE(ears_.troubles.empty());
   EXPECT_THAT(ears_.troubles, testing::Contains(HasSubstr("trouble (memory): std::bad_alloc")));
   EXPECT_THAT(status().text(), HasSubstr("Process worker, which decides what " + first_ + " does"));
-  EXPECT_THAT(status().text(), HasSubstr("The robot stands"));
+  EXPECT_THAT(status().text(), HasSubstr("The robot stays stopped"));
   HostProgram again;
   again.set_start_again(true);
   ASSERT_EQ(robotlink::describe(run_->hostProgram(first_, again)), "");

@@ -55,7 +55,8 @@ TEST(PluginsTest, whatAPluginThatThrowsHasRegisteredIsUndone) {
 }
 
 TEST(PluginsTest, aNameThatIsTakenFailsThePluginAsAWhole) {
-  EXPECT_EQ(loadPlugin(TWICE_PLUGIN).problem, "command \"robot.stop\": there is one of this name already");
+  EXPECT_EQ(loadPlugin(TWICE_PLUGIN).problem,
+            "command \"robot.stop\": there already is a command of this name");
   EXPECT_FALSE(hasCommand("twice.new"));
   EXPECT_TRUE(hasCommand("robot.stop"));
 }

@@ -216,7 +216,7 @@ TEST_F(RobotHostTest, moreThanFitAreRefused) {
   for (std::uint64_t i = 1; i < 100'000 && !isRefused; ++i) {
     const auto done = host_->request(key("key" + std::to_string(i), i));
     isRefused = !done;
-    EXPECT_THAT(done ? "too many wait already" : done.error().text, HasSubstr("too many wait already"));
+    EXPECT_THAT(done ? "too many are waiting already" : done.error().text, HasSubstr("are waiting already"));
   }
   EXPECT_TRUE(isRefused);
 }

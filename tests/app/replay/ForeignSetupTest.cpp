@@ -82,7 +82,8 @@ TEST_F(ForeignSetup, aLayoutThatCannotBeRunIsPlayedWithoutAProgram) {
             "  - {name: debug, debug: true, period_ms: 16}\n"));
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   ASSERT_TRUE(replay.run->jump(at(1)).empty());
-  EXPECT_THAT(replayTexts(replay), HasSubstr("nothing is recomputed, as the log's layout cannot be run: "));
+  EXPECT_THAT(replayTexts(replay),
+              HasSubstr("nothing is recomputed, because the log's layout cannot be run: "));
   EXPECT_EQ(replay.countOn("red1/camera/image"), 1U);
   EXPECT_THAT(recomputedPackages(replay.status()), IsEmpty());
 }

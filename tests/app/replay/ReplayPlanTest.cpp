@@ -108,7 +108,7 @@ TEST(ReplayPlan, whateverIsLoggedTakesThePlaceOfItsProducers) {
   EXPECT_EQ(plan.layout.processes.size(), 1U) << "only the debug process is left";
   ASSERT_EQ(plan.layout.absent.size(), 5U);
   EXPECT_EQ(plan.layout.absent.back().task, "walk");
-  EXPECT_EQ(plan.layout.absent.back().reason, "what it yields is as logged: status, steps");
+  EXPECT_EQ(plan.layout.absent.back().reason, "its output is taken from the log: status, steps");
   EXPECT_THAT(plan.unavailable, IsEmpty()) << "they could run";
 }
 

@@ -413,7 +413,8 @@ TEST_F(ReplayRunTest, aTaskThatIsReplacedSaysSoAndCannotBeSwitched) {
     if (task.name() != "segmentation") continue;
     found = true;
     for (const auto& solution : task.solutions()) {
-      EXPECT_EQ(solution.unavailable(), "unavailable because what it yields is as logged: percepts/regions");
+      EXPECT_EQ(solution.unavailable(),
+                "unavailable because its output is taken from the log: percepts/regions");
     }
   }
   EXPECT_TRUE(found);

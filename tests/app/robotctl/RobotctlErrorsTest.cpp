@@ -59,9 +59,9 @@ TEST_F(RobotctlErrors, whatHasNoTruthIsComparedByWhatComesOfIt) {
       robotctl("compare --task motion --solutions wheel-model-rectangle,wheel-model-fast --scene " + kScene +
                " --seeds 2 --seconds 1 --out compared -- --walk 1");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.out + outcome.errors, HasSubstr("The task motion has no truth of its own"));
+  EXPECT_THAT(outcome.out + outcome.errors, HasSubstr("The task motion has no ground truth"));
   const std::string report = textOf(folder_ / "compared/report.html");
-  EXPECT_THAT(report, HasSubstr("The task motion has no truth of its own"));
+  EXPECT_THAT(report, HasSubstr("The task motion has no ground truth"));
   EXPECT_THAT(report, HasSubstr("<td>walk forward</td>"));
 }
 

@@ -122,8 +122,8 @@ TEST_F(RobotctlLaunchTest, aProgramThatIsKilledIsNamedTheOthersGoOnAndItRejoins)
   ASSERT_FALSE(launched.lineWith("Program plan runs.").empty()) << launched.all();
   ::kill(processIn(plan), SIGKILL);
   const std::string ended = launched.lineWith("Program plan was ended by signal 9");
-  EXPECT_THAT(ended, HasSubstr("the others go on. To start it again: robotctl run"));
-  ASSERT_FALSE(launched.lineWith("Program plan does not run any more").empty()) << launched.all();
+  EXPECT_THAT(ended, HasSubstr("the others continue. To restart it: robotctl run"));
+  ASSERT_FALSE(launched.lineWith("Program plan is no longer running").empty()) << launched.all();
   Launched again({"run", "--layout", "pioneer-programs", "--program", "plan", "--local", "--platform", robot_,
                   "--dds-domain", domain()});
   EXPECT_FALSE(launched.lineWith("Program plan runs again.").empty()) << launched.all();
@@ -175,7 +175,7 @@ TEST(RobotctlLaunchCameraTest, theBodyOfACameraRobotIsDrivenByTwoProgramsAndStan
   ASSERT_TRUE(goesOn()) << states.all();
   ::kill(processIn(think), SIGKILL);
   EXPECT_TRUE(stands()) << "it does not go on by what was decided last: " << states.all();
-  ASSERT_FALSE(launched.lineWith("Program think does not run any more").empty()) << launched.all();
+  ASSERT_FALSE(launched.lineWith("Program think is no longer running").empty()) << launched.all();
   Launched again(words);
   EXPECT_FALSE(launched.lineWith("Program think runs again.").empty()) << launched.all() << again.all();
   EXPECT_FALSE(again.lineWith("The program with the platform runs.").empty()) << again.all();

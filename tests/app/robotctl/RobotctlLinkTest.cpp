@@ -183,11 +183,11 @@ TEST_F(OfferedRobot, whatARobotSaysDoesNothingToATerminal) {
 TEST_F(OfferedRobot, whatDoesNotConnectIsSaid) {
   const auto token = robotctl("request", "red1/stop", "wrong");
   EXPECT_EQ(token.status, 1);
-  EXPECT_THAT(token.errors, HasSubstr("the robot wants another token"));
+  EXPECT_THAT(token.errors, HasSubstr("the robot requires a different token"));
   url_ = "ws://127.0.0.1:1";
   const auto nobody = robotctl("watch", "--seconds 0.3");
   EXPECT_EQ(nobody.status, 1);
-  EXPECT_THAT(nobody.errors, HasSubstr("nobody listens there"));
+  EXPECT_THAT(nobody.errors, HasSubstr("nothing is listening there"));
   url_ = "127.0.0.1";
   EXPECT_EQ(robotctl("watch", "--seconds 0.3").status, 2);
 }
@@ -204,8 +204,8 @@ TEST_F(OfferedRobot, runKnowsARobotElsewhereAgainAsOtherCommandsDo) {
   const auto run = [&] { return runRobotctl(folder_.path(), "run --platform " + url); };
   const auto first = run();
   EXPECT_EQ(first.status, 1);
-  EXPECT_THAT(first.errors, HasSubstr("is new here, and remembered by its fingerprint " +
-                                      options.certificate->fingerprint));
+  EXPECT_THAT(first.errors,
+              HasSubstr("is new here; its fingerprint is remembered: " + options.certificate->fingerprint));
   EXPECT_THAT(first.errors, HasSubstr("token"));
   ASSERT_TRUE(robotlink::websocket::RememberedTokens().add(url, "secret"));
   const auto second = run();

@@ -85,7 +85,7 @@ TEST_F(RobotctlTune, whatCannotBeTunedIsSaid) {
               HasSubstr("the task motion has no solution 'fly'; there are "));
   EXPECT_THAT(
       robotctl("tune --task motion --solution wheel-model-rectangle --parameter gait.hop" + rest).errors,
-      HasSubstr("gait.hop is no number of motion/wheel-model-rectangle"));
+      HasSubstr("gait.hop is not a numeric parameter of motion/wheel-model-rectangle"));
   const RobotctlOutcome figure = robotctl(
       "tune --task motion --solution wheel-model-rectangle --parameter gait.factor_x --evaluations 2 "
       "--seconds 1" +

@@ -93,7 +93,7 @@ TEST(RunJournal, moreThanIsKeptSpoilsIt) {
   EXPECT_EQ(journal.spoiled(), "");
   EXPECT_EQ(journal.entries().size(), 2U);
   journal.add(3, large);
-  EXPECT_EQ(journal.spoiled(), "more was asked of it than is kept");
+  EXPECT_EQ(journal.spoiled(), "there were more requests than are kept");
   EXPECT_THAT(journal.entries(), IsEmpty());
   journal.begin(1, {}, {});
   journal.add(1, large);

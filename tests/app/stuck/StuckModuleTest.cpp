@@ -59,7 +59,7 @@ class StuckModuleTest : public test::StuckBench, public testing::TestWithParam<E
 TEST_P(StuckModuleTest, itIsNamedAndItsRobotStandsWhileAllElseGoesOn) {
   const std::string robot = hang();
   EXPECT_THAT(hosting(robot)->text(), HasSubstr("stuck-test (hang) of process stuck"));
-  EXPECT_THAT(hosting(robot)->text(), HasSubstr("The robot stands"));
+  EXPECT_THAT(hosting(robot)->text(), HasSubstr("The robot stays stopped"));
   EXPECT_TRUE(timeGoesOn());
   for (const std::string& other : robots_) {
     Request stop;

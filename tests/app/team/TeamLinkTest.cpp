@@ -108,7 +108,7 @@ TEST(TeamDatagram, whatIsNoneIsRefusedWithTheReason) {
   other.back() ^= 1U;
   expectRefused(other, "damaged");
   expectRefused({}, "begins with other bytes");
-  expectRefused(datagramOf(messageOf("")), "who has sent it");
+  expectRefused(datagramOf(messageOf("")), "does not name its sender");
   TeamMessage wild = messageOf("red1");
   wild.set_ball_deviation(std::numeric_limits<double>::quiet_NaN());
   expectRefused(datagramOf(wild), "not numbers");

@@ -64,7 +64,7 @@ class PresetsGuiTest : public WindowTest {
     name.setText(QStringLiteral("mine"));
     click(child<QPushButton>(dialog, "presetsSave"));
     QTRY_COMPARE_WITH_TIMEOUT(list.count(), 1, kWaitMs);
-    QTRY_VERIFY_WITH_TIMEOUT(differences.toPlainText().contains(QStringLiteral("as in this preset")),
+    QTRY_VERIFY_WITH_TIMEOUT(differences.toPlainText().contains(QStringLiteral("match this preset")),
                              kWaitMs);
     QCOMPARE(desk.run(QStringLiteral("robot.key package/models/ball off")), QString());
     QTRY_VERIFY_WITH_TIMEOUT(!desk.isOn(kKey), kWaitMs);

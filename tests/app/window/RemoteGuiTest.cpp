@@ -78,7 +78,7 @@ class RemoteGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(hasRate("statusRemote1") && hasRate("statusRemote2"), kWaitMs);
     QVERIFY(!desk.find<QToolButton>("statusRemote1").text().contains(QStringLiteral("connected")));
     QVERIFY(desk.state().contains(QStringLiteral("connected")));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.state().contains(QStringLiteral("wait behind data")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.state().contains(QStringLiteral("waiting behind other data")), kWaitMs);
   }
 
   void whatIsBeingEnteredStaysWhileARobotConnects() {

@@ -157,7 +157,7 @@ TEST_F(WorldPortsTest, whatCannotBeDoneByHandIsRefused) {
   ASSERT_TRUE(run_->world().simulation().pin("ball", true));
   const auto thrown = changeWorld(run_->world(), request, {});
   ASSERT_FALSE(thrown);
-  EXPECT_EQ(thrown.error().text, "'ball' is pinned; let it go first");
+  EXPECT_EQ(thrown.error().text, "'ball' is pinned; release it first");
 }
 
 TEST_F(WorldPortsTest, imagesThatARobotSendsAreNotSentTwice) {

@@ -49,7 +49,7 @@ TEST(Bzip2, damageIsReportedWithTheFileAndThePlace) {
   EXPECT_EQ(reasonOf(whole.substr(0, whole.size() - 4)), "table.bz2: this bzip2 file is damaged: at byte " +
                                                              std::to_string(whole.size() - 4) +
                                                              " it ends too early");
-  EXPECT_NE(reasonOf(whole + "more").find("something follows its end"), std::string::npos);
+  EXPECT_NE(reasonOf(whole + "more").find("there is extra data after its end"), std::string::npos);
   std::string flipped = whole;
   flipped[whole.size() / 2] = static_cast<char>(~flipped[whole.size() / 2]);
   EXPECT_NE(reasonOf(flipped).find("damaged"), std::string::npos);

@@ -85,7 +85,7 @@ TEST_F(NamedColorTableTest, brokenNamesAreToldWithTheirLines) {
   const std::string all = refusal();
   EXPECT_THAT(all, HasSubstr("t.c64.classes:2: a class is expected here: its name and its color"));
   EXPECT_THAT(all, HasSubstr("t.c64.classes:4: a class is expected here"));
-  EXPECT_THAT(all, HasSubstr("t.c64.classes:5: the class 'green' appears here a second time"));
+  EXPECT_THAT(all, HasSubstr("t.c64.classes:5: the class 'green' appears here for the second time"));
   EXPECT_THAT(all, HasSubstr("t.c64.classes:6: 'none' stands for pixels of no class"));
   EXPECT_THAT(all, HasSubstr("t.c64.classes:7: a class is expected here"));
   name(std::string(kFirstLine) + "green #00ff00\n");

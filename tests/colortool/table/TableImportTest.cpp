@@ -169,7 +169,7 @@ TEST(TableImport, whatIsNoCompressedTableIsRefused) {
   EXPECT_THAT(importRefusal(good.substr(0, good.size() - 1)),
               HasSubstr("this bzip2 file is damaged: at byte"));
   EXPECT_THAT(importRefusal(good.substr(0, good.size() - 1)), HasSubstr("it ends too early"));
-  EXPECT_THAT(importRefusal(good + "x"), HasSubstr("something follows its end"));
+  EXPECT_THAT(importRefusal(good + "x"), HasSubstr("there is extra data after its end"));
   std::string damaged = good;
   damaged[10] ^= 1;
   EXPECT_THAT(importRefusal(damaged), HasSubstr("its contents do not fit together"));
@@ -190,7 +190,7 @@ TEST(TableImport, tablesThatLieAreRefusedWithTheirPlace) {
   std::string bytes = bytes128(0);
   bytes[77777] = 11;
   EXPECT_THAT(importRefusal(bytes),
-              HasSubstr("not a table of the NUbots: byte 77777 is 11, which is none of its classes"));
+              HasSubstr("not a table of the NUbots: byte 77777 is 11, which is not one of its classes"));
   bytes[0] = 127;
   EXPECT_THAT(importRefusal(bytes), HasSubstr("not a table of rUNSWift 2005: byte 77777 is 11"));
 }
@@ -208,7 +208,7 @@ TEST(TableImport, mapsThatLieAreRefusedWithTheirPlace) {
   EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 2 1\nx"),
               HasSubstr("at byte 16 2 cells are expected, 1 x 2 x 1, but 1 bytes follow"));
   EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 2 1\n\1\xF0"),
-              HasSubstr("byte 17 is of class 240, but a .c64 numbers classes up to 127"));
+              HasSubstr("byte 17 has class 240, but a .c64 only has classes up to 127"));
 }
 
 TEST(TableImport, brokenColorsAreToldWithTheirLines) {
@@ -222,7 +222,7 @@ TEST(TableImport, brokenColorsAreToldWithTheirLines) {
       "c:1: a line begins with the number of its class, 0 to 255\nc:2: the class's color is expected after "
       "its number, as in (255 128 0)\nc:3: the class's color is expected after its number, as in (255 128 "
       "0)\nc:4: the class's name is expected after its color, in quotes\nc:5: a line begins with the number "
-      "of its class, 0 to 255\nc:7: 'a' appears here a second time\nc:8: class 1 appears here a second "
+      "of its class, 0 to 255\nc:7: 'a' appears here for the second time\nc:8: class 1 appears here a second "
       "time\nc:9: 'none' stands for pixels of no class and cannot be one\nc:10: a class needs a name");
   EXPECT_FALSE(colortool::parseTekkotsuColors("", "c"));
 }

@@ -22,7 +22,7 @@ TEST(DamageReport, nothingIsSaidOfAWholeFile) {
 
 TEST(DamageReport, aFileThatWasNotClosedMayHaveLostItsEnd) {
   EXPECT_THAT(describeDamage("a.mcap", false, {}),
-              ElementsAre("a.mcap: it was not closed: its end may be missing"));
+              ElementsAre("a.mcap: the file was not closed: its end may be missing"));
   // What is known in detail says more.
   EXPECT_THAT(describeDamage("a.mcap", false, {damageAt(7, "it ends")}),
               ElementsAre("a.mcap: at byte 7: it ends"));

@@ -104,9 +104,9 @@ TEST(OutputFile, errorsOfItsWriterNameTheFileThatPeopleKnow) {
       "cannot write the log file at byte 7: no space; what was written before can be read",
       {},
       {output->temporary().string(), 0, 0}};
-  EXPECT_EQ(output->named(error).describe(),
-            (folder / "out.txt").string() +
-                ": cannot write the log file at byte 7: no space; nothing is left of it");
+  EXPECT_EQ(
+      output->named(error).describe(),
+      (folder / "out.txt").string() + ": cannot write the log file at byte 7: no space; it was deleted");
   const robotlink::Error other{"x", "y", {}, {"in.txt", 0, 0}};
   EXPECT_EQ(output->named(other), other);
 }

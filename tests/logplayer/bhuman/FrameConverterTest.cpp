@@ -211,7 +211,7 @@ TEST(FrameConverter, framesWithoutTheirEndOrBeginningAreKeptAndReported) {
             " 0 @400: joints/states\n");
   EXPECT_NE(imported.report.damage.find("a process began before the one before it had ended"),
             std::string::npos);
-  EXPECT_NE(imported.report.damage.find("a process ended that had not begun"), std::string::npos);
+  EXPECT_NE(imported.report.damage.find("a process ended without having begun"), std::string::npos);
 }
 
 TEST(FrameConverter, whatIsNotUnderstoodIsCountedByItsKind) {

@@ -222,7 +222,7 @@ TEST_F(LogCutTest, robotsWithOtherProgramsAreNoPartsOfOneLog) {
   const auto beside = rewritten({.inputs = {{folder_ / "a.mcap"}, {folder_ / "b.mcap"}}, .overwrite = true});
   EXPECT_FALSE(beside.concatenated);
   EXPECT_THAT(beside.notes,
-              testing::Contains(HasSubstr("red1 runs another program in b.mcap than in a.mcap")));
+              testing::Contains(HasSubstr("red1 runs a different program in b.mcap than in a.mcap")));
   EXPECT_TRUE(
       rewritten({.inputs = {{folder_ / "a.mcap"}, {folder_ / "c.mcap"}}, .overwrite = true}).concatenated);
 }

@@ -88,7 +88,7 @@ TEST_F(LogJoinTest, aRobotRunsTheSameProgramInBoth) {
                   {programOf("red1", 2, after), plot("red1/plots/a", 3, 1)});
   };
   EXPECT_EQ(with("tasks: a", "tasks: a"), "");
-  EXPECT_EQ(with("tasks: a", "tasks: b"), "red1 runs another program in second.mcap than in first.mcap");
+  EXPECT_EQ(with("tasks: a", "tasks: b"), "red1 runs a different program in second.mcap than in first.mcap");
 }
 
 TEST_F(LogJoinTest, theLastProgramOfTheEarlierLogCountsAndTheFirstOfTheLater) {

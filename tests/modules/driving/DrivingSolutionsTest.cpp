@@ -166,7 +166,7 @@ TEST_F(FollowPathTest, wandersWhileItDoesNotKnowWhereItIs) {
   setPath();
   run(2, 4);
   EXPECT_NE(DriveVelocity{}, desired());
-  EXPECT_TRUE(follow_.said("wanders until it does"));
+  EXPECT_TRUE(follow_.said("wanders until it is"));
   run(30);
   EXPECT_LT((robot_.pose().translation() - Vector2(5, 3)).norm(), 0.2);
   EXPECT_THAT(follow_.silentKeys(), IsEmpty());

@@ -66,7 +66,7 @@ TEST(GridPlanner, aDoorThatIsTooNarrowIsNone) {
   addWall(map, 6, 4.6, 6, 6);
   GridPlanner planner(map, {});
   planner.setGoal({10, 1});
-  EXPECT_EQ("no way leads to the goal that is wide enough and not forbidden", planner.path({2, 1}).reason);
+  EXPECT_EQ("no path to the goal is wide enough and outside of forbidden areas", planner.path({2, 1}).reason);
 }
 
 TEST(GridPlanner, forbiddenLinesAreNotCrossed) {

@@ -286,7 +286,7 @@ TEST(GridPathPlanning, itGivesUpWithAReasonWhereTheOnlyDoorIsBlocked) {
   PlannedDrive drive(map, withBoxInTheDoor(map));
   drive.run(30);
   EXPECT_TRUE(drive.path().blocked());
-  EXPECT_EQ("something that is not on the map blocks every way to the goal", drive.path().reason());
+  EXPECT_EQ("an obstacle that is not on the map blocks every path to the goal", drive.path().reason());
   EXPECT_GT(drive.robot().nearest(), 0);
   EXPECT_TRUE(drive.planner().said("no way to “Desk”: something that is not on the map blocks"));
 }

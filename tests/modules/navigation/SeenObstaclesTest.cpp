@@ -128,11 +128,11 @@ TEST_F(SeenObstaclesTest, whereThereIsNoOtherWayThePlannerSaysWhy) {
   GridPlanner planner(closed, {});
   planner.setGoal({6, 2});
   planner.setObstacles(seen.places());
-  EXPECT_EQ("something that is not on the map blocks every way to the goal", planner.path({2, 2}).reason);
-  EXPECT_EQ("something that is not on the map blocks every way to the goal", planner.path({3.3, 2}).reason)
+  EXPECT_EQ("an obstacle that is not on the map blocks every path to the goal", planner.path({2, 2}).reason);
+  EXPECT_EQ("an obstacle that is not on the map blocks every path to the goal", planner.path({3.3, 2}).reason)
       << "nor does it begin behind what is in the way";
   planner.setGoal({4, 2});
-  EXPECT_EQ("something that is not on the map is at the goal, or too near to it",
+  EXPECT_EQ("an obstacle that is not on the map is at the goal, or too near to it",
             planner.path({2, 2}).reason);
   planner.setGoal({4, 6});
   EXPECT_EQ("the goal is too near to a wall for this robot", planner.path({2, 2}).reason);

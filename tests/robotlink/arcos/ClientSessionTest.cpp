@@ -244,7 +244,7 @@ TEST_F(ClientSessionTest, silenceOfEightSecondsIsALoss) {
   EXPECT_TRUE(session.isConnected());
   pass(10ms);
   EXPECT_EQ(session.state(), ClientSession::State::kPausing);
-  EXPECT_EQ(session.problem()->text, "nothing came from the robot for 8 s");
+  EXPECT_EQ(session.problem()->text, "nothing was received from the robot for 8 s");
   EXPECT_EQ(session.statistics().losses, 1U);
   pass(1s);
   EXPECT_EQ(session.state(), ClientSession::State::kWaitingForLink);

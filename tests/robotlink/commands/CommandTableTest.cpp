@@ -180,7 +180,8 @@ TEST_F(CommandTableTest, aHandlerWithoutADeclarationEndsTheProgramWithAReason) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_DEATH(table_.attach("view.show", {}), "command \"view.show\": has a handler, but is not declared");
   EXPECT_DEATH(table_.attach("robot.stop", {}), "command \"robot.stop\": has a handler already");
-  EXPECT_DEATH(table_.add({"a.b", "", {{"x", Type::kText, "", std::string()}, {"y"}}}), "follows one that");
+  EXPECT_DEATH(table_.add({"a.b", "", {{"x", Type::kText, "", std::string()}, {"y"}}}),
+               "follows an optional one");
 }
 
 TEST(CommandLine, quotesAndBackslashesDoWhatTheHeaderSays) {

@@ -151,7 +151,7 @@ TEST_F(ScriptRunTest, aRequestThatNobodyAnswersFailsTheLine) {
   tick(29s);
   EXPECT_FALSE(run_.isIdle());
   tick(1s);
-  EXPECT_EQ(failure(), "a.script:1:1: nothing has answered for 30 s");
+  EXPECT_EQ(failure(), "a.script:1:1: there was no answer for 30 s");
 }
 
 TEST_F(ScriptRunTest, whatALineOpensIsOpenBeforeTheNext) {
@@ -270,7 +270,7 @@ TEST_F(ScriptRunTest, aTimeThatStandsStillFailsTheLine) {
   tick(29s);
   EXPECT_FALSE(run_.isIdle()) << "it moved meanwhile";
   tick(1s);
-  EXPECT_EQ(failure(), "a.script:1: expected 5 s to pass, but the time has stood still at 5 s for 30 s");
+  EXPECT_EQ(failure(), "a.script:1: expected 5 s to pass, but time has stopped at 5 s for 30 s");
 }
 
 TEST_F(ScriptRunTest, whatIsPausedIsSaidWithHowItGoesOn) {
@@ -279,12 +279,12 @@ TEST_F(ScriptRunTest, whatIsPausedIsSaidWithHowItGoesOn) {
   session_.tick();
   run("wait 5");
   tick(30s);
-  EXPECT_THAT(failure(), HasSubstr("for 30 s: the simulation is paused; simulation.start lets it go on"));
+  EXPECT_THAT(failure(), HasSubstr("for 30 s: the simulation is paused; simulation.start resumes it"));
   push("replay", std::make_shared<robotcontrol::ReplayStatus>(), 4s);
   session_.tick();
   run("wait 5");
   tick(30s);
-  EXPECT_THAT(failure(), HasSubstr("for 30 s: the log is paused; log.play lets it go on"));
+  EXPECT_THAT(failure(), HasSubstr("for 30 s: the log is paused; log.play resumes it"));
   auto playing = std::make_shared<robotcontrol::ReplayStatus>();
   playing->set_playing(true);
   push("replay", playing, 4s);
@@ -323,7 +323,7 @@ TEST_F(ScriptRunTest, whatIsNotSetIsTakenFromTheEnvironment) {
   run("say $SCRIPT_TEST_VALUE\nset SCRIPT_TEST_VALUE here\nsay $SCRIPT_TEST_VALUE\nsay $SCRIPT_TEST_NONE");
   EXPECT_THAT(said_, ElementsAre("there", "here"));
   EXPECT_EQ(failure(),
-            "a.script:4:5: there is no variable SCRIPT_TEST_NONE; set SCRIPT_TEST_NONE VALUE makes it");
+            "a.script:4:5: there is no variable SCRIPT_TEST_NONE; set SCRIPT_TEST_NONE VALUE defines it");
 }
 
 TEST_F(ScriptRunTest, aFileThatIncludesItselfIsRefused) {

@@ -89,7 +89,7 @@ TEST(FieldDescription, teamsHaveAGoalToAttackAndAColor) {
   EXPECT_EQ(field->teamColor("cyan"), *field->color("skyblue"));
   EXPECT_EQ(field->playingDirection("red"), 1) << "is not one of the teams";
   EXPECT_THAT(fieldErrors(withReplaced("attacks: skyblue", "attacks: green")),
-              HasSubstr("attacks 'green', which is none of the goals"));
+              HasSubstr("attacks 'green', which is not one of the goals"));
 }
 
 TEST(FieldDescription, aFieldOfAnOlderLogHasTheTeamsOf2002) {

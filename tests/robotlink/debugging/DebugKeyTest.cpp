@@ -41,7 +41,7 @@ TEST(DebugKeyDeathTest, aNameThatIsDeclaredTwiceEndsTheProgramWithAReason) {
 TEST(DebugKeyDeathTest, aNameThatIsNoPathEndsTheProgramWithAReason) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   for (const char* name : {"", "/a", "a/", "a//b", "Upper/case", "a b"}) {
-    EXPECT_DEATH(declare(name), "a name is a path of lower case letters");
+    EXPECT_DEATH(declare(name), "a name is a path of lowercase letters");
   }
 }
 

@@ -91,7 +91,7 @@ TEST(RequestKinds, whatIsWrongWithARequestItselfIsSaid) {
   place.mutable_place_model()->mutable_pose_in_field()->set_x(std::numeric_limits<double>::quiet_NaN());
   EXPECT_NE(wrongWith(place), "");
   place.mutable_place_model()->clear_pose_in_field();
-  EXPECT_EQ(wrongWith(place), "the pose at which the model is placed is missing");
+  EXPECT_EQ(wrongWith(place), "the request needs the pose at which to place the model");
   place.mutable_place_model()->mutable_pose_in_field();
   EXPECT_EQ(wrongWith(place), "") << "the middle of the field";
   place.mutable_place_model()->set_roll(std::numeric_limits<double>::quiet_NaN());
@@ -169,7 +169,7 @@ TEST(RequestKinds, anOverrideCanBeRemoved) {
 TEST(RequestKinds, whatHandsDoHasLimits) {
   Request thrown;
   thrown.mutable_throw_model()->mutable_velocity()->set_x(5);
-  EXPECT_THAT(wrongWith(thrown), HasSubstr("not named"));
+  EXPECT_THAT(wrongWith(thrown), HasSubstr("must name"));
   thrown.mutable_throw_model()->set_model("ball");
   EXPECT_EQ(wrongWith(thrown), "");
   thrown.mutable_throw_model()->mutable_spin()->set_z(1e9);

@@ -91,7 +91,7 @@ TEST_F(SolutionParametersTest, whatIsRefusedChangesNothing) {
   EXPECT_EQ(refusal(goal(0.5)), "'pose_in_field.x' has to be at least 1");
   EXPECT_THAT(refusal(goal(std::numeric_limits<double>::quiet_NaN())), HasSubstr("not a finite number"));
   EXPECT_THAT(refusal(other), HasSubstr("not a 'robotcontrol.DrivePath'"));
-  EXPECT_THAT(refusal(damaged), HasSubstr("the bytes are no robotcontrol.DriveGoal"));
+  EXPECT_THAT(refusal(damaged), HasSubstr("the bytes are not a valid robotcontrol.DriveGoal"));
   EXPECT_EQ(valuesOf(parameters).pose_in_field().x(), 3);
 }
 

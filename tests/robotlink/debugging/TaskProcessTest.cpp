@@ -298,7 +298,7 @@ TEST(TaskProcessTest, wrongParametersAreRefusedAndChangeNothing) {
       robot.ask(parametersRequest("region", velocity(std::numeric_limits<double>::infinity()))).reason());
   Request damaged = parametersRequest("region", velocity(1));
   damaged.mutable_set_parameters()->mutable_value()->mutable_data()->resize(5);
-  EXPECT_EQ("the bytes are no robotcontrol.Velocity2", robot.ask(damaged).reason());
+  EXPECT_EQ("the bytes are not a valid robotcontrol.Velocity2", robot.ask(damaged).reason());
   robot.setKey("package/percepts/ball", KeyMode::ALWAYS);
   robot.run(20);
   EXPECT_LT(lastBall(robot).radius_in_image(), 200);

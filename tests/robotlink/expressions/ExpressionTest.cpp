@@ -107,7 +107,7 @@ TEST(Expression, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal("a.state == RUNNING").where.column, 12);
   EXPECT_EQ(refusal("\"a\" == b.x").where.column, 1);
   EXPECT_EQ(refusal("b.x == \"a").where.column, 8);
-  EXPECT_THAT(refusal("b.x =~ \"(\"").text, HasSubstr("no regular expression"));
+  EXPECT_THAT(refusal("b.x =~ \"(\"").text, HasSubstr("not a valid regular expression"));
   EXPECT_EQ(refusal("b.x =~ 1").where.column, 5);
   EXPECT_EQ(refusal("1 + b.x[").where.column, 8);
   EXPECT_EQ(refusal("models/ball.position.x 2").where.column, 24);

@@ -112,8 +112,8 @@ TEST(FieldPath, whatDoesNotFitIsRefusedWithItsPlaceAndTheNearestName) {
   EXPECT_THAT(inner.text, HasSubstr("did you mean 'position'"));
   EXPECT_EQ(inner.where.column, 11);
   EXPECT_THAT(refusal("joints.position", type).text, HasSubstr("say which element"));
-  EXPECT_THAT(refusal("timestamp[0]", type).text, HasSubstr("is no list"));
-  EXPECT_THAT(refusal("joints[0]", type).text, HasSubstr("is no value"));
+  EXPECT_THAT(refusal("timestamp[0]", type).text, HasSubstr("is not a list"));
+  EXPECT_THAT(refusal("joints[0]", type).text, HasSubstr("is not a value"));
   EXPECT_THAT(refusal("joints[0].position.x", type).text, HasSubstr("has no fields"));
   EXPECT_THAT(refusal("joints[nom=\"a\"].position", type).text, HasSubstr("nom"));
 }

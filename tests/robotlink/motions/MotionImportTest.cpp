@@ -147,7 +147,7 @@ TEST(MotionImportTest, whatCannotBeConvertedIsACommentInItsLine) {
 TEST(MotionImportTest, otherBytesAreNoMotionOfCmpack) {
   EXPECT_EQ(cmpackError("ab"), "x.mot: the file is shorter than the number of its key frames");
   EXPECT_EQ(cmpackError("#MSq"),
-            "x.mot: this is no motion of CMPack'02: those have 1 to 63 key frames, this one " +
+            "x.mot: this is not a motion of CMPack'02: those have 1 to 63 key frames, this one " +
                 std::to_string(0x71534d23));
   std::string bytes = cmpackBytes(cmpackKick());
   bytes.pop_back();

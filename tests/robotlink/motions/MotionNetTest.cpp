@@ -82,12 +82,12 @@ TEST(MotionNetTest, whatOneFileAloneCannotShowIsCheckedHere) {
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\n1 2 1 8\n"),
             "nod.mof:3:1: the motion 'nod' must end in 'transition allMotions MOTION LABEL'");
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\nlabel start\n" + end),
-            "nod.mof:3:1: the label 'start' appears here a second time");
+            "nod.mof:3:1: the label 'start' appears here for the second time");
   EXPECT_EQ(errorsOf("motion_id = nod\njoints = a z\nlabel start\n" + end),
             "nod.mof:2:1: the robot has no joint 'z'");
   EXPECT_EQ(errorsOf("motion_id = extern\nlabel start\n" + end),
             "nod.mof:1:1: another file already is the motion 'extern'\nnod.mof:2:1: the label 'start' "
-            "appears here a second time");
+            "appears here for the second time");
 }
 
 TEST(MotionNetTest, withoutAnEntryTableNothingCanBePlayed) {

@@ -129,7 +129,7 @@ TEST(LayoutCheckTest, aProcessNameTwiceIsRefused) {
 
 TEST(LayoutCheckTest, anInputThatNobodyYieldsIsReportedWithTheTaskThatWould) {
   EXPECT_THAT(complaints({"name: think, blocking: [image], tasks: [see: plain, behave: go]"}),
-              ElementsAre("l.yaml:4:58: task behave (go) needs model, which nobody yields here; add a task "
+              ElementsAre("l.yaml:4:58: task behave (go) needs model, which no task yields here; add a task "
                           "that does: model"));
 }
 
@@ -147,10 +147,10 @@ TEST(LayoutCheckTest, anOutputTwiceIsRefused) {
   const Errors errors = checkLayout(
       layoutOf({"name: think, blocking: [image], tasks: [see: plain, imagine: all]"}), twice, platform());
   ASSERT_EQ(2U, errors.size());
-  EXPECT_EQ("l.yaml:4:58: task imagine yields joints, which the platform yields, too; remove one of them",
+  EXPECT_EQ("l.yaml:4:58: task imagine yields joints, which the platform also yields; remove one of them",
             errors[0].describe());
   EXPECT_EQ(
-      "l.yaml:4:58: task imagine yields percept, which task see (line 4) yields, too; remove one of them",
+      "l.yaml:4:58: task imagine yields percept, which task see (line 4) also yields; remove one of them",
       errors[1].describe());
 }
 
@@ -194,8 +194,8 @@ TEST(LayoutCheckTest, processesThatWaitForEachOtherAreRefused) {
 TEST(LayoutCheckTest, aProcessThatNeverWaitsIsRefused) {
   EXPECT_THAT(
       complaints({"name: think, tasks: [see: plain]"}),
-      ElementsAre("l.yaml:4:5: process think waits for nothing and would run without end; give it a blocking "
-                  "input or a period_ms"));
+      ElementsAre("l.yaml:4:5: process think waits for nothing and would run without pause; give it a "
+                  "blocking input or a period_ms"));
 }
 
 TEST(LayoutCheckTest, wrongBlockingInputsAreRefused) {
@@ -207,7 +207,7 @@ TEST(LayoutCheckTest, wrongBlockingInputsAreRefused) {
           "l.yaml:4:44: process think waits for joints, which none of its tasks uses; remove it from "
           "'blocking'",
           "l.yaml:4:52: process think waits for percept, which it yields itself; remove it from 'blocking'",
-          "l.yaml:4:61: process think waits for pose, which nobody yields here; remove it from 'blocking'"));
+          "l.yaml:4:61: process think waits for pose, which no task yields here; remove it from 'blocking'"));
 }
 
 TEST(LayoutCheckTest, wrongBlockingOutputsAreRefused) {
@@ -278,17 +278,18 @@ TEST(LayoutProgramsTest, hostsAreNamedForAllProgramsOrForNone) {
 TEST(LayoutCheckTest, thereIsExactlyOneDebugProcessWithoutTasks) {
   EXPECT_THAT(
       complaints({"name: extra, debug: true, period_ms: 8, tasks: [see: plain]"}),
-      ElementsAre("l.yaml:4:5: the debug process extra has neither tasks nor blocking inputs; move them to "
-                  "another process",
-                  "l.yaml:5:5: process debug is a second debug process, beside extra; remove one of them"));
+      ElementsAre(
+          "l.yaml:4:5: the debug process extra has neither tasks nor blocking inputs; move them to "
+          "another process",
+          "l.yaml:5:5: process debug is a second debug process, in addition to extra; remove one of them"));
   const auto none = parseLayout(
       "version: 1\nname: a\nprocesses: [{name: think, period_ms: 8, tasks: [see: plain]}]\n", "l.yaml");
   ASSERT_TRUE(none);
   const Errors errors = checkLayout(*none, catalog(), platform());
   ASSERT_EQ(1U, errors.size());
   EXPECT_EQ(
-      "l.yaml: no process collects the others' debug messages; add '- {name: debug, debug: true, period_ms: "
-      "16}'",
+      "l.yaml: no process collects the debug messages of the others; add '- {name: debug, debug: true, "
+      "period_ms: 16}'",
       errors[0].describe());
 }
 

@@ -94,7 +94,7 @@ TEST(IdlReader, errorsNameTheLine) {
   EXPECT_THAT(idlErrorOf(idl("Nowhere x;")), HasSubstr("p/M.x is a Nowhere, which is not defined here"));
   EXPECT_THAT(idlErrorOf("module p {"), HasSubstr("\"}\" is expected"));
   EXPECT_THAT(idlErrorOf("union U switch (long) {};"), HasSubstr("not \"union\""));
-  EXPECT_THAT(idlErrorOf(idl("long double x;")), HasSubstr("the largest that are read"));
+  EXPECT_THAT(idlErrorOf(idl("long double x;")), HasSubstr("at most 64 bits"));
   EXPECT_THAT(idlErrorOf(idl("@optional long x;")), HasSubstr("optional members are not read"));
   EXPECT_THAT(idlErrorOf(idl("sequence<sequence<long> > x;")), HasSubstr("a sequence of lists is not read"));
   EXPECT_THAT(idlErrorOf(idl("sequence<list> x;", "typedef sequence<long> list;")),

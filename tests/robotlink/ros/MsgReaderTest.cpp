@@ -104,7 +104,7 @@ TEST(MsgReader, aShortNameOfAnotherPackageIsFoundIfThereIsOnlyOne) {
 }
 
 TEST(MsgReader, errorsNameTheLine) {
-  EXPECT_EQ(errorOf("int32 x\nint32"), "p/msg/M:2: a name is expected behind the type \"int32\"");
+  EXPECT_EQ(errorOf("int32 x\nint32"), "p/msg/M:2: a name is expected after the type \"int32\"");
   EXPECT_EQ(errorOf("int-32 x"), "p/msg/M:1: a type is expected, not \"int-32\"");
   EXPECT_THAT(errorOf("int32[x] a"), HasSubstr("a number is expected in \"[x]\""));
   EXPECT_THAT(errorOf("int32[3 a"), HasSubstr("not \"[3\""));

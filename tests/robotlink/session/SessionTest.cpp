@@ -256,7 +256,7 @@ TEST(Session, withoutASinkARequestIsRefusedWithAReason) {
   std::string reason;
   session.request({}, [&](const auto& result) { reason = result.reason(); });
   session.tick();
-  EXPECT_THAT(reason, testing::HasSubstr("nothing that is connected"));
+  EXPECT_THAT(reason, testing::HasSubstr("nothing that is open"));
 }
 
 TEST(Session, aRefusalThatNobodyWaitsForIsReportedToTheHandler) {

@@ -171,17 +171,18 @@ TEST(ControllerCheck, aModelIsFoundByItsName) {
 TEST(ControllerCheck, namesAreUniqueInTheirPlaceOnly) {
   EXPECT_EQ(wrongInWorld({checkedController({})}, {checkedController({})}), "");
   EXPECT_EQ(wrongInWorld({}, {checkedController({}), checkedController({}, "again")}), "");
-  EXPECT_THAT(wrongInWorld({checkedController({}), checkedController({})}, {}),
-              HasSubstr("there is another controller 'checked' here; give it a name by the attribute 'as'"));
+  EXPECT_THAT(
+      wrongInWorld({checkedController({}), checkedController({})}, {}),
+      HasSubstr("there is another controller 'checked' here; give it a name with the attribute 'as'"));
 }
 
 TEST(ControllerCheck, aControllerDoesNotTakeThePathsOfOtherPorts) {
   EXPECT_THAT(wrongInWorld({}, {checkedController({})}, {portAt("cart/checked/angle")}),
-              HasSubstr("the ports of 'checked' would have the paths of others"));
+              HasSubstr("the ports of 'checked' would have the same paths as others"));
   EXPECT_EQ(wrongInWorld({}, {checkedController({})}, {portAt("cart/checked2"), portAt("checked/angle")}),
             "");
   EXPECT_THAT(wrongInWorld({checkedController({})}, {}, {portAt("checked/angle")}),
-              HasSubstr("would have the paths of others"));
+              HasSubstr("would have the same paths as others"));
 }
 
 TEST(ControllerCheck, anUnknownKindIsReportedOnceAndItsParametersAreNotChecked) {

@@ -47,7 +47,7 @@ class SceneFilesTest : public testing::Test {
 
 TEST_F(SceneFilesTest, whatIsWrongWithXmlIsSaidInWordsWithItsLine) {
   EXPECT_THAT(errorsOfText(""), HasSubstr("world.sdf:1: this is not well-formed XML: the file is empty"));
-  EXPECT_THAT(errorsOfText("<sdf>\n<world>\n</sdf>"), HasSubstr("a tag is closed that is not the one"));
+  EXPECT_THAT(errorsOfText("<sdf>\n<world>\n</sdf>"), HasSubstr("a closing tag does not match the last"));
   EXPECT_THAT(errorsOfText("<sdf version=1.9></sdf>"), HasSubstr("is not written as name=\"value\""));
   EXPECT_THAT(errorsOfText("<sdf>\n<!-- never closed"), HasSubstr("world.sdf:2: "));
   EXPECT_THAT(errorsOfText("<sdf>\n<!-- never closed"), HasSubstr("a comment is not closed"));

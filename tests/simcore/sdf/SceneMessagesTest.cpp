@@ -73,7 +73,7 @@ TEST_F(SceneMessages, allThatIsNotReadIsTold) {
   EXPECT_THAT(leftOutOf(bodyWith(cameraWith("<save enabled='true'><path>p</path></save>"))),
               HasSubstr("<save> in <camera>"));
   EXPECT_THAT(leftOutOf(bodyWith(cameraWith("<clip><near>0.5</near><far>9</far></clip>"))),
-              HasSubstr("<clip> of a camera: cameras of color see at any distance"));
+              HasSubstr("<clip> of a camera: color cameras see at any distance"));
   EXPECT_THAT(leftOutOf(bodyWith(sensorOf("imu", "<imu><angular_velocity/><linear_acceleration/></imu>"))),
               HasSubstr("<angular_velocity> beside <linear_acceleration> in <imu>"));
   EXPECT_THAT(leftOutOf("<light type='point' name='p'><attenuation><range>9</range><linear>0.5</linear>"
@@ -121,7 +121,7 @@ TEST_F(SceneMessages, sensorsOfOtherTypesAreLeftOut) {
               AllOf(HasSubstr("its <contact> has no <collision>"), Not(HasSubstr("__default__"))));
   EXPECT_THAT(leftOutOf(bodyWith(visualWith("", "<mesh/>"))), HasSubstr("<mesh>: it has no <uri>"));
   EXPECT_THAT(leftOutOf(bodyWith(visualWith("", "<torus><radius>1</radius></torus>"))),
-              HasSubstr("3 m/l/v: <torus>: of shapes, box, "));
+              HasSubstr("3 m/l/v: <torus>: only box, "));
 }
 
 TEST_F(SceneMessages, aStaticModelHasADistanceSensor) {
@@ -139,7 +139,7 @@ TEST_F(SceneMessages, onlyOneWorldOfAFileIsRead) {
   ASSERT_TRUE(scene) << describe(scene.error());
   ASSERT_EQ((*scene)->leftOut().size(), 2U);
   EXPECT_EQ((*scene)->leftOut()[0].where.line, 3);
-  EXPECT_EQ((*scene)->leftOut()[0].why, "of a file, one world or model is read, here <world name=\"a\">");
+  EXPECT_EQ((*scene)->leftOut()[0].why, "only one world or model per file is read, here <world name=\"a\">");
 }
 
 TEST_F(SceneMessages, errorsOfLibsdformatHaveTheirPlace) {
@@ -199,10 +199,11 @@ TEST_F(SceneMessages, aSensorThatCannotBeHadIsLeftOutAlone) {
 
 TEST_F(SceneMessages, namesThatArePartsOfPathsHaveNoSlash) {
   EXPECT_EQ(errorsOf("<model name='a/b'><link name='l'/></model>"),
-            "world.sdf:3: test/a/b: the name 'a/b' must have no slash, which is between the parts of a path: "
-            "MODEL/SENSOR");
-  EXPECT_THAT(errorsOf(bodyWith("<sensor name='x/y' type='imu'/>", "<link name='k/'/>")),
-              AllOf(HasSubstr("the name 'x/y' must have no slash"), HasSubstr("the name 'k/' must have no")));
+            "world.sdf:3: test/a/b: the name 'a/b' must not contain a slash, which separates the parts of a "
+            "path: MODEL/SENSOR");
+  EXPECT_THAT(
+      errorsOf(bodyWith("<sensor name='x/y' type='imu'/>", "<link name='k/'/>")),
+      AllOf(HasSubstr("the name 'x/y' must not contain a slash"), HasSubstr("the name 'k/' must not")));
   EXPECT_EQ(errorsOf("<model name='a b::c'><link name='l m'/></model>"), "");
   EXPECT_EQ(errorsOf(bodyWith(visualWith("<diffuse>1 0 0</diffuse>"))), "");
 }
@@ -244,7 +245,8 @@ TEST_F(SceneMessages, aRoleIsGoalie) {
   folder_.writeModel("small", kSmallModel);
   EXPECT_EQ(
       errorsOf("<include><uri>model://small</uri><robotcontrol:role>emperor</robotcontrol:role></include>"),
-      "world.sdf:3: 'small': the <robotcontrol:role> is goalie, or the team decides; not 'emperor'");
+      "world.sdf:3: 'small': the <robotcontrol:role> must be goalie, or be omitted, so that the team "
+      "decides; not 'emperor'");
 }
 
 TEST_F(SceneMessages, aDriveCannotPushWhenItMovesKinematically) {

@@ -143,7 +143,7 @@ class CalibrationViewTest : public QObject {
     QVERIFY(child<QLabel>(*view, "lensOutcome").text().contains(QStringLiteral("not seen")));
     // A board that looks the same from all sides says what is wrong with it.
     child<QSpinBox>(*view, "lensColumns").setValue(6);
-    QVERIFY(bench.untilText(*view, "cameraState", QStringLiteral("not as many rows as columns")));
+    QVERIFY(bench.untilText(*view, "cameraState", QStringLiteral("different numbers of rows and columns")));
   }
 
   void aPlaceIsCalibratedByMarksThatAreClicked() {
@@ -172,7 +172,7 @@ class CalibrationViewTest : public QObject {
     QVERIFY2(clicked >= 4, "too few marks are seen");
     QVERIFY(bench.untilText(*view, "placeResult", QStringLiteral("Height 1.")));
     const QString result = child<QLabel>(*view, "placeResult").text();
-    QVERIFY2(result.contains(QStringLiteral("In the field at 0.")), qPrintable(result));
+    QVERIFY2(result.contains(QStringLiteral("On the field at 0.")), qPrintable(result));
     keepPicture(*view, "camera-place");
     // What was clicked is kept.
     const QJsonObject state = view->saveState();

@@ -156,7 +156,7 @@ class BaseStateViewTest : public QObject {
     QVERIFY(text(*view, "linkText").contains(QStringLiteral("tried again")));
     world.push("p3at1/drive/state", DriveBench::state(), 9);
     world.tick(*view);
-    QCOMPARE(text(*view, "linkState"), QStringLiteral("lost; nothing new since 7 s"));
+    QCOMPARE(text(*view, "linkState"), QStringLiteral("lost; nothing new for 7 s"));
   }
 
   void whatTheBaseSaidTooLongAgoIsGrayWithItsAge() {

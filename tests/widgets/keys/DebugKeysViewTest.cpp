@@ -77,11 +77,11 @@ class DebugKeysViewTest : public QObject {
       return find(tree, key, 0).data(Qt::ToolTipRole).toString();
     };
     QVERIFY(
-        toolTip(QStringLiteral("circle")).contains(QStringLiteral("Asked for by: RobotControl at 10.0.0.7")));
-    QVERIFY(!toolTip(QStringLiteral("edges")).contains(QStringLiteral("Asked for")));
+        toolTip(QStringLiteral("circle")).contains(QStringLiteral("Requested by: RobotControl at 10.0.0.7")));
+    QVERIFY(!toolTip(QStringLiteral("edges")).contains(QStringLiteral("Requested by")));
     bench.push("red1/tables/subscribers", robotcontrol::KeySubscribers(), 2);
     bench.tick(*view);
-    QVERIFY(!toolTip(QStringLiteral("circle")).contains(QStringLiteral("Asked for")));
+    QVERIFY(!toolTip(QStringLiteral("circle")).contains(QStringLiteral("Requested by")));
   }
 
   void aClickOnTheModeOpensAListAndTheChoiceIsRequested() {

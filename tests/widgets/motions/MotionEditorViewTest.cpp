@@ -213,7 +213,7 @@ class MotionEditorViewTest : public QObject {
   void aMotionIsSentAndTheStateFollowsTheRobot() {
     WaveBench bench;
     bench.type(0, KeyFrameModel::kDuration, QStringLiteral("500"));
-    QCOMPARE(bench.state(), QStringLiteral("red1 has another text of this motion"));
+    QCOMPARE(bench.state(), QStringLiteral("red1 has a different version of this motion"));
     click(*bench.view, "motionSend");
     const auto request = bench.sentMotion();
     QCOMPARE(request.robot(), std::string("red1"));

@@ -70,7 +70,7 @@ TEST_F(PropertiesModelTest, whatAFileHasIsEditableAndTheRestIsNot) {
   EXPECT_FALSE(isEditable(2));
   EXPECT_FALSE(model.flags(cell(0, PropertiesModel::kUnit)).testFlag(Qt::ItemIsEditable));
   EXPECT_EQ(tip(0), "Double click to change it in /scenes/box.sdf");
-  EXPECT_EQ(tip(2), "cylinder (cannot be changed here: no single number of the scene's files says it)");
+  EXPECT_EQ(tip(2), "cylinder (cannot be changed here: no single number in the scene's files sets it)");
   show(false);
   EXPECT_FALSE(isEditable(0));
   EXPECT_FALSE(type(0, "3"));
@@ -178,7 +178,7 @@ TEST_F(PropertiesModelTest, whatCannotBeMovedKeepsItsPose) {
   box.set_is_movable(false);
   model.show(&box, kPose, true);
   EXPECT_FALSE(isEditable(0));
-  EXPECT_EQ(tip(0), "It is placed with what it belongs to");
+  EXPECT_EQ(tip(0), "It moves with the object it belongs to");
 }
 
 TEST_F(PropertiesModelTest, partsAreNamedBehindTheirProperties) {

@@ -117,7 +117,7 @@ class ProcessesViewTest : public QObject {
     bench.push("red1/hosting", status, 3);
     bench.tick(*view);
     QVERIFY(child<QToolButton>(*view, "hostingThreads").isChecked());
-    QVERIFY(child<QLabel>(*view, "hostingText").text().contains(QStringLiteral("a thread of its own")));
+    QVERIFY(child<QLabel>(*view, "hostingText").text().contains(QStringLiteral("its own thread")));
   }
 
   void whatDoesNotBlockFollowsTheOrderOfTheLayout() {

@@ -31,7 +31,7 @@ class SceneChangedOutsideTest : public QObject {
     bench.folder.write("room.sdf", kRoom + "<!-- other -->\n");
     QVERIFY(bench.bench().ensure(bench.room).has_value());
     QCOMPARE(reported.size(), 1);
-    QVERIFY(reported[0][0].toString().contains(QStringLiteral("read again")));
+    QVERIFY(reported[0][0].toString().contains(QStringLiteral("reloaded")));
     bench.setCursor("<sdf>");
     QTest::keyClicks(&bench.text(), QStringLiteral(" "));
     bench.folder.write("room.sdf", kRoom);

@@ -136,7 +136,7 @@ class SceneEditsTest : public QObject {
     QVERIFY(!b.edits().undo().has_value() && !b.edits().redo().has_value());
     QCOMPARE(b.texts.size(), std::size_t{1});
     QVERIFY(b.requests.empty());
-    QVERIFY(b.insert("box", 0, 0).find("a map has no text") != std::string::npos);
+    QVERIFY(b.insert("box", 0, 0).find("a map has no scene text") != std::string::npos);
     b.simulate(b.file);
     QVERIFY(b.edits().redo().has_value() && b.edits().undo().has_value() && b.edits().undo().has_value());
     QCOMPARE(sceneBench(b.context).current()->text().toStdString(), kHall);
@@ -189,7 +189,7 @@ class SceneEditsTest : public QObject {
     b.push("objects", objects, 3);
     b.session.tick();
     QCOMPARE(b.insert("box", 3, 4),
-             std::string("there is no room for 'box': it would stand inside 'desk'; choose another place"));
+             std::string("there is no room for 'box': it would be inside 'desk'; choose another place"));
     QVERIFY(b.texts.empty());
     objects.mutable_objects(0)->set_is_movable(true);
     b.push("objects", objects, 4);
@@ -270,7 +270,7 @@ class SceneEditsTest : public QObject {
     QVERIFY(b.insert("nothing", 0, 0).find("kind") != std::string::npos);
     std::string outcome;
     b.edits().change({{"/etc/passwd", {"model", "pose"}, "0"}}, {}, HallBench::telling(outcome));
-    QVERIFY(outcome.find("no file of") != std::string::npos);
+    QVERIFY(outcome.find("not a file of") != std::string::npos);
     QVERIFY(b.texts.empty());
   }
 

@@ -136,7 +136,7 @@ class LogSearcherTest : public QObject {
     robotlink::Session session;
     const auto history = LogSearcher::historyOf(session, "ball", true);
     QVERIFY(!history);
-    QCOMPARE(history.error().text, std::string("nobody has said anything yet"));
+    QCOMPARE(history.error().text, std::string("there are no messages yet"));
   }
 
   void textsInMemoryAreThoseOfAllRobotsAndOfTheWorld() {

@@ -29,8 +29,8 @@ ColorEffectRow::ColorEffectRow(ColorBench& bench, QWidget* parent) : QWidget(par
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   drop_ = new QToolButton(this);
   describe(*drop_, {"colorDropOutliers", tr("Drop outliers"),
-                    tr("Removes from the stroke what the table knew as another class: what the brush touched "
-                       "beside a thin line")});
+                    tr("Removes pixels of other classes from the stroke: what the brush touched next to a "
+                       "thin line")});
   drop_->setText(tr("Drop outliers"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 0, 6, 1);
@@ -100,7 +100,7 @@ QString ColorEffectRow::textOf(const std::vector<colortool::ClassLoss>& losses) 
   QStringList parts;
   for (std::size_t i = 0; i < std::min(losses.size(), kMaxLossesShown); ++i) {
     const auto& [from, to, pixels, share] = losses[i];
-    const QString was = from == 0 ? tr("what was of no class") : className(bench_, from);
+    const QString was = from == 0 ? tr("pixels without a class") : className(bench_, from);
     parts << tr("%1 % of %2 (now %3)")
                  .arg(std::max(1, qRound(100 * share)))
                  .arg(was, to == 0 ? tr("none") : className(bench_, to));

@@ -65,7 +65,7 @@ void ColorFramesView::createActions() {
                  {"colorFramesCancel", tr("Cancel"), tr("Stops the search"), QKeySequence(Qt::Key_Escape)});
   live_ = makeAction(
       this, "play",
-      {"colorFramesLive", tr("Live"), tr("Shows the newest images again, not those of the history")});
+      {"colorFramesLive", tr("Live"), tr("Returns to the newest images, from those of the history")});
   addColorActions(*this, "colorFrames", bench_);
 }
 
@@ -73,10 +73,11 @@ QWidget* ColorFramesView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
   classMenu_ = new QMenu(this);
   classMenu_->setObjectName(QStringLiteral("colorFramesClassMenu"));
-  auto* classes = makeMenuButton(row->parentWidget(),
-                                 {"colorFramesClasses", tr("Classes"),
-                                  tr("Which classes are searched: those of objects, not ground and walls")},
-                                 classMenu_);
+  auto* classes =
+      makeMenuButton(row->parentWidget(),
+                     {"colorFramesClasses", tr("Classes"),
+                      tr("Which classes are searched: those of objects, but not ground and walls")},
+                     classMenu_);
   classes->setIcon(icon("filter"));
   classes->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   liveButton_ = makeLabeledButton(row->parentWidget(), live_);
@@ -206,8 +207,8 @@ void ColorFramesView::showState() {
                  : busy                         ? tr("Searching…")
                  : finder_.searched()
                      ? tr("Nothing suspicious was found.")
-                     : tr("Search lists the images with most suspicious pixels first:\nspecks, ambiguous "
-                          "colors, and what another color encloses."));
+                     : tr("Search lists the images with the most suspicious pixels first:\nspecks, ambiguous "
+                          "colors, and areas enclosed by another color."));
 }
 
 void ColorFramesView::tick() {

@@ -66,10 +66,10 @@ void ColorImageView::createActions() {
   freeze_ = makeFreeze();
   collect_ = makeAction(
       this, "add",
-      {"colorCollect", tr("Collect"), tr("Collects this image in the strip, to come back to it"), Qt::Key_C});
+      {"colorCollect", tr("Collect"), tr("Adds this image to the strip, to return to it later"), Qt::Key_C});
   twoPictures_ = makeToggle(
       this, "two-pictures",
-      {"colorTwoPictures", tr("Two pictures"), tr("Shows the classified image beside it"), Qt::Key_T}, true);
+      {"colorTwoPictures", tr("Two pictures"), tr("Shows the classified image next to it"), Qt::Key_T}, true);
   showStrokes_ =
       makeToggle(this, "eye",
                  {"colorShowStrokes", tr("Strokes"), tr("Shows the strokes in the image"), Qt::Key_V}, true);
@@ -148,7 +148,7 @@ QWidget* ColorImageView::createFooter() {
   time_ = addLabel(footer, "colorTime", tr("Time of the image"));
   state_ = addLabel(footer, "colorState", tr("Whether the image is live, frozen or from the strip"));
   pixel_ = addFiguresLabel(footer, "colorPixel",
-                           tr("Pixel under the cursor: position, color, class, how sure it is, cell"));
+                           tr("Pixel under the cursor: position, color, class, confidence, cell"));
   zoom_ = addLabel(footer, "colorZoom", tr("Zoom"));
   return footer->parentWidget();
 }
@@ -318,7 +318,7 @@ QString ColorImageView::rightCaption() const {
       return bench_.reference() ? tr("By %1").arg(bench_.referenceName())
                                 : tr("There is no table to compare with yet");
     case RightLayer::kDifference:
-      return bench_.reference() ? tr("Other than by %1; magenta: none now").arg(bench_.referenceName())
+      return bench_.reference() ? tr("Different from %1; magenta: no class now").arg(bench_.referenceName())
                                 : tr("There is no table to compare with yet");
     case RightLayer::kMargins:
       return tr("Bright: another class is nearly as likely");

@@ -30,24 +30,25 @@ struct ToolText {
 };
 constexpr ToolText kTools[] = {
     {ColorTool::kPoint, "point", "colorToolPoint", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Point"),
-     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "The pixel that is clicked is of the class"), Qt::Key_P},
+     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "The clicked pixel belongs to the class"), Qt::Key_P},
     {ColorTool::kBrush, "brush", "colorToolBrush", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Brush"),
-     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "What is painted over is of the class"), Qt::Key_B},
+     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Painted pixels belong to the class"), Qt::Key_B},
     {ColorTool::kRectangle, "rectangle", "colorToolRectangle",
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Rectangle"),
-     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "What a rectangle covers is of the class"), Qt::Key_R},
+     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "The pixels of a rectangle belong to the class"), Qt::Key_R},
     {ColorTool::kLasso, "lasso", "colorToolLasso", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Lasso"),
-     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "What a line goes around is of the class"), Qt::Key_L},
+     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "The pixels inside a drawn line belong to the class"),
+     Qt::Key_L},
     {ColorTool::kWand, "wand", "colorToolWand", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Magic wand"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow",
-                       "Similar colors around the click, up to an edge, are of the class"),
+                       "Similar colors around the click, up to an edge, belong to the class"),
      Qt::Key_W},
     {ColorTool::kEraser, "eraser", "colorToolEraser", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Eraser"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Removes strokes of this image"), Qt::Key_E},
     {ColorTool::kSelect, "select-area", "colorToolSelect",
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Select colors"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow",
-                       "Selects the colors of what a line goes around, here and in the color space"),
+                       "Selects the colors inside a drawn line, here and in the color space"),
      Qt::Key_S},
     {ColorTool::kMove, "grab", "colorToolMove", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Move"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Moves the image (also the middle button with any tool)"),
@@ -92,7 +93,7 @@ void ColorToolRow::createTools(QWidget* owner) {
   careful_ = makeToggle(
       owner, "filter",
       {"colorCareful", tr("Careful brush"),
-       tr("The brush snaps to thin lines and leaves out other colors, such as the field beside a line")},
+       tr("The brush snaps to thin lines and skips other colors, such as the field next to a line")},
       true);
   const ColorActions common = addColorActions(*owner, "color", bench_);
   undo_ = common.undo;
@@ -101,7 +102,7 @@ void ColorToolRow::createTools(QWidget* owner) {
 
 void ColorToolRow::createControls() {
   class_ = new QToolButton(this);
-  describe(*class_, {"colorClass", tr("Class"), tr("Class of the strokes; digits choose it, too")});
+  describe(*class_, {"colorClass", tr("Class"), tr("Class of the strokes; digit keys also choose it")});
   class_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   class_->setPopupMode(QToolButton::InstantPopup);
   classMenu_ = new QMenu(class_);
@@ -117,7 +118,7 @@ void ColorToolRow::createControls() {
   radius_->setSuffix(tr(" px"));
   tolerance_ = new QSpinBox(this);
   describe(*tolerance_, {"colorTolerance", tr("Tolerance"),
-                         tr("How far colors may differ for the magic wand to take them")});
+                         tr("How far colors may differ for the magic wand to include them")});
   tolerance_->setRange(2, 100);
   tolerance_->setValue(static_cast<int>(colortool::WandOptions{}.tolerance));
   tolerance_->setPrefix(QStringLiteral("± "));

@@ -55,14 +55,14 @@ ColorCompareView::~ColorCompareView() = default;
 void ColorCompareView::createActions() {
   open_ = makeAction(
       this, "open",
-      {"colorCompareOpen", tr("File…"), tr("Compares with a table in a file, also of other teams")});
+      {"colorCompareOpen", tr("File…"), tr("Compares with a table in a file, even another team's")});
   now_ = makeAction(
       this, "camera",
       {"colorCompareNow", tr("Now"), tr("Keeps the table as it is now, to compare later ones with it")});
   none_ = makeAction(this, "close", {"colorCompareNone", tr("None"), tr("Stops comparing")});
   showInImage_ = makeAction(this, "two-pictures",
                             {"colorCompareShow", tr("In the image"),
-                             tr("Shows beside the image which of its pixels are of another class")});
+                             tr("Shows next to the image which of its pixels have another class")});
   deselect_ = makeAction(this, "check-none",
                          {"colorCompareDeselect", tr("Deselect"), tr("Clears the selection of cells"),
                           QKeySequence(Qt::Key_Escape)});
@@ -198,8 +198,8 @@ void ColorCompareView::tick() {
   takeTrained();
   hint_->setHint(awaited_             ? tr("The table of that step is being made…")
                  : bench_.reference() ? QString()
-                                      : tr("There is no table to compare with.\nTake one from a file, or "
-                                           "keep the current one and go on drawing."));
+                                      : tr("There is no table to compare with.\nOpen one from a file, or "
+                                           "keep the current one and continue drawing."));
   if (std::exchange(dirty_, false)) compare();
 }
 

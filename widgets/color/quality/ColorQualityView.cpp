@@ -66,7 +66,7 @@ ColorQualityView::~ColorQualityView() = default;
 void ColorQualityView::createActions() {
   open_ = makeAction(this, "open",
                      {"qualityOpen", tr("Labeled images…"),
-                      tr("Scores the table over a folder of images with labels: gray PNGs of the same name "
+                      tr("Scores the table on a folder of images with labels: gray PNGs of the same name "
                          "with the numbers of the classes")});
   simulated_ = makeToggle(this, "simulation",
                           {"qualitySimulated", tr("Simulator's classes"),
@@ -186,13 +186,13 @@ QString ColorQualityView::countNote() const {
     if (i > 0 && count > 0 && (fewest == 0 || count < fewest)) fewest = count;
   }
   const int background = strokes.strokesOf.empty() ? 0 : strokes.strokesOf[0];
-  QString text = tr("Based on %1, at least %2 of a class and %3 of the background; each counts the same, "
-                    "however large it is.")
+  QString text = tr("Based on %1, at least %2 per class and %3 of the background; each counts the same, "
+                    "regardless of size.")
                      .arg(strokesText(static_cast<std::size_t>(all)))
                      .arg(fewest)
                      .arg(background);
   if (fewest < kFewStrokes || background < kFewStrokes)
-    text += tr(" That is few: the figures are only a hint.");
+    text += tr(" That is not much: the figures are only a rough guide.");
   return text;
 }
 
@@ -209,7 +209,7 @@ QString ColorQualityView::referenceNote(const colortool::Evaluation& own,
   const double recall = mine.meanRecall().value_or(0) - theirs.meanRecall().value_or(0),
                wrong = mine.falseColors().value_or(0) - theirs.falseColors().value_or(0);
   const QString better = recall >= 0 && wrong <= 0
-                             ? (recall > 0 || wrong < 0 ? tr("yours is better") : tr("both are alike"))
+                             ? (recall > 0 || wrong < 0 ? tr("yours is better") : tr("both are equal"))
                          : recall <= 0 && wrong >= 0 ? tr("that one is better")
                          : recall > 0                ? tr("your table finds more, but has more false colors")
                                       : tr("your table finds less, but has fewer false colors");
@@ -227,12 +227,12 @@ QString ColorQualityView::othersNote() const {
   };
   const QString where = (others.ofLog ? tr("In %1 images spread over the log") : tr("In the %1 images seen"))
                             .arg(others.images);
-  QString text = tr("%1 no color is where it cannot be.").arg(where);
+  QString text = tr("%1 no color is in an impossible place.").arg(where);
   if (all > 0) {
     const auto most = std::ranges::max_element(others.suspicious);
     const auto colorClass = static_cast<int>(most - others.suspicious.begin());
-    text = tr("%1 %2 % of the pixels have the color of a thing where none can be, mostly %3 (%4 %); the view "
-              "Find frames shows where.")
+    text = tr("%1 %2 % of the pixels have the color of an object where none can be, mostly %3 (%4 %); the "
+              "view Find frames shows where.")
                .arg(where, share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)),
                     share(*most));
   }
@@ -274,13 +274,13 @@ QString ColorQualityView::backgroundNote(const colortool::Evaluation& evaluation
 QString ColorQualityView::strokesNote() const {
   const ColorQuality& quality = *bench_.quality();
   QStringList notes, alone;
-  if (quality.labeled) notes << tr("The labeled images beside this are the better judge.");
+  if (quality.labeled) notes << tr("The labeled images next to this are more reliable.");
   notes << countNote();
   for (const std::uint8_t colorClass : quality.strokes->alone) {
     if (colorClass != 0) alone << QString::fromStdString(quality.classes.name(colorClass));
   }
   if (!alone.isEmpty())
-    notes << tr("Too little to judge %1 by: draw a second stroke, so that one can be tried with the other.")
+    notes << tr("Not enough strokes to judge %1: draw a second one, to test one against the other.")
                  .arg(alone.join(QStringLiteral(", ")));
   if (quality.strokes->evaluation.labeled(0) == 0)
     notes << tr("No stroke of the background: false colors are not known.");
@@ -313,8 +313,8 @@ void ColorQualityView::showLabeled() {
     return labeled_->showNothing(
         !problem_.isEmpty() ? problem_
         : simulated_->isChecked()
-            ? tr("Waiting for the simulated camera. Only a simulated robot, or its log, knows true classes.")
-            : tr("No labeled images. Open a folder of them, or take those of the simulator."));
+            ? tr("Waiting for the simulated camera. Only a simulated robot, or its log, has true classes.")
+            : tr("No labeled images. Open a folder of them, or use those of the simulator."));
   }
   const ColorQuality* quality = bench_.quality();
   if (quality == nullptr || !quality->labeled) return labeled_->showNothing(tr("Finding out…"));

@@ -100,8 +100,8 @@ QVariant ConfusionModel::data(const QModelIndex& index, int role) const {
       if (isRecall) return percentOf(share(label, label)) + QStringLiteral(" %");
       return evaluation_->count(label, found) > 0 ? QVariant(percentOf(share(label, found))) : QVariant();
     case Qt::ToolTipRole:
-      return unknown ? QVariant(
-                           tr("A second stroke of %1 is needed to try one with the other").arg(nameOf(label)))
+      return unknown ? QVariant(tr("A second stroke of %1 is needed, to test one against the other")
+                                    .arg(nameOf(label)))
                      : toolTip(label, found);
     case Qt::TextAlignmentRole:
       return int(Qt::AlignRight | Qt::AlignVCenter);

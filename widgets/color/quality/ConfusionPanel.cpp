@@ -57,7 +57,7 @@ ConfusionPanel::ConfusionPanel(const char* name, const QString& title, QWidget* 
   noteArea_->setMaximumHeight(kNoteLines * fontMetrics().lineSpacing() + 2);
   table_ = new QTableView(this);
   describe(*table_, {(prefix + "Matrix").constData(),
-                     tr("%1: true classes in rows, found ones in columns, shares in percent").arg(title),
+                     tr("%1: true classes in rows, found ones in columns, in percent").arg(title),
                      {}});
   table_->setModel(&model_);
   table_->setItemDelegate(new HeatDelegate(table_));
@@ -95,8 +95,8 @@ void ConfusionPanel::show(const colortool::ColorClasses& classes, const colortoo
   summary_->setText(
       tr("Mean recall %1    False colors %2").arg(figure(model_.meanRecall()), figure(model_.falseColors())));
   summary_->setToolTip(
-      tr("Mean recall: over the classes, what share of their pixels is found. False colors: the share of the "
-         "background that is found to be of a color of objects, such as orange or blue."));
+      tr("Mean recall: the share of a class's pixels that is found, averaged over the classes. False colors: "
+         "the share of the background that is classified as a color of objects, such as orange or blue."));
   setNote(note);
   hint_->setHint({});
 }

@@ -135,11 +135,13 @@ QVariant TableDifferenceModel::headerData(int section, Qt::Orientation orientati
   if (orientation != Qt::Horizontal || section < 0 || section >= kColumns) return {};
   if (role == Qt::TextAlignmentRole)
     return QVariant::fromValue<int>(Qt::AlignVCenter | (isNumber(section) ? Qt::AlignRight : Qt::AlignLeft));
-  const QString tips[] = {
-      tr("Class of colors"),         tr("Cells that are of it now and were not"),
-      tr("What they were"),          tr("Cells that were of it and are not now"),
-      tr("What they are"),           tr("Cells that are of it in the table that is compared with"),
-      tr("Cells that are of it now")};
+  const QString tips[] = {tr("Class of colors"),
+                          tr("Cells that have this class now and did not before"),
+                          tr("What they were"),
+                          tr("Cells that had this class before and do not now"),
+                          tr("What they are"),
+                          tr("Cells that have this class in the reference table"),
+                          tr("Cells that have this class now")};
   return role == Qt::ToolTipRole ? QVariant(tips[section])
                                  : TitledModel::headerData(section, orientation, role);
 }

@@ -66,9 +66,9 @@ ColorSamplesView::ColorSamplesView(ViewContext& context, QWidget* parent)
 void ColorSamplesView::createActions() {
   remove_ = makeAction(this, "remove",
                        {"samplesRemove", tr("Remove"), tr("Removes the selected strokes"), Qt::Key_Delete});
-  lighting_ = makeAction(this, "light",
-                         {"samplesLighting", tr("Lighting…"),
-                          tr("Names the light in which the images of the selected strokes were taken")});
+  lighting_ = makeAction(
+      this, "light",
+      {"samplesLighting", tr("Lighting…"), tr("Names the lighting of the images of the selected strokes")});
 }
 
 void ColorSamplesView::createTree() {
@@ -275,7 +275,7 @@ void ColorSamplesView::showImage(const colortool::SampleImage& image) {
     Q_EMIT bench_.frameWanted(nullptr);
     session().history().show(*time);
   } else {
-    Q_EMIT bench_.failed(tr("The image %1 is not here: it was not collected, and its time is not on the "
+    Q_EMIT bench_.failed(tr("The image %1 is not available: it was not collected, and its time is not on the "
                             "timeline. Open its log to see it.")
                              .arg(QString::fromStdString(image.name)));
   }

@@ -127,8 +127,8 @@ QVariant StrokeModel::sortKey(const colortool::Stroke& stroke, int column) const
 QVariant StrokeModel::toolTip(const colortool::Stroke& stroke, int column) const {
   const auto share = right(stroke);
   if (column == kRight)
-    return share ? tr("Share of its pixels that a table without this stroke finds right")
-                 : tr("Not known: it needs another stroke of its class to be compared with");
+    return share ? tr("Share of its pixels that a table without this stroke classifies correctly")
+                 : tr("Not known: it needs a second stroke of its class for comparison");
   if (column == kImage || column == kClass)
     return tr("A double click shows the image %1")
         .arg(QString::fromStdString(samples_.image(stroke.image)->name));

@@ -41,8 +41,7 @@ constexpr NumberText kNumbers[] = {
          "Weight of a difference in Y, relative to Cb or Cr; small: light and shadow matter less"),
      2},
     {"rejection", QT_TRANSLATE_NOOP("TrainingPanel", "Rejection"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "Votes a class needs at least; larger: more colors are of no class"),
-     3},
+     QT_TRANSLATE_NOOP("TrainingPanel", "Minimum votes for a class; larger: more colors have no class"), 3},
     {"background-weight", QT_TRANSLATE_NOOP("TrainingPanel", "Background"),
      QT_TRANSLATE_NOOP("TrainingPanel", "Weight of a background sample, relative to one of a class"), 2},
     {"shading", QT_TRANSLATE_NOOP("TrainingPanel", "Shade"),
@@ -51,20 +50,19 @@ constexpr NumberText kNumbers[] = {
      2},
     {"gray-guard", QT_TRANSLATE_NOOP("TrainingPanel", "Gray guard"),
      QT_TRANSLATE_NOOP("TrainingPanel",
-                       "How sure the color of a ball, a goal or a robot must be where it is nearly gray, as "
-                       "walls and shadows are"),
+                       "Confidence that nearly gray colors, like those of walls and shadows, need to count "
+                       "as ball, goal or robot"),
      1},
     {"gaussian-distance", QT_TRANSLATE_NOOP("TrainingPanel", "Distance²"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "Squared Mahalanobis distance beyond which a color is of no class"),
-     1},
+     QT_TRANSLATE_NOOP("TrainingPanel", "Squared Mahalanobis distance beyond which a color has no class"), 1},
     {"cost", QT_TRANSLATE_NOOP("TrainingPanel", "Cost"),
      QT_TRANSLATE_NOOP("TrainingPanel",
-                       "Cost of a sample on the wrong side; larger: follows single samples more closely"),
+                       "Cost of a misclassified sample; larger: follows single samples more closely"),
      1},
     {"gamma", QT_TRANSLATE_NOOP("TrainingPanel", "Gamma"),
      QT_TRANSLATE_NOOP("TrainingPanel", "How narrow the functions around samples are; larger: narrower"), 6},
     {"distance", QT_TRANSLATE_NOOP("TrainingPanel", "Distance"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "A color that is farther from all samples is of no class"), 1}};
+     QT_TRANSLATE_NOOP("TrainingPanel", "A color farther than this from all samples has no class"), 1}};
 
 QString trainingText(const char* text) {
   return QCoreApplication::translate("TrainingPanel", text);
@@ -101,7 +99,7 @@ void TrainingPanel::createViews() {
   describe(*method_, {"trainingMethod", tr("Method"), tr("How the table is made from the samples")});
   method_->addItem(tr("Kernel votes"));
   method_->setItemData(
-      0, tr("Samples vote for the colors around them; the quickest, and good from a single stroke on"),
+      0, tr("Samples vote for the colors around them; the fastest, and good from the first stroke on"),
       Qt::ToolTipRole);
   method_->addItem(tr("Gaussians"));
   method_->setItemData(1, tr("One Gaussian per class; smooth, and good from ten strokes on"),

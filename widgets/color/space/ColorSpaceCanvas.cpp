@@ -26,7 +26,7 @@ ColorSpaceCanvas::ColorSpaceCanvas(QWidget* parent)
   setObjectName(QStringLiteral("colorSpaceCanvas"));
   setAccessibleName(tr("Color space"));
   setToolTip(
-      tr("Drag: turn; right or middle button: move; wheel: zoom; double click: reset. Shift and drag: select "
+      tr("Drag: turn; right or middle button: move; wheel: zoom; double click: reset. Shift+drag: select "
          "what is inside (with Control: add, with Alt: remove); Escape: clear the selection"));
   setToolTipDuration(5000);
   setFocusPolicy(Qt::StrongFocus);

@@ -100,7 +100,7 @@ QWidget* ColorSpacePanel::createCut() {
   describe(*cutAt_, {"colorSpaceCutAt", tr("Place of the cut"), tr("Where it is cut")});
   cutAt_->setRange(0, kSteps);
   cutOther_ = new QCheckBox(tr("Other part"), box);
-  describe(*cutOther_, {"colorSpaceCutOther", tr("Other part"), tr("Shows what is cut off instead")});
+  describe(*cutOther_, {"colorSpaceCutOther", tr("Other part"), tr("Shows the other side of the cut")});
 
   layout->addWidget(cut_);
   layout->addWidget(cutAt_);

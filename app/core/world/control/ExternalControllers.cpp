@@ -169,7 +169,7 @@ std::vector<std::string> ExternalControllers::beforeStep(RealTime now, simcore::
     ++attached.late;
     commands_.release(simulation, name);
     sentences.push_back("The controller " + name + " has not answered step " +
-                        std::to_string(*attached.owes) + " in time; the simulation goes on without it.");
+                        std::to_string(*attached.owes) + " in time; the simulation continues without it.");
   }
   return sentences;
 }

@@ -88,8 +88,7 @@ void RemoteSession::connect() {
 /// In the link's thread: decodes messages, and leaves everything else to tick().
 ClientHandlers RemoteSession::handlers() {
   const auto change = [this](std::function<void()> work) {
-    if (!inbox.pushChange(std::move(work)))
-      client->end("the robot changes what it offers faster than it can be followed");
+    if (!inbox.pushChange(std::move(work))) client->end("the robot changes its offer too fast to follow");
   };
   ClientHandlers h;
   h.connected = [this](const ServerInfo& info) { inbox.push([this, info] { onConnected(info); }); };

@@ -52,7 +52,7 @@ void RemoteSession::sendChoice(const RemoteRobotList::Robot& robot, const std::s
 
 void RemoteSession::forward(const std::string& robot, const Request& request) {
   const auto* field = Request::descriptor()->FindFieldByNumber(static_cast<int>(request.what_case()));
-  if (field == nullptr) return answer(request.id(), false, "a request that asks for nothing");
+  if (field == nullptr) return answer(request.id(), false, "an empty request");
   Client::Call call;
   call.service = (robot.empty() ? "" : robot + "/") + field->name();
   call.encoding = "protobuf";
@@ -61,7 +61,7 @@ void RemoteSession::forward(const std::string& robot, const Request& request) {
   client->call(std::move(call), [this, id = request.id()](const Result<Client::Answer>& reply) {
     if (!reply) return answer(id, false, reply.error().text);
     RequestResult result;
-    if (!result.ParseFromString(reply->data)) return answer(id, false, "the robot's answer makes no sense");
+    if (!result.ParseFromString(reply->data)) return answer(id, false, "the robot's answer is not valid");
     result.set_id(id);
     session.pushResult(result);
   });
@@ -91,7 +91,7 @@ ConnectionState SessionClient::state() const {
 std::string SessionClient::stateText() const {
   const std::string text = describe(state(), parts_->options.connection.clock->now());
   return parts_->isNarrow && parts_->images == Images::kAutomatic
-             ? text + ", images as JPEG: the line is too narrow for raw ones"
+             ? text + ", images as JPEG: the link is too slow for raw ones"
              : text;
 }
 
@@ -125,8 +125,7 @@ void SessionClient::steer(const std::string& robot, bool giveUp, std::function<v
     RequestResult result;
     const bool isRead = google::protobuf::util::JsonStringToMessage(answer->data, &result).ok();
     if (!isRead || !result.accepted())
-      return done(
-          failure("steering.refused", isRead ? result.reason() : "the robot's answer makes no sense"));
+      return done(failure("steering.refused", isRead ? result.reason() : "the robot's answer is not valid"));
     done({});
   });
 }

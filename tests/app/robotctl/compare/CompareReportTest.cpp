@@ -126,7 +126,7 @@ TEST(CompareReport, figuresOfTheTaskComeFirstInUnitsThatReadWell) {
   EXPECT_THAT(page, HasSubstr("<td>128.5 mm <span class=note>[12"));
   EXPECT_THAT(page, HasSubstr("<td>12.85 % <span class=note>[12"));
   EXPECT_THAT(page, HasSubstr("<p>There is more to say.</p>"));
-  EXPECT_THAT(page, HasSubstr("pooled by how many samples"));
+  EXPECT_THAT(page, HasSubstr("weighted by their numbers of samples"));
 }
 
 TEST(CompareReport, aVariantWithoutAFigureHasNothingInItsPlot) {

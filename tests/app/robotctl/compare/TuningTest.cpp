@@ -96,9 +96,10 @@ TEST_F(ParameterSpaceTest, numbersGoFromTheFileThroughTheCubeToAPreset) {
 }
 
 TEST_F(ParameterSpaceTest, whatIsNoRangeOfANumberIsRefused) {
-  EXPECT_THAT(error({"pose_in_field.z"}), HasSubstr("pose_in_field.z is no number of driving/there"));
-  EXPECT_THAT(error({"name"}), HasSubstr("is no number"));
-  EXPECT_THAT(error({"pose_in_field"}), HasSubstr("is no number"));
+  EXPECT_THAT(error({"pose_in_field.z"}),
+              HasSubstr("pose_in_field.z is not a numeric parameter of driving/there"));
+  EXPECT_THAT(error({"name"}), HasSubstr("is not a numeric"));
+  EXPECT_THAT(error({"pose_in_field"}), HasSubstr("is not a numeric"));
   EXPECT_THAT(error({"pose_in_field.x=1"}), HasSubstr("NAME=LOW:HIGH"));
   EXPECT_THAT(error({"pose_in_field.x=1:b"}), HasSubstr("NAME=LOW:HIGH"));
   EXPECT_THAT(error({"pose_in_field.x=3:1"}), HasSubstr("has no range"));

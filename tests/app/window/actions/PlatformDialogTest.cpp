@@ -285,7 +285,7 @@ class PlatformDialogTest : public WindowTest {
     QCOMPARE(s.find<QComboBox>("Kind").currentText(), QStringLiteral("Pioneer 3-AT"));
     QCOMPARE(s.find<QSpinBox>("Robots").value(), 1);
     s.find<QSpinBox>("Robots").setValue(0);
-    QVERIFY(s.text("State").contains(QStringLiteral("no robots of its own")));
+    QVERIFY(s.text("State").contains(QStringLiteral("contains no robots")));
     s.find<QComboBox>("Scene").setEditText(QString());
     QVERIFY(!s.button().isEnabled());
   }

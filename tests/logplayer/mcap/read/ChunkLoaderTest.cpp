@@ -83,7 +83,7 @@ TEST(ChunkLoader, itLoadsOnlyWhatTheSectionSays) {
   EXPECT_EQ(after([](Section& other) { other.info.compression = Compression::kLz4; }),
             "problem: a chunk's head is damaged");
   EXPECT_THAT(after([](Section& other) { other.unknownCompression = "brotli"; }),
-              HasSubstr("compressed by brotli, which is not known here"));
+              HasSubstr("compressed by brotli, which is not supported here"));
 }
 
 TEST(ChunkLoader, recordsAreVisitedUntilTheyBreakOff) {

@@ -144,7 +144,7 @@ TEST(Scan, zerosAtTheEndWereNeverWrittenAndAreNotLost) {
   ASSERT_THAT(index.damage, SizeIs(1));
   EXPECT_EQ(index.damage[0].offset, zeros);
   EXPECT_EQ(index.damage[0].bytes, 0U);
-  EXPECT_THAT(index.damage[0].what, HasSubstr("5000 bytes that are all 0"));
+  EXPECT_THAT(index.damage[0].what, HasSubstr("5000 zero bytes"));
   EXPECT_THAT(index.sections, SizeIs(1));
 }
 

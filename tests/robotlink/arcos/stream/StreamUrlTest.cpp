@@ -46,7 +46,7 @@ TEST(StreamUrl, whatIsWrittenIsReadAgain) {
 TEST(StreamUrl, aWrongOneIsAnsweredByHowToWriteIt) {
   const std::map<std::string, std::string> adviceOf = {
       {"", "write tcp://localhost:8101 or serial:///dev/ttyUSB0?baud=9600"},
-      {"localhost", "its port, too, as in localhost:8101"},
+      {"localhost", "also give its port, as in localhost:8101"},
       {"localhost:", "a number from 1 to 65535"},
       {"/dev/ttyUSB0?baud=fast", "9600, 19200, 38400"},
       {"http://localhost", "write tcp://localhost:8101 or serial:"},

@@ -41,7 +41,7 @@ TEST(HostLookup, aNameThatIsLookedUpForLongKeepsNobodyWaiting) {
 TEST(HostLookup, whyANameIsNotFoundIsSaid) {
   const auto outcome = HostLookup::start("no-such-robot.invalid")->wait(30s);
   ASSERT_TRUE(outcome && !*outcome);
-  EXPECT_THAT(outcome->error().text, HasSubstr("no machine is called 'no-such-robot.invalid'"));
+  EXPECT_THAT(outcome->error().text, HasSubstr("there is no machine named 'no-such-robot.invalid'"));
   const auto thrown = HostLookup::start("red1", [](const auto&) -> HostLookup::Outcome {
                         throw std::bad_alloc();
                       })->wait(30s);

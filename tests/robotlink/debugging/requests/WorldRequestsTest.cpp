@@ -21,7 +21,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 TEST(WorldRequests, aModelIsTurnedByAnyAnglesThatAreNumbers) {
   Request request;
   auto& turn = *request.mutable_turn_model();
-  EXPECT_EQ(wrongTurn(request), "the model that is to be turned is not named");
+  EXPECT_EQ(wrongTurn(request), "the request must name the model to turn");
   turn.set_model("ball");
   turn.set_heading(1000);
   EXPECT_EQ(wrongTurn(request), "");
@@ -57,7 +57,7 @@ TEST(WorldRequests, whatIsPinnedHasAName) {
 TEST(WorldRequests, lettingGoNeedsNothing) {
   Request request;
   auto& drag = *request.mutable_drag_object();
-  EXPECT_THAT(wrongDrag(request), HasSubstr("not named"));
+  EXPECT_THAT(wrongDrag(request), HasSubstr("must name"));
   drag.mutable_target()->set_x(kNotANumber);
   drag.set_released(true);
   EXPECT_EQ(wrongDrag(request), "");
@@ -84,7 +84,7 @@ TEST(WorldRequests, aHandReachesFarButNotAnywhereAndHasAStrength) {
 TEST(WorldRequests, aPushHasAForceAPlaceAndATime) {
   Request request;
   auto& push = *request.mutable_push_object();
-  EXPECT_THAT(wrongPush(request), HasSubstr("not named"));
+  EXPECT_THAT(wrongPush(request), HasSubstr("must name"));
   push.set_path("ball");
   EXPECT_EQ(wrongPush(request), "");
   push.mutable_force()->set_x(1.1e6);
@@ -126,7 +126,7 @@ TEST(WorldRequests, aSnapshotOfAnUnknownActionOrALongNameIsRefused) {
   ControlSnapshots& control = *request.mutable_control_snapshots();
   control.set_action(static_cast<ControlSnapshots::Action>(77));
   control.set_name("a");
-  EXPECT_THAT(wrongSnapshots(request), HasSubstr("no such thing"));
+  EXPECT_THAT(wrongSnapshots(request), HasSubstr("no such action"));
   control.set_action(ControlSnapshots::RESTORE);
   EXPECT_EQ(wrongSnapshots(request), "");
   control.set_name(std::string(101, 'a'));

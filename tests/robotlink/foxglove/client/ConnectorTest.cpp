@@ -103,7 +103,7 @@ TEST_F(ConnectorTest, aServerThatComesBackIsFoundWithEverythingAskedForBefore) {
   listener_.reset();
   EXPECT_TRUE(reaches(Phase::kConnecting));
   EXPECT_TRUE(
-      eventually([&] { return client_->state().reason.find("nobody listens") != std::string::npos; }));
+      eventually([&] { return client_->state().reason.find("nothing is listening") != std::string::npos; }));
   listen("", port);
   EXPECT_TRUE(receives("2"));
   EXPECT_EQ(client_->state().connections, 2U);
@@ -131,13 +131,13 @@ TEST_F(ConnectorTest, aWrongTokenIsSaidAndARightOneIsShown) {
   listen("secret");
   connect();
   EXPECT_TRUE(reaches(Phase::kRefused));
-  EXPECT_THAT(reason(), AllOf(HasSubstr("the robot wants a token"), HasSubstr("HTTP 401")));
+  EXPECT_THAT(reason(), AllOf(HasSubstr("the robot requires a token"), HasSubstr("HTTP 401")));
   EXPECT_EQ(client_->state().objection.kind, ServerObjection::Kind::kToken);
   connector_.reset();
   options_.token = "wrong";
   connect();
   EXPECT_TRUE(reaches(Phase::kRefused));
-  EXPECT_THAT(reason(), AllOf(HasSubstr("another token"), HasSubstr("HTTP 401")));
+  EXPECT_THAT(reason(), AllOf(HasSubstr("a different token"), HasSubstr("HTTP 401")));
   connector_.reset();
   options_.token = "secret";
   connect();
@@ -183,7 +183,7 @@ TEST_F(ConnectorTest, whatIsTooLongForTheServerIsNamedAtBothEnds) {
   ASSERT_TRUE(reaches(Phase::kConnected));
   client_->setParameters({{"a", Value{Value::Bytes(2000)}}});
   EXPECT_TRUE(reaches(Phase::kConnecting));
-  EXPECT_THAT(reason(), HasSubstr("longer than it takes"));
+  EXPECT_THAT(reason(), HasSubstr("longer than it accepts"));
   EXPECT_TRUE(eventually([&] { return reported().find("longer than 1000 bytes") != std::string::npos; }));
 }
 
@@ -203,7 +203,7 @@ TEST_F(ConnectorTest, whatIsNoFoxgloveServerIsNamed) {
 TEST_F(ConnectorTest, aHostThatIsNotThereIsNamed) {
   options_.url = {false, "no-such-robot.invalid", 8765, "/"};
   connect();
-  EXPECT_THAT(reason(), HasSubstr("no machine is called 'no-such-robot.invalid'"));
+  EXPECT_THAT(reason(), HasSubstr("there is no machine named 'no-such-robot.invalid'"));
 }
 
 /// Names that are found when the test says so.
@@ -247,7 +247,7 @@ TEST_F(ConnectorTest, aNameThatIsFoundLateIsAskedForOnceAndConnected) {
   connect();
   ASSERT_TRUE(eventually([&] { return names.asked() == 1; }));
   clock->advance(10s);
-  EXPECT_THAT(reason(), HasSubstr("which address this name has"));
+  EXPECT_THAT(reason(), HasSubstr("the name of the robot"));
   // It is given up, but the system is not asked a second time meanwhile.
   clock->advance(25s);
   EXPECT_TRUE(

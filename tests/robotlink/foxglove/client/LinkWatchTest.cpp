@@ -51,7 +51,7 @@ TEST_F(LinkWatchTest, aNameThatIsLookedUpForLongIsWaitedForAndSaid) {
   EXPECT_EQ(watch_.next(now_), Action::kConnect);
   for (const Instant end = now_ + 25s; now_ < end; now_ += 10ms) EXPECT_EQ(watch_.next(now_), Action::kNone);
   EXPECT_EQ(watch_.phase(), Phase::kConnecting);
-  EXPECT_THAT(watch_.reason(), testing::HasSubstr("which address this name has"));
+  EXPECT_THAT(watch_.reason(), testing::HasSubstr("the name of the robot"));
   // TCP has its own time, from then on.
   watch_.addressFound(now_);
   EXPECT_EQ(actions(1010ms).size(), 1U);
@@ -62,7 +62,7 @@ TEST_F(LinkWatchTest, aNameThatIsNeverFoundIsGivenUpAndTriedAgain) {
   EXPECT_EQ(watch_.next(now_), Action::kConnect);
   now_ += 30s;
   EXPECT_EQ(watch_.next(now_), Action::kGiveUp);
-  EXPECT_THAT(watch_.reason(), testing::HasSubstr("check the name, or give the IP address"));
+  EXPECT_THAT(watch_.reason(), testing::HasSubstr("check the name, or use the IP address"));
   EXPECT_EQ(actions(210ms).size(), 1U);
 }
 

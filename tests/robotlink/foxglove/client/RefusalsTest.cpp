@@ -24,7 +24,7 @@ TEST(Refusals, whoIsNotReachedIsToldWhatToLookAt) {
   EXPECT_THAT(whyNotReached(asioError::host_unreachable), HasSubstr("switched on"));
   EXPECT_EQ(whyNotReached(asioError::network_unreachable), whyNotReached(asioError::host_unreachable));
   EXPECT_THAT(whyNotReached(asioError::timed_out), HasSubstr("nothing answers"));
-  EXPECT_THAT(whyNotReached(asioError::no_permission), HasSubstr("it cannot be connected: "));
+  EXPECT_THAT(whyNotReached(asioError::no_permission), HasSubstr("it cannot connect: "));
 }
 
 TEST(Refusals, aConnectionThatIsCutMeansSomethingElseAtEachStage) {
@@ -35,13 +35,13 @@ TEST(Refusals, aConnectionThatIsCutMeansSomethingElseAtEachStage) {
   }
   EXPECT_EQ(whyNotSecured(asioError::connection_reset), whyNotSecured(asioError::eof));
   EXPECT_EQ(whyBroken(asioError::broken_pipe), whyBroken(asioError::eof));
-  EXPECT_THAT(whyNoHandshake(asioError::access_denied), HasSubstr("no WebSocket server"));
+  EXPECT_THAT(whyNoHandshake(asioError::access_denied), HasSubstr("not a WebSocket server"));
   EXPECT_THAT(whyBroken(asioError::access_denied), HasSubstr("the connection broke: "));
 }
 
 TEST(Refusals, aStatusSaysWhatTheRobotWants) {
-  EXPECT_THAT(whyRefused(401, "", ShownToken::kNone), HasSubstr("the robot wants a token: "));
-  EXPECT_THAT(whyRefused(401, "", ShownToken::kOne), HasSubstr("the robot wants another token: "));
+  EXPECT_THAT(whyRefused(401, "", ShownToken::kNone), HasSubstr("the robot requires a token: "));
+  EXPECT_THAT(whyRefused(401, "", ShownToken::kOne), HasSubstr("the robot requires a different token: "));
   EXPECT_THAT(whyRefused(404, "", ShownToken::kNone), HasSubstr("leave out what follows the port"));
   EXPECT_THAT(whyRefused(503, "", ShownToken::kNone), HasSubstr("too many clients"));
   EXPECT_EQ(whyRefused(500, "", ShownToken::kNone), "the robot refused the connection (HTTP 500)");

@@ -67,9 +67,9 @@ TEST(Admission, aWrongTokenAndNoneAreToldApart) {
   const auto sentence = [&](const Knock& request) {
     return std::get<Refusal>(admission.decide(request, Instant())).sentence;
   };
-  EXPECT_THAT(sentence(knock()), HasSubstr("No token was shown"));
+  EXPECT_THAT(sentence(knock()), HasSubstr("No token was sent"));
   for (const Knock& wrong : {knock("Bearer wrong"), knock({}, "/?token=wrong")})
-    EXPECT_THAT(sentence(wrong), HasSubstr("The token that was shown is not one of this robot's"));
+    EXPECT_THAT(sentence(wrong), HasSubstr("The token is not one of this robot's"));
 }
 
 TEST(Admission, wrongTokensMakeTheirMachineWaitAndNoOther) {

@@ -96,7 +96,7 @@ TEST_F(ListenerTest, webPagesAndStrangersAreRefusedAndReported) {
           .status(),
       101U);
   EXPECT_EQ(RawClient(port_, {kSdkProtocol, "/?token=wrong"}).status(), 401U);
-  EXPECT_THAT(reports(), Contains(HasSubstr("The token that was shown is not one of this robot's")));
+  EXPECT_THAT(reports(), Contains(HasSubstr("The token is not one of this robot's")));
   EXPECT_THAT(reports(), Contains(HasSubstr("https://b.org")));
 }
 
@@ -110,7 +110,7 @@ TEST_F(ListenerTest, aPageThatTriesAgainAndAgainDoesNotFillTheLog) {
   clock_->advance(std::chrono::seconds(10));
   EXPECT_EQ(knock(), 403U);
   EXPECT_EQ(reports().size(), 52U);
-  EXPECT_THAT(reports(), Contains("10 more sentences about clients were left out"));
+  EXPECT_THAT(reports(), Contains("10 more messages about clients were left out"));
 }
 
 TEST_F(ListenerTest, afterAWrongTokenEvenTheRightOneWaits) {
@@ -136,9 +136,9 @@ TEST_F(ListenerTest, whereOneCannotListenTheErrorSaysWhatToDo) {
     return listener ? "none" : listener.error().text;
   };
   EXPECT_THAT(problem({"127.0.0.1", port_}),
-              HasSubstr("another program listens there: end it, or choose another port"));
+              HasSubstr("another program is listening there: end it, or choose another port"));
   EXPECT_THAT(problem({"192.0.2.1", 0}), HasSubstr("this machine does not have that address"));
-  EXPECT_THAT(problem({"robot", 0}), HasSubstr("no IP address"));
+  EXPECT_THAT(problem({"robot", 0}), HasSubstr("not an IP address"));
 }
 
 TEST_F(ListenerTest, messagesArriveWholeAndInOrder) {
@@ -361,7 +361,7 @@ TEST_F(ListenerTest, silentClientsAreAskedForASignOfLifeAndThenGivenUp) {
     clock_->advance(milliseconds(500));
     return server_->clients().empty();
   }));
-  EXPECT_THAT(reports(), testing::ElementsAre(HasSubstr("nothing was heard of it")));
+  EXPECT_THAT(reports(), testing::ElementsAre(HasSubstr("it was silent for too long")));
 }
 
 TEST_F(ListenerTest, aMessageThatTricklesInIsGivenUp) {

@@ -378,7 +378,7 @@ TEST_F(ServerTest, clientsPublishOnTheirChannelsUntilTheyGo) {
   say(x, ClientAdvertise{{{4, "drive", "json", "D", "", ""},
                           {5, "stop", "json", "S", "", ""},
                           {6, "odd", "cdr", "", "", ""}}});
-  EXPECT_THAT(complaints(x), ElementsAre("odd has the encoding cdr, which this robot does not take"));
+  EXPECT_THAT(complaints(x), ElementsAre("odd has the encoding cdr, which this robot does not accept"));
   say(x, ClientMessageData{4, "{}"});
   say(x, ClientMessageData{6, "{}"});
   EXPECT_THAT(complaints(x), ElementsAre("you have not advertised a channel 6"));
@@ -434,7 +434,7 @@ TEST_F(ServerTest, clientsAreToldWhenThereIsALogToPlay) {
   const auto x = join("x");
   EXPECT_THAT(heardOf<ServerInfo>(x)[0].capabilities, testing::Not(testing::Contains("playbackControl")));
   say(x, PlaybackControl{});
-  EXPECT_THAT(complaints(x), ElementsAre("this is no log that could be played"));
+  EXPECT_THAT(complaints(x), ElementsAre("this is not a log, so it cannot be played"));
   const TimeRange range{Instant(std::chrono::seconds(2)), Instant(std::chrono::seconds(5))};
   for (int i = 0; i < 2; ++i) server_->setPlayable(range);
   const auto told = heardOf<ServerInfo>(x);
@@ -475,9 +475,9 @@ TEST_F(ServerTest, whatRobotsCannotDoIsSaid) {
   say(x, PlaybackControl{});
   say(x, SetParameters{{{"a", Value{1.0}}}, ""});
   say(x, ClientAdvertise{{{4, "drive", "json", "D", "", ""}}});
-  EXPECT_THAT(complaints(x),
-              ElementsAre("this is no log that could be played", "the parameters of this robot cannot be set",
-                          "this robot takes no messages of clients"));
+  EXPECT_THAT(complaints(x), ElementsAre("this is not a log, so it cannot be played",
+                                         "the parameters of this robot cannot be set",
+                                         "this robot accepts no messages from clients"));
 }
 
 TEST_F(ServerTest, moreClientsThanAllowedAreRefused) {

@@ -263,14 +263,14 @@ TEST_F(BadLine, imagesAreNeverOlderThanASecondAsJpeg) {
 TEST_F(BadLine, imagesAreNeverOlderThanASecondThoughNobodyChoseJpeg) {
   subscribeToImages(SessionClient::Images::kAutomatic);
   ASSERT_TRUE(soon([&] {
-    return client_->stateText().find("images as JPEG: the line is too narrow") != std::string::npos;
+    return client_->stateText().find("images as JPEG: the link is too slow") != std::string::npos;
   }));
   EXPECT_LT(oldestImage(), 1s);
   EXPECT_TRUE(soon([&] {
     const auto* texts = session_.store().find("red1/log");
     return std::ranges::any_of(texts->messages, [](const StreamMessage& message) {
       const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
-      return text->message().starts_with("Images come as JPEG from now on: the line carries");
+      return text->message().starts_with("Images come as JPEG from now on: the link carries");
     });
   }));
 }

@@ -48,7 +48,7 @@ TEST(ClientCommands, whatCannotBeTakenIsSaid) {
     return read ? "none" : read.error().text;
   };
   EXPECT_THAT(problem(channel("/chatter"), "{}"), HasSubstr("ROBOT/remote/drive"));
-  EXPECT_THAT(problem(channel("remote/motion"), "{}"), HasSubstr("nobody takes"));
+  EXPECT_THAT(problem(channel("remote/motion"), "{}"), HasSubstr("nothing receives"));
   EXPECT_THAT(problem(channel("red1/remote/motion", "protobuf", "a.B"), ""), HasSubstr("a.B"));
   EXPECT_THAT(problem(channel("red1/remote/motion", "protobuf"), "\xff"), HasSubstr("no robotcontrol."));
   EXPECT_THAT(problem(channel("red1/remote/motion"), "{"), HasSubstr("no robotcontrol."));

@@ -180,7 +180,7 @@ class ColorQualityViewTest : public QObject {
     goodStrokes();
     QTRY_VERIFY(
         note().contains(QStringLiteral("Based on 8 strokes, at least 2 of a class and 2 of the background")));
-    QVERIFY(note().contains(QStringLiteral("the figures are only a hint")));
+    QVERIFY(note().contains(QStringLiteral("the figures are only a rough guide")));
     bench_->undoStack().undo();  // the second stroke of the background
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("False colors –")));
     QVERIFY(note().contains(QStringLiteral("A single stroke of the background")));
