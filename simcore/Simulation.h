@@ -165,6 +165,8 @@ class Simulation {
   /// All that can be read or commanded, by path; constant. Truth is what the oracle knows: for each model its
   /// pose (MODEL/true_pose) and its velocity (MODEL/true_velocity).
   std::span<const Port> ports() const;
+  /// The paths of all that can be read: of the ports, and of the truth about each sensor (portOfTruth()).
+  std::vector<std::string> readablePaths() const;
   /// Null if there is none.
   const Port* port(const std::string& path) const;
   /// The present values of a port in the order of its shape; of an actuator its last command is not known
@@ -284,7 +286,7 @@ class Simulation {
   /// The links of a model that touched anything but a floor and a ball in the last step, by their names, each
   /// once.
   std::vector<std::string> linksAtObstacles(const std::string& model) const;
-  /// How far the lowest point of a model that forces move is above the ground (z = 0) while it touches
+  /// How far a model that forces move is above what is below it (the floor, a table, a ramp) while it touches
   /// nothing, m; 0 while it does, and of any other model.
   double heightInAir(const std::string& model) const;
 
@@ -306,7 +308,10 @@ class Simulation {
   void startControllers();
   /// restore() of a snapshot of the scene as it was before it was edited.
   robotlink::Result<std::vector<std::string>> restoreInEdited(const Snapshot& snapshot);
-  /// Restores new controllers from the state of those of a snapshot.
+  /// Has models that the scene of before_ did not have go on with the commands, and the errors of sensors
+  /// that somebody chose, that they have in `present`.
+  void takeOverAdded(const Implementation& present);
+  /// Has new controllers go on by what those of a snapshot remembered.
   void resumeControllers();
 
   std::unique_ptr<Implementation> implementation_;

@@ -210,12 +210,29 @@ Snapshot Simulation::snapshot() const {
   return snapshot;
 }
 
+void Simulation::takeOverAdded(const Implementation& present) {
+  Implementation& i = *implementation_;
+  const auto isAdded = [&](const std::string& model) {
+    return before_->modelIndex(model) < 0 && i.modelIndex(model) >= 0;
+  };
+  std::vector<int> added;
+  for (std::size_t m = 0; m < i.world.models.size(); ++m) {
+    const ModelInstance& model = i.world.models[m];
+    if (isAdded(model.name) && !model.type->isStatic) added.push_back(static_cast<int>(m));
+  }
+  i.takeOverPorts(present, added);
+  for (const int model : added) i.sensing->adoptVelocitiesOf(model);
+  for (const auto& [path, errors] : present.errorsByPath()) {
+    if (isAdded(port(path)->info.robot)) static_cast<void>(setSensorErrors(path, errors));
+  }
+}
+
 robotlink::Result<std::vector<std::string>> Simulation::restoreInEdited(const Snapshot& snapshot) {
   auto present =
       std::exchange(implementation_, std::make_unique<Implementation>(snapshot.of, implementation_->options));
   auto before = std::move(before_);
   startControllers();
-  // Models that were added since then stay where they are.
+  // What was added since then goes on as it is.
   Continuation how{.otherPorts = true};
   for (std::size_t i = 0; i < present->world.models.size(); ++i) {
     const ModelInstance& model = present->world.models[i];
@@ -226,6 +243,7 @@ robotlink::Result<std::vector<std::string>> Simulation::restoreInEdited(const Sn
   auto restored = restore(snapshot);
   robotlink::Result<SceneChange> gone;
   if (restored) gone = continueIn(present->scene, how);
+  if (restored && gone) takeOverAdded(*present);
   before_ = std::move(before);
   if (!restored || !gone) {
     implementation_ = std::move(present);
@@ -246,8 +264,12 @@ robotlink::Result<std::vector<std::string>> Simulation::restore(const Snapshot& 
     return robotlink::failure(
         "snapshot.scene",
         snapshot.scene == own
-            ? "the snapshot is of " + own + " from before its models, or the way they move, were changed"
-            : "the snapshot belongs to another scene, " + snapshot.scene + "; the running one is " + own,
+            ? "the snapshot is of " + own +
+                  " with other models, or with models that are moved otherwise, than it has now; open the "
+                  "scene "
+                  "as it was when the snapshot was taken, and save an edited scene before a snapshot of it "
+                  "becomes a file"
+            : "the snapshot is of another scene, " + snapshot.scene + "; the one that runs is " + own,
         {}, {snapshot.scene, own});
   }
   std::vector<std::uint8_t> before;

@@ -19,7 +19,7 @@ class Scene;
 /// any number of simulations of the same scene can be put into.
 struct Snapshot {
   /// The version of the files that are written; files of others are refused.
-  static constexpr std::uint32_t kVersion = 7;
+  static constexpr std::uint32_t kVersion = 8;
   /// No file is larger.
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;
 

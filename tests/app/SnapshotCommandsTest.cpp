@@ -111,6 +111,33 @@ TEST(SnapshotsOfRuns, inAnEditedSceneTheWorldIsPutBackAsFarAsItIsThere) {
   EXPECT_EQ(run->world().simulation().steps(), snapshot.step + 40);
 }
 
+TEST(SnapshotsOfRuns, inAnEditedSceneCamerasLightAndHeldActuatorsArePutBackToo) {
+  const auto run = runOf();
+  ASSERT_TRUE(run);
+  SimulatedWorld& world = run->world();
+  ASSERT_EQ(world.simulation().cameras().size(), 1U);
+  world.cameraSetting(0).exposure = 0.5;
+  ASSERT_TRUE(world.setLighting({.brightness = 0.7}));
+  ASSERT_TRUE(world.held().hold(world.simulation(), "red1/headPan/request", {0.4}));
+  const simcore::Snapshot snapshot = run->snapshot();
+  ASSERT_TRUE(run->addModel({.model = "ers210", .place = {0.8, 0.3, 3}, .team = "blue"}));
+  ASSERT_EQ(world.simulation().cameras().size(), 2U);
+  world.cameraSetting(0).exposure = 1;
+  world.cameraSetting(1).gain = 3;
+  ASSERT_TRUE(world.setLighting({}));
+  ASSERT_TRUE(world.held().hold(world.simulation(), "red1/headPan/request", {-0.2}));
+  ASSERT_TRUE(world.held().hold(world.simulation(), "red1/legFL1/request", {0}));
+  ASSERT_TRUE(world.held().hold(world.simulation(), "blue1/headPan/request", {0.1}));
+  ASSERT_TRUE(run->restore(snapshot));
+  EXPECT_EQ(world.cameraSetting(0).exposure, 0.5);
+  EXPECT_EQ(world.cameraSetting(1).gain, 3) << "what was added stays as it is";
+  EXPECT_EQ(world.options().lighting.brightness, 0.7);
+  const auto& held = world.held().all();
+  ASSERT_EQ(held.size(), 2U);
+  EXPECT_EQ(held.at("red1/headPan/request").values, std::vector<double>{0.4});
+  EXPECT_EQ(held.at("blue1/headPan/request").values, std::vector<double>{0.1});
+}
+
 TEST(SnapshotsOfRuns, theClockOfProgramsGoesOnWhereTheWorldGoesBack) {
   RunOptions options = defaultSimulation();
   options.world.rewindBytes = std::size_t{64} << 20U;

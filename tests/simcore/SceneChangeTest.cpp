@@ -12,6 +12,7 @@ namespace {
 
 using robotlink::Vector3;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 const char* const kChangedFloor =
@@ -71,6 +72,39 @@ TEST_F(SceneChangeTest, aSnapshotPutsBackWhatTheEditedSceneStillHas) {
   EXPECT_FALSE(simulation_->modelPose("gone"));
   run(50);
   EXPECT_LT(position("stone").z(), before.z() - 0.1) << "it goes on falling";
+}
+
+TEST_F(SceneChangeTest, aSnapshotLeavesTheCommandsAndChosenErrorsOfWhatWasAdded) {
+  const std::string robot =
+      "<include><uri>model://ers210</uri><name>dog</name><pose>0 0 0.1136 0 0 0</pose></include>";
+  start(ball("stone", "1 0 1 0 0 0"));
+  run(50);
+  const Snapshot snapshot = simulation_->snapshot();
+  ASSERT_TRUE(simulation_->continueIn(sceneOf(ball("stone", "1 0 1 0 0 0") + robot), {.otherPorts = true}));
+  const std::string sensor = "dog/headPan/position";
+  ASSERT_TRUE(simulation_->setSensorErrors(sensor, {.delay = 0.1}));
+  ASSERT_TRUE(simulation_->write("dog/headPan/request", std::vector<double>{0.8}));
+  run(400);
+  ASSERT_NEAR(simulation_->read(sensor).value()[0], 0.8, 0.02);
+  ASSERT_TRUE(simulation_->restore(snapshot));
+  EXPECT_EQ(simulation_->steps(), 50U);
+  EXPECT_EQ(simulation_->sensorErrors(sensor)->delay, 0.1);
+  run(400);
+  EXPECT_NEAR(simulation_->read(sensor).value()[0], 0.8, 0.02) << "its servo still holds";
+}
+
+TEST_F(SceneChangeTest, aFileOfASnapshotOfAnEditedSceneIsRefusedWithWhatToDo) {
+  start(ball("stone", "0 0 1 0 0 0"));
+  const auto added = simulation_->scene().with(ModelToAdd{.model = "ers210", .place = {2, 0, 0}});
+  ASSERT_TRUE(added);
+  ASSERT_TRUE(simulation_->continueIn(*added, {.otherPorts = true}));
+  const auto file = Snapshot::decode(simulation_->snapshot().encode(), "edited.snapshot");
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(simulation_->restore(*file));
+  start(ball("stone", "0 0 1 0 0 0"));
+  const auto refused = simulation_->restore(*file);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text, HasSubstr("save an edited scene before"));
 }
 
 TEST_F(SceneChangeTest, aFallingModelGoesOnFalling) {

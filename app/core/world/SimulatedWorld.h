@@ -183,6 +183,13 @@ class SimulatedWorld {
   /// Discards what was measured or rendered of the world before a jump; the clock continues.
   void settleAfterJump();
   struct Kept;
+  /// What was set for a camera.
+  struct KeptCamera {
+    CameraSetting setting;
+    bool errorsChosen = false;
+  };
+  /// Restores what the simulation does not; `of`: the scene of the snapshot, if it is known.
+  void restoreKept(const Kept& kept, const simcore::Scene* of);
 
   Options options_;
   std::shared_ptr<robotlink::ThreadPool> pool_;
@@ -198,12 +205,7 @@ class SimulatedWorld {
   PortCommands* commands_ = nullptr;
   std::vector<simcore::ViewEvent> events_;
   std::vector<CameraSetting> cameraSettings_;
-  /// The settings of a camera.
-  struct KeptCamera {
-    CameraSetting setting;
-    bool errorsChosen = false;
-  };
-  /// Keyed by path, also of removed cameras, whose robots may come back.
+  /// Keyed by path, also of cameras that are gone, whose robots may come back.
   std::map<std::string, KeptCamera> keptCameras_;
   /// Keyed by camera: whether its errors were chosen, instead of those of the scene.
   std::vector<bool> cameraErrorsChosen_;

@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "app/core/world/SimulatedWorld.h"
+#include "simcore/Scene.h"
 #include "simcore/world/StateStream.h"
 
 namespace app {
 namespace {
 
 constexpr char kWorldPart[] = "world";
-constexpr std::size_t kMaxHeld = 10'000;
+constexpr std::size_t kMaxCameras = 10'000, kMaxHeld = 10'000;
 
 }  // namespace
 
@@ -19,8 +20,8 @@ constexpr std::size_t kMaxHeld = 10'000;
 struct SimulatedWorld::Kept {
   std::uint64_t digest = 0, images = 0;
   simcore::LightAdjustment lighting;
-  std::vector<CameraSetting> cameras;
-  std::vector<bool> errorsChosen;
+  /// By path.
+  std::vector<std::pair<std::string, KeptCamera>> cameras;
   /// Ports and their values.
   std::vector<std::pair<std::string, std::vector<double>>> held;
 
@@ -29,15 +30,14 @@ struct SimulatedWorld::Kept {
     stream.raw(images);
     stream.within(lighting.brightness, 0, simcore::LightAdjustment::kMaxBrightness);
     stream.within(lighting.warmth, -1, 1);
-    const std::size_t count = cameras.size();
-    stream.size(cameras, count);
-    if (cameras.size() != count) stream.fail();
-    for (CameraSetting& camera : cameras) {
-      stream.within(camera.exposure, 0, 1e6);
-      stream.within(camera.gain, 0, 1e6);
-      stream.within(camera.whiteBalance, -1, 1);
+    stream.size(cameras, kMaxCameras);
+    for (auto& [path, camera] : cameras) {
+      stream.text(path);
+      stream.within(camera.setting.exposure, 0, 1e6);
+      stream.within(camera.setting.gain, 0, 1e6);
+      stream.within(camera.setting.whiteBalance, -1, 1);
+      stream.flag(camera.errorsChosen);
     }
-    stream.bits(errorsChosen);
     stream.size(held, kMaxHeld);
     for (auto& [port, values] : held) {
       stream.text(port);
@@ -49,7 +49,10 @@ struct SimulatedWorld::Kept {
 
 simcore::Snapshot SimulatedWorld::snapshot() const {
   simcore::Snapshot snapshot = simulation_->snapshot();
-  Kept kept{digest_, costs_.images, options_.lighting, cameraSettings_, cameraErrorsChosen_, {}};
+  Kept kept{digest_, costs_.images, options_.lighting, {}, {}};
+  const auto cameras = simulation_->cameras();
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+    kept.cameras.push_back({cameras[i].info.path, {cameraSettings_[i], cameraErrorsChosen_[i]}});
   for (const auto& [port, held] : held_.all()) kept.held.emplace_back(port, held.values);
   simcore::StateStream stream(snapshot.parts[kWorldPart]);
   kept.transfer(stream);
@@ -71,17 +74,12 @@ robotlink::Result<std::vector<std::string>> SimulatedWorld::restore(const simcor
   std::optional<Kept> kept;
   if (part != snapshot.parts.end()) {
     kept.emplace();
-    kept->cameras = cameraSettings_;
-    kept->errorsChosen = cameraErrorsChosen_;
     simcore::StateStream stream(part->second, snapshot.isForeign ? simcore::StateStream::Trust::kForeign
                                                                  : simcore::StateStream::Trust::kOwn);
     kept->transfer(stream);
     if (!stream.complete()) {
-      // A snapshot of another scene has other parts, which the simulation says better.
-      if (snapshot.fingerprint == simulation_->fingerprint())
-        return robotlink::failure("snapshot.damaged", "the snapshot of " + snapshot.scene + " is damaged", {},
-                                  {snapshot.scene});
-      kept.reset();
+      return robotlink::failure("snapshot.damaged", "the snapshot of " + snapshot.scene + " is damaged", {},
+                                {snapshot.scene});
     }
   }
   const bool isFresh = simulation_->steps() == 0 && clock_.now() == robotlink::Instant();
@@ -89,17 +87,31 @@ robotlink::Result<std::vector<std::string>> SimulatedWorld::restore(const simcor
   if (!restored) return restored;
   if (isFresh) clock_.set(robotlink::Instant(simulation_->time()));
   settleAfterJump();
-  // Values that were held only after the snapshot are released.
-  if (part != snapshot.parts.end()) held_.forget();
-  if (!kept) return restored;
-  digest_ = kept->digest;
-  costs_.images = kept->images;
-  options_.lighting = kept->lighting;
-  cameraSettings_ = kept->cameras;
-  cameraErrorsChosen_ = kept->errorsChosen;
-  // Ports that cannot be held any more are ignored.
-  for (const auto& [port, values] : kept->held) (void)held_.hold(*simulation_, port, values);
+  if (kept) restoreKept(*kept, snapshot.of.get());
   return restored;
+}
+
+void SimulatedWorld::restoreKept(const Kept& kept, const simcore::Scene* of) {
+  digest_ = kept.digest;
+  costs_.images = kept.images;
+  options_.lighting = kept.lighting;
+  const auto cameras = simulation_->cameras();
+  for (const auto& [path, camera] : kept.cameras) {
+    const auto now = std::ranges::find(cameras, path, [](const auto& one) { return one.info.path; });
+    if (now == cameras.end()) continue;
+    const auto index = static_cast<std::size_t>(now - cameras.begin());
+    cameraSettings_[index] = camera.setting;
+    cameraErrorsChosen_[index] = camera.errorsChosen;
+  }
+  // What was held after the snapshot is not held in it, but for models that were added since then.
+  auto before = std::exchange(held_, {}).all();
+  if (of != nullptr) {
+    for (const auto& model : of->models())
+      std::erase_if(before, [&](const auto& held) { return held.second.model == model.name; });
+    for (const auto& [port, held] : before) (void)held_.hold(*simulation_, port, held.values);
+  }
+  // What cannot be held any more need not be.
+  for (const auto& [port, values] : kept.held) (void)held_.hold(*simulation_, port, values);
 }
 
 void SimulatedWorld::settleAfterJump() {
