@@ -221,14 +221,14 @@ bool mayMeet(const OdeWorld& ode, const OdePlace& a, const OdePlace& b) {
 struct OverlapQuery {
   OdeWorld& ode;
   int model;
-  NoteTouches note;
-  Overlap found{};
   /// Floors do not count.
   bool sideways = false;
   /// Models that can be moved may be overlapped a little.
   bool pushes = false;
+  Overlap found{};
   /// Solids that overlap less are not counted, m.
   double tolerance = 0;
+  std::vector<OverlappingPair> overlapping{};
 };
 
 /// How deep a contact counts as one that is in the way, m.
@@ -246,19 +246,20 @@ void compareDepth(void* data, dGeomID a, dGeomID b) {
   if (isHiddenWheel(query.ode, first) || isHiddenWheel(query.ode, second)) return;
   dContactGeom contacts[kMaxContacts];
   const int count = dCollide(a, b, kMaxContacts, contacts, sizeof(dContactGeom));
-  bool noted = query.note == NoteTouches::kNo;
+  const dContactGeom* touch = nullptr;
   double deepest = 0;
   for (int i = 0; i < count; ++i) {
     const dContactGeom& contact = contacts[i];
     if (isOnlyRolling(query.ode, first, contact) || isOnlyRolling(query.ode, second, contact)) continue;
-    if (!noted) noteTouch(query.ode, first, second, contact.normal[2]);
-    noted = true;
+    if (touch == nullptr) touch = &contact;
     const int other = first.model == query.model ? second.model : first.model;
     const double depth = obstructingDepth(query, other, contact);
     deepest = std::max(deepest, depth);
     if (depth > query.found.depth) query.found = {depth, other, query.found.pairs};
   }
   if (deepest > query.tolerance) ++query.found.pairs;
+  if (touch == nullptr) return;
+  query.overlapping.push_back({&first, &second, touch->normal[2], deepest});
 }
 
 struct TouchQuery {
@@ -342,17 +343,22 @@ void findContacts(OdeWorld& ode) {
 }
 
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note, double tolerance) {
-  OverlapQuery query{ode, model, note};
+  OverlapQuery query{ode, model};
   query.tolerance = tolerance;
   if (ode.models[static_cast<std::size_t>(model)].space == nullptr) return query.found;
   compareWithOthers(ode, model, query, &compareDepth);
+  if (note == NoteTouches::kYes) noteTouches(ode, query.overlapping);
   return query.found;
 }
 
-Overlap deepestInWay(OdeWorld& ode, const OdeFollower& follower, NoteTouches note) {
-  OverlapQuery query{ode, follower.model, note, {}, follower.travels, follower.pushes};
+std::vector<OverlappingPair> pairsInWay(OdeWorld& ode, const OdeFollower& follower) {
+  OverlapQuery query{ode, follower.model, follower.travels, follower.pushes};
   compareWithOthers(ode, follower.model, query, &compareDepth);
-  return query.found;
+  return std::move(query.overlapping);
+}
+
+void noteTouches(OdeWorld& ode, const std::vector<OverlappingPair>& pairs) {
+  for (const OverlappingPair& pair : pairs) noteTouch(ode, *pair.first, *pair.second, pair.upward);
 }
 
 }  // namespace simcore

@@ -27,9 +27,22 @@ enum class NoteTouches : std::uint8_t { kNo, kYes };
 /// Pairs of solids are counted that overlap by more than `tolerance`, m.
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note = NoteTouches::kNo, double tolerance = 0);
 
-/// The same for a model that follows: for what travels, floors and ramps do not count. If it pushes, models
-/// that can be moved count only where they are squeezed.
-Overlap deepestInWay(OdeWorld& ode, const OdeFollower& follower, NoteTouches note);
+/// Two solids that overlap.
+struct OverlappingPair {
+  OdeGeom* first = nullptr;
+  OdeGeom* second = nullptr;
+  /// That share of the normal of their first contact.
+  double upward = 0;
+  /// How deep they are in the way of each other, m.
+  double depth = 0;
+};
+
+/// What the solids of a model that follows overlap. For what travels, floors and ramps are not in the way. If
+/// it pushes, models that can be moved are in the way only where they are squeezed.
+std::vector<OverlappingPair> pairsInWay(OdeWorld& ode, const OdeFollower& follower);
+
+/// Records contacts as findContacts() does, but they get no joints.
+void noteTouches(OdeWorld& ode, const std::vector<OverlappingPair>& pairs);
 
 /// The models, in ascending order, that a moving model touches.
 std::vector<int> touchingModels(OdeWorld& ode, int model);

@@ -2,6 +2,7 @@
 #include "simcore/physics/FollowingModels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "simcore/physics/Contacts.h"
@@ -17,8 +18,28 @@ using robotlink::Pose2;
 
 namespace {
 
-// In m; sinking in less than that is only touching.
-constexpr double kTouching = 0.0005;
+// In m: sinking in less than that is only touching; overlaps that differ less are the same.
+constexpr double kTouching = 0.0005, kSameDepth = 1e-9;
+
+using Overlaps = std::vector<OverlappingPair>;
+
+double depthOf(const OverlappingPair& pair, const Overlaps& in) {
+  const auto same = std::ranges::find_if(in, [&](const OverlappingPair& other) {
+    return (other.first == pair.first && other.second == pair.second) ||
+           (other.first == pair.second && other.second == pair.first);
+  });
+  return same == in.end() ? 0 : same->depth;
+}
+
+/// The deepest overlap that is not the same among others.
+double deepestChange(const Overlaps& pairs, const Overlaps& others) {
+  double deepest = 0;
+  for (const OverlappingPair& pair : pairs) {
+    if (pair.depth > deepest && std::abs(pair.depth - depthOf(pair, others)) > kSameDepth)
+      deepest = pair.depth;
+  }
+  return deepest;
+}
 
 /// A step of a following model.
 class FollowerStep {
@@ -37,12 +58,13 @@ class FollowerStep {
     const Pose2 from = follower_.place;
     follower_.place = next();
     stand();
-    const double depth = inTheWay(NoteTouches::kNo);
+    const Overlaps there = pairsInWay(ode_, follower_);
     follower_.stopped = false;
     // A touch would push what can be moved.
-    if (depth > (follower_.pushes ? kTouching : 0)) {
-      inTheWay(NoteTouches::kYes);
-      stopOr(from, joints, depth);
+    const double harmless = follower_.pushes ? kTouching : 0;
+    if (std::ranges::any_of(there, [&](const auto& pair) { return pair.depth > harmless; })) {
+      noteTouches(ode_, there);
+      stopOr(from, joints, there, harmless);
     }
     turnWheels();
     setVelocities(before);
@@ -131,15 +153,15 @@ class FollowerStep {
     pose();
   }
 
-  double inTheWay(NoteTouches note) const { return deepestInWay(ode_, follower_, note).depth; }
-
-  /// Stays at `from` unless the model is deeper in something there than the `depth` where it would go. The
-  /// joints of a model that does not travel stay.
-  void stopOr(const Pose2& from, std::vector<double> joints, double depth) {
+  /// Stays at `from` unless the model is deeper in something there than `there`, where it would go. What
+  /// overlaps in the same way at both does not count: it may be at rest in something. Of what does not
+  /// travel, the joints stay.
+  void stopOr(const Pose2& from, std::vector<double> joints, const Overlaps& there, double harmless) {
     const Pose2 to = std::exchange(follower_.place, from);
     if (!follower_.travels) follower_.joints.swap(joints);
     stand();
-    follower_.stopped = inTheWay(NoteTouches::kNo) < depth;
+    const Overlaps here = pairsInWay(ode_, follower_);
+    follower_.stopped = deepestChange(there, here) > std::max(harmless, deepestChange(here, there));
     if (follower_.stopped) return;
     follower_.place = to;
     if (!follower_.travels) follower_.joints.swap(joints);

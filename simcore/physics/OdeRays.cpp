@@ -2,14 +2,16 @@
 #include "simcore/physics/OdeRays.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "simcore/physics/Contacts.h"
 #include "simcore/physics/OdeGeoms.h"
 
 namespace simcore {
 namespace {
 
-/// In m: how far below a model the ground is searched, and what is as good as standing on it.
-constexpr double kGroundDepth = 1000, kNoGap = 0.001;
+/// In m: what is as good as standing on the ground, also where a model sinks in.
+constexpr double kNoGap = 0.001;
 
 struct RayQuery {
   int ownModel = 0;
@@ -24,6 +26,15 @@ void hitByRay(void* data, dGeomID a, dGeomID b) {
   dContactGeom contact;
   if (dCollide(a, b, 1, &contact, sizeof contact) == 1)
     query.distance = std::min(query.distance, contact.depth);
+}
+
+void lower(OdeWorld& ode, const OdeModel& model, double down) {
+  for (std::size_t i = model.firstBody; i < model.firstBody + model.bodyCount; ++i) {
+    if (!ode.hasBody(i)) continue;
+    const dBodyID body = ode.bodies[i].id;
+    const dReal* at = dBodyGetPosition(body);
+    dBodySetPosition(body, at[0], at[1], at[2] - down);
+  }
 }
 
 }  // namespace
@@ -42,8 +53,7 @@ double castRay(OdeWorld& ode, const Vector3& origin, const Vector3& direction, d
   return query.distance;
 }
 
-void comeDown(OdeWorld& ode, int model) {
-  const OdeModel& entry = ode.models[static_cast<std::size_t>(model)];
+double gapBelow(OdeWorld& ode, int model) {
   double down = kGroundDepth;
   for (const OdeGeom& geom : ode.geoms) {
     if (geom.model != model || dGeomGetBody(geom.id) == nullptr) continue;
@@ -55,13 +65,26 @@ void comeDown(OdeWorld& ode, int model) {
     const double ground = castRay(ode, middle, -Vector3::UnitZ(), kGroundDepth, model);
     if (ground < kGroundDepth) down = std::min(down, ground - (middle.z() - bounds[4]));
   }
+  return down;
+}
+
+void comeDown(OdeWorld& ode, int model) {
+  const OdeModel& entry = ode.models[static_cast<std::size_t>(model)];
+  const double down = gapBelow(ode, model);
   if (down < kNoGap || down >= kGroundDepth) return;
-  for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
-    if (!ode.hasBody(i)) continue;
-    const dBodyID body = ode.bodies[i].id;
-    const dReal* at = dBodyGetPosition(body);
-    dBodySetPosition(body, at[0], at[1], at[2] - down);
+  const double most = std::max(kNoGap, deepestOverlap(ode, model).depth);
+  auto fitsAt = [&, at = 0.0](double lowered) mutable {
+    lower(ode, entry, lowered - std::exchange(at, lowered));
+    return deepestOverlap(ode, model).depth <= most;
+  };
+  if (fitsAt(down)) return;
+  // There is an edge below it, but not below the middle of any of its solids.
+  double free = 0, inside = down;
+  while (inside - free > kNoGap) {
+    const double between = (free + inside) / 2;
+    (fitsAt(between) ? free : inside) = between;
   }
+  fitsAt(free);
 }
 
 }  // namespace simcore

@@ -143,18 +143,30 @@ TEST(Following, whatIsPutIntoTheAirComesDownToWhatIsBelow) {
   EXPECT_NEAR(height("car"), 0.4, 0.01);
 }
 
+TEST(Following, whatComesDownStaysOnTheEdgeOfATable) {
+  // The edge is below the left flank of the robot, beyond the middle of its wheels.
+  const auto simulation = yardWith(including("p3at", "0 0 0 0 0 0", kMovedKinematically) +
+                                   boxAt("table", {0, 3, 0.2}, {1, 1, 0.4}));
+  ASSERT_TRUE(simulation->placeModel("p3at", {0, 2.265, 0}, ModelPosture{.height = 1}));
+  runFor(*simulation, 0.1);
+  EXPECT_NEAR(simulation->modelPose("p3at")->translation().z(), 0.3, 0.002);
+}
+
+/// A kinematic arm that turns a boom of 0.7 m at a height of 0.1 m, on a base of 0.1 m.
+const char* const kTurningArm =
+    "<model name='arm'><robotcontrol:motion>kinematic</robotcontrol:motion><link name='base'>"
+    "<inertial><mass>1</mass></inertial><collision name='c'><pose>0 0 0.1 0 0 0</pose><geometry><box>"
+    "<size>0.1 0.1 0.2</size></box></geometry></collision></link><joint name='foot' type='fixed'>"
+    "<parent>world</parent><child>base</child></joint><link name='boom'><inertial><mass>5</mass></inertial>"
+    "<collision name='c'><pose>0.4 0 0.1 0 0 0</pose><geometry><box><size>0.6 0.04 0.04</size></box>"
+    "</geometry></collision></link><joint name='turn' type='revolute'><parent>base</parent>"
+    "<child>boom</child><axis><xyz>0 0 "
+    "1</xyz><limit><lower>-3</lower><upper>3</upper><velocity>1</velocity>"
+    "<effort>0.001</effort></limit></axis><robotcontrol:servo/></joint></model>";
+
 TEST(Following, anArmTurnsItsJointsWithoutForces) {
-  const auto simulation = yardWith(
-      "<model name='arm'><robotcontrol:motion>kinematic</robotcontrol:motion><link name='base'>"
-      "<inertial><mass>1</mass></inertial><collision name='c'><pose>0 0 0.1 0 0 0</pose><geometry><box>"
-      "<size>0.1 0.1 0.2</size></box></geometry></collision></link><joint name='foot' type='fixed'>"
-      "<parent>world</parent><child>base</child></joint><link name='boom'><inertial><mass>5</mass></inertial>"
-      "<collision name='c'><pose>0.4 0 0.1 0 0 0</pose><geometry><box><size>0.6 0.04 0.04</size></box>"
-      "</geometry></collision></link><joint name='turn' type='revolute'><parent>base</parent>"
-      "<child>boom</child><axis><xyz>0 0 "
-      "1</xyz><limit><lower>-3</lower><upper>3</upper><velocity>1</velocity>"
-      "<effort>0.001</effort></limit></axis><robotcontrol:servo/></joint></model>" +
-      parcelAt("parcel", 0.5, 0.3) + boxAt("wall", {-0.5, 0.5, 0.25}, {0.1, 0.6, 0.5}));
+  const auto simulation = yardWith(kTurningArm + parcelAt("parcel", 0.5, 0.3) +
+                                   boxAt("wall", {-0.5, 0.5, 0.25}, {0.1, 0.6, 0.5}));
   commandPort(*simulation, "arm/turn/request", {-1.5});
   runFor(*simulation, 2);
   EXPECT_NEAR(portReading(*simulation, "arm/turn/position"), -1.5, 1e-3) << "however weak its motor is";
@@ -166,6 +178,24 @@ TEST(Following, anArmTurnsItsJointsWithoutForces) {
   commandPort(*simulation, "arm/turn/request", {0});
   runFor(*simulation, 4);
   EXPECT_NEAR(portReading(*simulation, "arm/turn/position"), 0, 1e-3);
+}
+
+TEST(Following, anArmWhoseBaseIsInsideOfSomethingStillStopsAtOtherThings) {
+  const auto stopsAt = [](const std::string& socket) {
+    const auto simulation =
+        yardWith(kTurningArm + socket + boxAt("wall", {-0.5, 0.5, 0.25}, {0.1, 0.6, 0.5}));
+    commandPort(*simulation, "arm/turn/request", {2.9});
+    runFor(*simulation, 4);
+    EXPECT_EQ(simulation->read("arm/turn/request").value()[1], 0) << "it has touched something";
+    const double angle = portReading(*simulation, "arm/turn/position");
+    commandPort(*simulation, "arm/turn/request", {0});
+    runFor(*simulation, 4);
+    EXPECT_NEAR(portReading(*simulation, "arm/turn/position"), 0, 1e-3) << "it can turn away";
+    return angle;
+  };
+  const double alone = stopsAt("");
+  EXPECT_LT(alone, 2.3);
+  EXPECT_NEAR(stopsAt(boxAt("socket", {-0.02, 0, 0.025}, {0.1, 0.1, 0.05})), alone, 1e-6);
 }
 
 TEST(Following, whatCannotFollowIsSaid) {
