@@ -246,7 +246,7 @@ double Simulation::heightInAir(const std::string& model) const {
   const Implementation& i = *implementation_;
   const int index = i.modelIndex(model);
   if (index < 0 || !i.physics->isMovedByForces(index) || i.physics->touchesAnything(index)) return 0;
-  return i.physics->lowestPoint(index);
+  return i.physics->gapBelow(index);
 }
 
 std::uint64_t Simulation::ballContacts() const {

@@ -256,11 +256,9 @@ bool Physics::touchesAnything(int model) const {
                              [&](const OdeGeom* geom) { return geom->touched && geom->model == model; });
 }
 
-double Physics::lowestPoint(int model) const {
+double Physics::gapBelow(int model) const {
   prepareOdeForThread();
-  StaticGrid::Bounds bounds;
-  dGeomGetAABB(reinterpret_cast<dGeomID>(ode_->models[static_cast<std::size_t>(model)].space), bounds.data());
-  return bounds[4];
+  return std::max(0.0, simcore::gapBelow(*ode_, model));
 }
 
 bool Physics::touched(std::size_t body, int collision) const {

@@ -117,8 +117,8 @@ class Physics {
   std::span<const ObstacleTouch> obstacleTouches() const;
   /// Whether a model touched anything in the last step.
   bool touchesAnything(int model) const;
-  /// The height of the lowest point of a moving model's collision shapes, m.
-  double lowestPoint(int model) const;
+  /// How far a moving model is above what is below it, m; more than in any world if that is nothing.
+  double gapBelow(int model) const;
   /// Whether two moving models touched each other in the last step.
   bool touched(int modelA, int modelB) const;
   /// Whether a model touched anything but a floor in the last step.

@@ -12,8 +12,8 @@ class Simulation;
 
 namespace app {
 
-/// Returns the true state of a simulated robot's body (fallen, picked up, collided) at the current step, for
-/// the oracle. It is picked up while nothing touches it and it is more than 10 mm above z = 0, and has fallen
+/// What has truly happened to the body of a simulated robot at the present step, as the oracle tells it. It
+/// is picked up while nothing touches it and it is more than 10 mm above what is below it, and has fallen
 /// while it is tilted by more than 45 degrees. What of it touches anything but a floor and the ball has
 /// collided: a leg by its name ("front left"), any other part by that of its link. The time and the duration
 /// are left unset, as all is for a robot that the simulation does not have.

@@ -5,7 +5,9 @@
 
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotcontrol/Perception.pb.h"
+#include "simcore/Scene.h"
 #include "simcore/Simulation.h"
+#include "tests/TestFolder.h"
 
 namespace app {
 namespace {
@@ -70,6 +72,32 @@ TEST_F(TrueStateTest, legsThatAreAtAWallHaveCollided) {
   }
   EXPECT_THAT(parts, testing::Contains(testing::AnyOf("front left", "hind left")));
   EXPECT_THAT(parts, testing::Each(testing::Not(testing::EndsWith("right"))));
+}
+
+TEST(TrueStateOnATableTest, aHopIsNotBeingPickedUp) {
+  const TestFolder folder;
+  const auto scene = simcore::Scene::load(folder.write(
+      "world.sdf",
+      "<sdf version='1.9'><world name='w'><include><uri>model://ground_plane</uri></include>"
+      "<model name='table'><static>true</static><pose>0 0 0.2 0 0 0</pose><link name='top'>"
+      "<collision name='c'><geometry><box><size>1 1 0.4</size></box></geometry></collision></link></model>"
+      "<include><uri>model://ers210</uri><pose>0 0 0.5136 0 0 0</pose></include></world></sdf>"));
+  ASSERT_TRUE(scene) << robotlink::describe(scene.error());
+  const auto simulation = std::move(simcore::Simulation::create(*scene, {.seed = 1, .noise = false}).value());
+  const auto wasPickedUp = [&](double speed) {
+    EXPECT_TRUE(simulation->throwModel("ers210", {0, 0, speed}, {0, 0, 0}));
+    bool isUp = false, flies = false;
+    for (int i = 0; i < 10; ++i) {
+      simulation->step();
+      flies = flies || simulation->heightInAir("ers210") > 0;
+      isUp = isUp || trueState(*simulation, "ers210").picked_up();
+    }
+    EXPECT_TRUE(flies);
+    return isUp;
+  };
+  for (int i = 0; i < 100; ++i) simulation->step();
+  EXPECT_FALSE(wasPickedUp(0.2));
+  EXPECT_TRUE(wasPickedUp(1.5));
 }
 
 }  // namespace
