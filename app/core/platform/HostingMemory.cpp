@@ -82,7 +82,9 @@ std::optional<TeamPrograms> HostingMemory::teamPrograms(const std::filesystem::p
     const auto slash = text.find('/');
     if (equals == std::string::npos) continue;
     const std::string value = text.substr(equals + 1);
-    if (slash < equals) {
+    if (slash == 0) {
+      programs.robotLayouts[text.substr(1, equals - 1)] = value;
+    } else if (slash < equals) {
       programs.solutions[text.substr(0, slash)][text.substr(slash + 1, equals - slash - 1)] = value;
     } else {
       programs.layouts[text.substr(0, equals)] = value;
@@ -96,7 +98,9 @@ void HostingMemory::chooseTeamPrograms(const std::filesystem::path& scene, const
   if (teamPrograms(scene).value_or(TeamPrograms()) == programs) return;
   const std::lock_guard lock(mutex_);
   std::vector<std::string> texts;
-  for (const auto& [name, layout] : programs.layouts) texts.push_back(name + "=" + layout.string());
+  for (const auto& [kind, layout] : programs.layouts) texts.push_back(kind + "=" + layout.string());
+  for (const auto& [name, layout] : programs.robotLayouts)
+    texts.push_back("/" + name + "=" + layout.string());
   for (const auto& [name, solutions] : programs.solutions) {
     for (const auto& [task, solution] : solutions) texts.push_back(name + "/" + task + "=" + solution);
   }

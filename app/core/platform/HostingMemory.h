@@ -18,10 +18,12 @@ class HostProgram;
 
 namespace app {
 
-/// The layouts and solutions that were chosen for robots and teams of a scene, by their names, and layouts
-/// also for kinds of robots. A plain value.
+/// The layouts and solutions that were chosen in a scene. A plain value.
 struct TeamPrograms {
+  /// Layouts by kind of robot.
   std::map<std::string, std::filesystem::path> layouts;
+  /// Layouts of robots and teams, by their names, which may also be those of kinds.
+  std::map<std::string, std::filesystem::path> robotLayouts;
   /// The chosen solutions of robots and teams, by their names and by task.
   std::map<std::string, std::map<std::string, std::string>> solutions;
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "app/core/platform/HostingMemory.h"
-#include "app/core/program/RobotFiles.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 
@@ -40,11 +39,13 @@ void useTeamPrograms(const PlatformContext& context, const std::filesystem::path
   options.game.clear();
   const auto kept = context.hosting != nullptr ? context.hosting->teamPrograms(scene) : std::nullopt;
   if (!kept) return;
-  std::error_code ignored;
-  for (const auto& [name, layout] : kept->layouts) {
-    const bool isKind = std::filesystem::exists(descriptionFile(name), ignored);
-    if (std::filesystem::exists(layout, ignored))
-      (isKind ? options.layouts : options.robotLayouts)[name] = layout;
+  options.layouts = kept->layouts;
+  options.robotLayouts = kept->robotLayouts;
+  for (auto* layouts : {&options.layouts, &options.robotLayouts}) {
+    std::erase_if(*layouts, [](const auto& one) {
+      std::error_code ignored;
+      return !std::filesystem::exists(one.second, ignored);
+    });
   }
   const auto catalog = robotlink::registeredTasks();
   options.keptSolutions = kept->solutions;
@@ -60,8 +61,7 @@ SimulationFeed::Choices keeperOf(std::shared_ptr<RunOptions> last, HostingMemory
     *last = running;
     const HostingChoices& now = running.hosting;
     if (hosting != nullptr) hosting->chooseModelFolders(running.models);
-    TeamPrograms chosen{running.layouts, running.keptSolutions};
-    chosen.layouts.insert(running.robotLayouts.begin(), running.robotLayouts.end());
+    const TeamPrograms chosen{running.layouts, running.robotLayouts, running.keptSolutions};
     if (hosting != nullptr) hosting->chooseTeamPrograms(running.scene, chosen);
     if (hosting != nullptr && known && *known != now) hosting->choose(SimulationFeed::kAdapter, now);
     known = now;

@@ -27,7 +27,8 @@ TEST(HostingMemory, choicesAreThereAgainInTheNextRun) {
 
 TEST(HostingMemory, whatTeamsOfASceneRunIsThereAgain) {
   const TestFolder folder;
-  const TeamPrograms programs{{{"red", "/layouts/a b.yaml"}, {"blue2", "/c.yaml"}},
+  const TeamPrograms programs{{{"burger", "/d.yaml"}},
+                              {{"red", "/layouts/a b.yaml"}, {"blue2", "/c.yaml"}, {"burger", "/e.yaml"}},
                               {{"blue", {{"behavior", "stand"}, {"motion", "crawl"}}}}};
   {
     HostingMemory memory(folder / "hosting.json");

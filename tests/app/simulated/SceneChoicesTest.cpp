@@ -127,4 +127,28 @@ TEST_F(SceneChoicesTest, layoutsThatWereChosenInOneSceneAreNotThoseOfAnother) {
   EXPECT_EQ(second.layoutOf("red1"), "balanced");
 }
 
+TEST_F(SceneChoicesTest, theLayoutOfARobotThatIsCalledLikeItsKindIsNotThatOfTheKind) {
+  const auto burger = [](const std::string& name, const std::string& y) {
+    return "<include><uri>model://burger</uri><name>" + name + "</name><pose>0 " + y +
+           " 0.01 0 0 0</pose></include>";
+  };
+  const auto two = folder.write(
+      "two.sdf", "<sdf version='1.9'><world name='w'><include><uri>model://ground_plane</uri></include>" +
+                     burger("burger", "0") + burger("other", "2") + "</world></sdf>");
+  std::string usual;
+  {
+    OpenedScenes first(kept);
+    first.open(two);
+    usual = first.layoutOf("other");
+    ASSERT_NE(usual, "pioneer-wander");
+    EXPECT_TRUE(first.feed().setLayoutOf("burger", layoutNamed("pioneer-wander")).empty());
+    EXPECT_EQ(first.layoutOf("burger"), "pioneer-wander");
+    EXPECT_EQ(first.layoutOf("other"), usual);
+  }
+  OpenedScenes second(kept);
+  second.open(two);
+  EXPECT_EQ(second.layoutOf("burger"), "pioneer-wander");
+  EXPECT_EQ(second.layoutOf("other"), usual);
+}
+
 }  // namespace
