@@ -21,6 +21,9 @@ std::optional<std::size_t> indexOf(const Devices& devices, const std::string& pa
   return std::nullopt;
 }
 
+/// How the paths of what a sensor truly measures end.
+constexpr std::string_view kTrue = "/true";
+
 auto unknownPort(const std::string& path, const char* what) {
   return robotlink::failure("simulation.unknown-port", "there is no " + std::string(what) + " '" + path + "'",
                             {}, {path});
@@ -81,8 +84,16 @@ const Port* Simulation::port(const std::string& path) const {
   return found == implementation_->portsByPath.end() ? nullptr : &ports[found->second];
 }
 
+std::vector<std::string> Simulation::readablePaths() const {
+  std::vector<std::string> paths;
+  for (const Port& port : ports()) paths.push_back(port.info.path);
+  for (const Port& port : ports()) {
+    if (sensorErrors(port.info.path) != nullptr) paths.push_back(port.info.path + std::string(kTrue));
+  }
+  return paths;
+}
+
 const Port* Simulation::portOfTruth(const std::string& path) const {
-  constexpr std::string_view kTrue = "/true";
   if (!path.ends_with(kTrue)) return nullptr;
   const Port* found = port(path.substr(0, path.size() - kTrue.size()));
   return found != nullptr && sensorErrors(found->info.path) != nullptr ? found : nullptr;

@@ -119,8 +119,7 @@ WorldPorts::WorldPorts(SimulatedWorld& world, const ExternalControllers* externa
 }
 
 std::vector<std::string> WorldPorts::readable() const {
-  std::vector<std::string> names;
-  for (const simcore::Port& port : world_.simulation().ports()) names.push_back(port.info.path);
+  std::vector<std::string> names = world_.simulation().readablePaths();
   if (external_ == nullptr) return names;
   for (const auto* output : external_->outputs()) names.push_back(output->info.path);
   return names;
@@ -157,9 +156,7 @@ robotlink::Result<void> WorldPorts::read(const robotcontrol::ReadPorts& request)
   }
   const auto known = readable();
   for (const std::string& port : request.ports()) {
-    const bool isKnown =
-        std::ranges::find(known, port) != known.end() || world_.simulation().portOfTruth(port) != nullptr;
-    if (!isKnown) {
+    if (std::ranges::find(known, port) == known.end()) {
       return robotlink::failure("simulation.port",
                                 "there is no sensor or actuator " + port + robotlink::suggestion(port, known),
                                 {}, {port});

@@ -102,6 +102,18 @@ TEST_F(WorldPortsTest, whatAFileSaysIsLocatedThere) {
   EXPECT_EQ(friction->element(friction->element_size() - 1), "mu");
 }
 
+TEST_F(WorldPortsTest, aPathOfTheTruthThatIsMisspelledIsGuessed) {
+  for (const auto& [wrong, meant] : {std::pair("red1/psd/tru", "red1/psd/true"),
+                                     std::pair("red1/camera/image/trueth", "red1/camera/image/true"),
+                                     std::pair("red1/true_pos", "red1/true_pose")}) {
+    robotcontrol::ReadPorts read;
+    read.add_ports(wrong);
+    const auto done = ports_.read(read);
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().text, HasSubstr(std::string("did you mean '") + meant + "'?"));
+  }
+}
+
 TEST_F(WorldPortsTest, onlyWhatIsReadIsPublished) {
   EXPECT_TRUE(ports_.isEmpty());
   robotcontrol::ReadPorts read;

@@ -35,10 +35,10 @@ bool isControllerName(const std::string& name) {
 
 Result<void> checkReadable(const simcore::Simulation& simulation, const std::string& path) {
   if (simulation.port(path) != nullptr || simulation.portOfTruth(path) != nullptr) return {};
-  std::vector<std::string> known;
-  for (const Port& each : simulation.ports()) known.push_back(each.info.path);
-  return failure("simulation.port",
-                 "there is no sensor or actuator " + path + robotlink::suggestion(path, known), {}, {path});
+  return failure(
+      "simulation.port",
+      "there is no sensor or actuator " + path + robotlink::suggestion(path, simulation.readablePaths()), {},
+      {path});
 }
 
 /// Unset if its size is impossible.
