@@ -55,14 +55,15 @@ OptionMachine::Option& OptionMachine::option(std::string name, std::string help)
 namespace {
 
 /// The parts between the commas of a text, and what is before and after their first "="; without spaces
-/// around. Parts without it have nothing after it.
+/// around. Parts without it have nothing after it. A text without anything in it has no parts.
 std::vector<std::pair<std::string, std::string>> forcedPairs(const std::string& text) {
   const auto trimmed = [](const std::string& word) {
     const auto first = word.find_first_not_of(' ');
     return first == std::string::npos ? "" : word.substr(first, word.find_last_not_of(' ') - first + 1);
   };
   std::vector<std::pair<std::string, std::string>> pairs;
-  for (std::size_t begin = 0; begin < text.size();) {
+  if (trimmed(text).empty()) return pairs;
+  for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string pair = text.substr(begin, end - begin);
     const std::size_t equal = std::min(pair.find('='), pair.size());
@@ -91,6 +92,7 @@ std::map<std::string, std::string> OptionMachine::forcedStates(const std::string
 
 std::string OptionMachine::wrongWith(const std::string& text) const {
   for (const auto& [option, state] : forcedPairs(text)) {
+    if (option.empty() && state.empty()) return "it has an empty part; write \"OPTION=STATE, OPTION=STATE\"";
     const auto known = std::ranges::find(options_, option, &Option::name_);
     if (known == options_.end())
       return "there is no option '" + option + "'" + robotlink::suggestion(option, namesOf(options_));

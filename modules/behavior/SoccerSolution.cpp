@@ -217,7 +217,7 @@ class Soccer final : public robotlink::Solution {
   }
 
  private:
-  /// Says once what of the states that a person forces does not exist.
+  /// Says once what of the states that a file or a log forces does not exist.
   void checkForced() {
     const std::string& forced = parameters_.control().forced();
     if (forced == forced_) return;
@@ -319,6 +319,16 @@ class Soccer final : public robotlink::Solution {
   double sentAt_ = -1e9;
 };
 
+robotlink::ParameterRules soccerRules() {
+  auto rules = kSoccerTable.rules<Fields>();
+  rules.check = [](const google::protobuf::Message& wanted) -> std::string {
+    const std::string& forced = dynamic_cast<const Fields&>(wanted).control().forced();
+    const std::string wrong = SoccerPlayer({}, {}).machine().wrongWith(forced);
+    return wrong.empty() ? "" : "'control.forced' cannot be \"" + forced + "\": " + wrong;
+  };
+  return rules;
+}
+
 const robotlink::SolutionRegistration kSoccer =
     robotlink::SolutionBuilder<Soccer>(
         "behavior", "soccer",
@@ -345,7 +355,7 @@ const robotlink::SolutionRegistration kSoccer =
         .yields(robotlink::kTeamMessage)
         .keys({&kSoccerStateKey, &kSoccerPlanKey, &kSoccerTeamKey, &kSoccerBidKey, &kSoccerRoleKey,
                &kBehaviorSpeedKey, &kBehaviorWalkKey})
-        .parameters<robotcontrol::SoccerParameters>(kSoccerTable.rules<robotcontrol::SoccerParameters>());
+        .parameters<Fields>(soccerRules());
 
 }  // namespace
 }  // namespace modules

@@ -46,6 +46,8 @@ struct ParameterRules {
   std::function<std::unique_ptr<google::protobuf::Message>(const RobotSetup&)> builtIn = {};
   /// Keyed by the field. Fields that are not listed take any value.
   std::map<ParameterField, ParameterRange> ranges = {};
+  /// Says what else is wrong with a message of parameters whose numbers are in their ranges; empty: nothing.
+  std::function<std::string(const google::protobuf::Message&)> check = {};
 };
 
 // Access to the numbers of a message by their fields: of type double, int32 or uint32.

@@ -64,9 +64,8 @@ std::unique_ptr<pb::Message> copyOf(const pb::Message& message) {
 
 }  // namespace
 
-SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> builtIn,
-                                       std::map<ParameterField, ParameterRange> ranges)
-    : builtIn_(std::move(builtIn)), ranges_(std::move(ranges)) {
+SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> builtIn, const ParameterRules& rules)
+    : builtIn_(std::move(builtIn)), rules_(rules) {
   if (builtIn_ == nullptr) return;
   message_ = copyOf(*builtIn_);
   markSaved();
@@ -76,7 +75,7 @@ SolutionParameters& SolutionParameters::operator=(SolutionParameters&&) noexcept
 SolutionParameters::~SolutionParameters() = default;
 
 SolutionParameters SolutionParameters::clone() const {
-  SolutionParameters result(builtIn_ ? copyOf(*builtIn_) : nullptr, ranges_);
+  SolutionParameters result(builtIn_ ? copyOf(*builtIn_) : nullptr, rules_);
   if (message_) result.message_->CopyFrom(*message_);
   result.defaults_ = defaults_;
   result.file_ = file_;
@@ -88,7 +87,7 @@ tl::expected<SolutionParameters, Errors> SolutionParameters::load(const Solution
                                                                   const RobotSetup& robot) {
   if (solution.parameters == nullptr) return SolutionParameters(nullptr, {});
   const ParameterRules& rules = solution.parameterRules;
-  SolutionParameters loaded(rules.builtIn ? rules.builtIn(robot) : newOf(*solution.parameters), rules.ranges);
+  SolutionParameters loaded(rules.builtIn ? rules.builtIn(robot) : newOf(*solution.parameters), rules);
   const auto file = folder / (solution.task + "." + solution.name + ".textproto");
   if (!folder.empty()) loaded.file_ = file.string();
   std::error_code error;
@@ -123,7 +122,7 @@ void SolutionParameters::apply(const pb::Message& wanted) {
 }
 
 void SolutionParameters::dropUnreasonable(pb::Message& message) const {
-  for (const auto& [field, range] : ranges_) {
+  for (const auto& [field, range] : rules_.ranges) {
     const auto number = numberIn(message, field);
     if (number && !range.has(*number)) clearNumber(message, field);
   }
@@ -150,13 +149,15 @@ Result<std::unique_ptr<pb::Message>> SolutionParameters::parse(const robotcontro
 Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
   const auto parsed = parse(value);
   if (!parsed) return tl::unexpected(parsed.error());
-  for (const auto& [field, range] : ranges_) {
+  for (const auto& [field, range] : rules_.ranges) {
     const auto number = numberIn(**parsed, field);
     if (!number || range.has(*number)) continue;
     const std::string name = nameOf(*message_, field);
     return failure("parameters.range", "'" + name + "' has to be " + range.describe(), {},
                    {name, range.describe()});
   }
+  if (const std::string wrong = rules_.check ? rules_.check(**parsed) : ""; !wrong.empty())
+    return failure("parameters.value", wrong, {}, {wrong});
   apply(**parsed);
   return {};
 }
@@ -179,7 +180,7 @@ void SolutionParameters::describe(robotcontrol::ParameterValues& to) const {
   to.set_file(file_);
   to.mutable_built_in()->set_type(to.value().type());
   builtIn_->SerializeToString(to.mutable_built_in()->mutable_data());
-  for (const auto& [field, range] : ranges_) {
+  for (const auto& [field, range] : rules_.ranges) {
     auto& limits = *to.add_limits();
     limits.set_path(nameOf(*message_, field));
     limits.set_minimum(range.minimum);

@@ -44,7 +44,7 @@ class SolutionParameters {
   const google::protobuf::Message* message() const { return message_.get(); }
   /// Replaces the parameters; what is not set gets its built-in value. Fails without changing anything if
   /// there are none, or if the value has another type, is damaged, or contains a number that is not finite or
-  /// makes no sense, or a text that is not UTF-8.
+  /// makes no sense, or a text that is not UTF-8, or if the solution's own check finds something.
   Result<void> set(const robotcontrol::PackageCopy& value);
   /// The same with a value from a log, which may be older than the rules: a number that makes no sense gets
   /// its built-in value.
@@ -57,8 +57,7 @@ class SolutionParameters {
 
  private:
   /// `builtIn` is null if there are no parameters.
-  SolutionParameters(std::unique_ptr<google::protobuf::Message> builtIn,
-                     std::map<ParameterField, ParameterRange> ranges);
+  SolutionParameters(std::unique_ptr<google::protobuf::Message> builtIn, const ParameterRules& rules);
   /// The value as a message of the right type.
   Result<std::unique_ptr<google::protobuf::Message>> parse(const robotcontrol::PackageCopy& value) const;
   /// Replaces the parameters by what is set in a message, else by the built-in values.
@@ -68,7 +67,7 @@ class SolutionParameters {
 
   /// Null, like message_, if there are no parameters. Its lists are empty.
   std::unique_ptr<google::protobuf::Message> builtIn_;
-  std::map<ParameterField, ParameterRange> ranges_;
+  ParameterRules rules_;
   std::unique_ptr<google::protobuf::Message> message_;
   /// The value when it was loaded or saved, serialized.
   std::string defaults_;

@@ -147,6 +147,9 @@ TEST_F(OptionMachineTest, whatCannotBeForcedIsSaidWithWhatThereIs) {
               testing::AllOf(testing::HasSubstr("act has no state 'fly'"), testing::HasSubstr("give up")));
   EXPECT_THAT(machine_.wrongWith("rest"), testing::HasSubstr("no option 'rest'"));
   EXPECT_THAT(machine_.wrongWith("game"), testing::HasSubstr("no state ''"));
+  for (const char* text : {"game=rest,,act=use", ",game=rest", "game=rest, "})
+    EXPECT_THAT(machine_.wrongWith(text), testing::HasSubstr("an empty part")) << text;
+  EXPECT_EQ(machine_.wrongWith("  "), "");
 }
 
 TEST_F(OptionMachineTest, restartingBeginsWithTheFirstState) {

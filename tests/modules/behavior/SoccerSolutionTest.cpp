@@ -170,6 +170,17 @@ TEST_F(SoccerSolutionTest, aStateIsForcedByAParameter) {
   EXPECT_EQ(option(1), "striker");
 }
 
+TEST_F(SoccerSolutionTest, statesThatThereAreNotCannotBeForced) {
+  const auto& check = robotlink::SolutionRegistry::find("behavior", "soccer")->parameterRules.check;
+  robotcontrol::SoccerParameters parameters;
+  EXPECT_EQ(check(parameters), "");
+  parameters.mutable_control()->set_forced("game=play, playing=goalie");
+  EXPECT_EQ(check(parameters), "");
+  parameters.mutable_control()->set_forced("gam=play");
+  EXPECT_THAT(check(parameters),
+              testing::AllOf(testing::HasSubstr("'control.forced'"), testing::HasSubstr("no option 'gam'")));
+}
+
 TEST_F(SoccerSolutionTest, theFarKickIsPlayedIfTheParametersNameOne) {
   soccer_.parametersAs<robotcontrol::SoccerParameters>().set_far_kick("far");
   EXPECT_EQ(kick(), "far");

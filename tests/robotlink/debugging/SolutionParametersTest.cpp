@@ -72,6 +72,22 @@ TEST_F(SolutionParametersTest, aMistakeInTheFileHasItsPlace) {
   EXPECT_FALSE(load("pose_in_field { y: inf }"));
 }
 
+TEST_F(SolutionParametersTest, aSolutionChecksWhatItIsGiven) {
+  solution_.parameterRules.check = [](const google::protobuf::Message& message) -> std::string {
+    return dynamic_cast<const DriveGoal&>(message).name() == "hell" ? "the way there is paved" : "";
+  };
+  auto parameters = SolutionParameters::load(solution_, {}, {});
+  ASSERT_TRUE(parameters);
+  EXPECT_TRUE(parameters->set(goal(3, "heaven")));
+  auto clone = parameters->clone();
+  for (SolutionParameters* each : {&*parameters, &clone}) {
+    const auto done = each->set(goal(4, "hell"));
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().text, "the way there is paved");
+    EXPECT_EQ(valuesOf(*each).name(), "heaven");
+  }
+}
+
 TEST_F(SolutionParametersTest, aNumberOfTheFileThatMakesNoSenseIsAsBuiltIn) {
   const auto older = load("pose_in_field { x: 0.5 y: 5 }");
   ASSERT_TRUE(older);
