@@ -112,8 +112,13 @@ void comparePoints(const robotcontrol::FieldLinePercepts& percepts, const EdgesA
 
 void compareSegments(const robotcontrol::FieldLinePercepts& percepts, const EdgesAround& edges,
                      const std::vector<Vector2>& seen, PackageErrors& errors) {
-  ErrorQuantity& quantity = errors.quantities["segments"];
-  quantity.unit = "m";
+  constexpr char kSegments[] = "segments";
+  // A solution that never puts points together to segments does not miss any.
+  ErrorCounts& unreported = errors.unreported[kSegments];
+  if (percepts.segments_size() > 0)
+    errors.quantities.try_emplace(kSegments, ErrorQuantity{{}, "m", unreported});
+  const auto quantity = errors.quantities.find(kSegments);
+  ErrorCounts& counts = quantity == errors.quantities.end() ? unreported : quantity->second.own;
   for (const auto& segment : percepts.segments()) {
     const Vector2 start = vector2(segment.start_in_robot()), end = vector2(segment.end_in_robot());
     double sum = 0;
@@ -124,11 +129,11 @@ void compareSegments(const robotcontrol::FieldLinePercepts& percepts, const Edge
       sum += distance;
       isInvented = isInvented || distance > tolerance(place.norm());
     }
-    ++quantity.own.reported;
+    ++counts.reported;
     if (isInvented)
-      ++quantity.own.invented;
+      ++counts.invented;
     else
-      quantity.amounts.add(sum / 3);
+      quantity->second.amounts.add(sum / 3);
   }
   countMissed(
       seen,
@@ -139,7 +144,7 @@ void compareSegments(const robotcontrol::FieldLinePercepts& percepts, const Edge
               least, distanceTo(vector2(segment.start_in_robot()), vector2(segment.end_in_robot()), place));
         return least;
       },
-      quantity.own);
+      counts);
 }
 
 }  // namespace
@@ -149,9 +154,7 @@ void compareLines(const robotcontrol::FieldLinePercepts& percepts, const robotco
   const EdgesAround edges(field, truth);
   const std::vector<Vector2> seen = edges.seen();
   comparePoints(percepts, edges, seen, errors);
-  // A solution that has never put points together to segments does not miss any.
-  if (percepts.segments_size() > 0 || errors.quantities.contains("segments"))
-    compareSegments(percepts, edges, seen, errors);
+  compareSegments(percepts, edges, seen, errors);
 }
 
 }  // namespace robotlink

@@ -12,7 +12,9 @@ namespace robotlink {
 /// The errors of a solution's packages in comparison with the truth.
 struct PackageErrors : ErrorCounts {
   std::map<std::string, ErrorQuantity> quantities;
-  /// The time from the reading that a package is based on until it was published, s of the platform's time.
+  /// The counts of quantities of which nothing was reported yet, and perhaps never is; they are not shown.
+  std::map<std::string, ErrorCounts> unreported;
+  /// From the reading that a package is based on until it was published, s of the platform's time.
   ErrorSamples latency;
   /// The events in progress, by name.
   std::map<std::string, EventErrors> events;

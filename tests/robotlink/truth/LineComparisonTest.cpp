@@ -96,5 +96,17 @@ TEST_F(LineComparisonTest, segmentsHaveCountsOfTheirOwn) {
   EXPECT_EQ(&errors.countsOf(segments), &segments.own);
 }
 
+TEST_F(LineComparisonTest, segmentsAreAlsoMissedBeforeTheFirstOne) {
+  compare();
+  compare();
+  EXPECT_FALSE(errors.quantities.contains("segments")) << "perhaps it never finds any";
+  addSegment({0.9, -0.7}, {0.9, 0.7});
+  compare();
+  const ErrorCounts& counts = errors.quantities.at("segments").own;
+  EXPECT_EQ(counts.there, errors.there);
+  EXPECT_GE(counts.missed, 2 * counts.there / 3);
+  EXPECT_LT(counts.missed, counts.there);
+}
+
 }  // namespace
 }  // namespace robotlink
