@@ -3,7 +3,8 @@
 """Runs an example of a controller that is a program of its own with a simulation, and checks that it steers a robot.
 
 Usage: controllers.py ROBOTCTL EXAMPLES_FOLDER SCENE CONTROLLER...
-{port} and {url} in the controller's arguments are where the simulation is. It has to attach itself as "wander", and to show "nearest".
+{port} and {url} in the controller's arguments are where the simulation is. It has to attach itself as "wander", and to show "nearest". With
+--start it also has to start the simulation, which waits for it.
 """
 import importlib.util
 import pathlib
@@ -61,7 +62,8 @@ def watch(example, port):
 def main():
     robotctl, folder, scene, *controller = sys.argv[1:]
     example = load_example(folder)
-    simulation = subprocess.Popen([robotctl, "sim", scene, "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE,
+    paused = ["--paused"] if "--start" in controller else []
+    simulation = subprocess.Popen([robotctl, "sim", scene, "--listen", "127.0.0.1:0", *paused], stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True)
     started = None
     try:

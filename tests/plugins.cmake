@@ -78,7 +78,7 @@ run(0 ${CMAKE_COMMAND} --build "${WORK_DIR}/controllers")
 run(2 "${WORK_DIR}/controllers/wander")
 expect("wander SERVER ROBOT")
 run(0 ${PYTHON} ${CONTROLLERS} "${prefix}/bin/robotctl" "${prefix}/share/robotcontrol/examples/controllers" "${prefix}/share/robotcontrol/scenes/pioneer.sdf"
-    "${WORK_DIR}/controllers/wander" "{url}" p3at1)
+    "${WORK_DIR}/controllers/wander" "{url}" p3at1 --start)
 expect("the controller steers the robot")
 
 # Those in the user's folder are loaded, others go on without one that fails.
