@@ -9,6 +9,7 @@
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
+#include "simcore/sdf/SdfOwnElements.h"
 #include "simcore/sdf/SdfPaths.h"
 
 namespace simcore {
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMaxConfigBytes = 1U << 20U;
+constexpr std::size_t kMaxConfigBytes = 1U << 20U, kMaxModelBytes = 16U << 20U;
 constexpr const char* kVariables[] = {"GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH",
                                       "GAZEBO_MODEL_PATH"};
 
@@ -50,6 +51,19 @@ fs::path modelIn(const fs::path& folder) {
   }
   const fs::path named = folder / trimmedText(newest);
   return newest != nullptr && !trimmedText(newest).empty() && isPresent(named) ? named : fallback;
+}
+
+/// Whether the first model in a file is a robot of this kind.
+bool describesRobot(const fs::path& file, const std::string& kind) {
+  const auto text = robotlink::readFile(file, kMaxModelBytes);
+  // Most files need not be parsed.
+  if (!text || text->find(kind) == std::string::npos) return false;
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text->data(), text->size()) != tinyxml2::XML_SUCCESS || !document.RootElement())
+    return false;
+  useOwnPrefix(*document.RootElement());
+  const tinyxml2::XMLElement* model = document.RootElement()->FirstChildElement("model");
+  return model != nullptr && childText(*model, "robotcontrol:robot") == kind;
 }
 
 }  // namespace
@@ -112,8 +126,6 @@ std::optional<fs::path> ModelSearch::findModel(const std::string& uri, const fs:
 }
 
 std::optional<fs::path> ModelSearch::findRobot(const std::string& kind) const {
-  constexpr std::size_t kMaxModelBytes = 16U << 20U;
-  const std::string element = "<robotcontrol:robot>" + kind + "<";
   for (const fs::path& folder : folders_) {
     std::vector<fs::path> models;
     std::error_code error;
@@ -121,10 +133,9 @@ std::optional<fs::path> ModelSearch::findRobot(const std::string& kind) const {
       if (entry.is_directory(error)) models.push_back(modelIn(entry.path()));
     }
     std::ranges::sort(models);
-    for (const fs::path& model : models) {
-      const auto text = robotlink::readFile(model, kMaxModelBytes);
-      if (text && text->find(element) != std::string::npos) return resolved(model);
-    }
+    const auto found =
+        std::ranges::find_if(models, [&](const fs::path& model) { return describesRobot(model, kind); });
+    if (found != models.end()) return resolved(*found);
   }
   return std::nullopt;
 }

@@ -84,7 +84,8 @@ void readDoorSensor(const sdf::ElementPtr& element, const std::string& prefix, c
                         "a door with a distance sensor needs <robotcontrol:below>, m: it opens for anything "
                         "nearer");
   }
-  door.below = ownNumber(element, "below", 0, 0, 1000, context);
+  door.below =
+      context.within(element->Get<double>("robotcontrol:below"), 0, 1000, "<robotcontrol:below>", element);
 }
 
 void readDoor(const sdf::ElementPtr& element, const std::string& prefix, const ModelDescription& model,
@@ -99,7 +100,8 @@ void readDoor(const sdf::ElementPtr& element, const std::string& prefix, const M
   }
   DoorDescription door;
   const std::size_t before = context.errors.size();
-  door.open = ownNumber(element, "open", 0, joint.lower, joint.upper, context);
+  door.open = context.within(element->Get<double>("robotcontrol:open"), joint.lower, joint.upper,
+                             "<robotcontrol:open>", element);
   door.closed = ownNumber(element, "closed", joint.initialAngle, joint.lower, joint.upper, context);
   if (context.errors.size() == before && door.open == door.closed) {
     context.fail(element, "scene.door",

@@ -97,7 +97,7 @@ class Checker {
       XMLElement* const next = child->NextSiblingElement();
       const std::string_view name = child->Name();
       if (name.starts_with(kOwnPrefix)) {
-        checkOwn(*child);
+        if (!checkOwn(*child)) element.DeleteChild(child);
       } else if (name.find(':') == std::string_view::npos && !checkChild(*child, element, description)) {
         element.DeleteChild(child);
       }
@@ -297,10 +297,20 @@ class Checker {
     return false;
   }
 
-  void checkOwn(XMLElement& element) {
+  /// Returns whether it stays in the tree.
+  bool checkOwn(XMLElement& element) {
+    bool stays = true;
     const auto problems = problemsOfOwnElement(element);
-    for (const OwnProblem& problem : problems) fail(element, problem.id, problem.text);
+    for (const OwnProblem& problem : problems) {
+      if (problem.canBeLeftOut) {
+        omit(element, tag(element), problem.text.substr(tag(element).size() + 1));
+        stays = false;
+      } else {
+        fail(element, problem.id, problem.text);
+      }
+    }
     if (problems.empty() || problems.front().isKnown) check(element, nullptr);
+    return stays;
   }
 
   const std::string& file_;

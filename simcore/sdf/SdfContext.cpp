@@ -111,6 +111,15 @@ void SdfContext::omit(const sdf::ElementPtr& element, std::string what, std::str
                      std::move(why)});
 }
 
+void SdfContext::omit(const sdf::ElementPtr& element, const std::string& what,
+                      const robotlink::Errors& why) const {
+  const std::string path = pathOf(element), prefix = path + ": ";
+  for (const robotlink::Error& error : why) {
+    const std::size_t begin = error.text.starts_with(prefix) ? prefix.size() : 0;
+    leaveOut(leftOut, {error.where, path, what, error.text.substr(begin)});
+  }
+}
+
 bool SdfContext::take(const sdf::Errors& found, const sdf::ElementPtr& element) const {
   const bool isClear =
       std::ranges::any_of(found, [](const sdf::Error& one) { return !isVague(one); }) ||

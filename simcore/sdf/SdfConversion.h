@@ -55,8 +55,19 @@ struct SdfContext {
   static std::string pathOf(sdf::ElementPtr element);
   /// Adds an error at an element: its file and line, and the path of the object.
   void fail(const sdf::ElementPtr& element, std::string id, std::string text) const;
+  /// Calls `read` with a context whose errors only say why `what` is left out. Returns whether there were
+  /// none.
+  template <typename Read>
+  bool orLeaveOut(const sdf::ElementPtr& element, const std::string& what, Read read) const {
+    robotlink::Errors own;
+    read(reportingTo(own));
+    omit(element, what, own);
+    return own.empty();
+  }
   /// Notes what the simulator does not have, at an element.
   void omit(const sdf::ElementPtr& element, std::string what, std::string why) const;
+  /// The same for each error, at its place.
+  void omit(const sdf::ElementPtr& element, const std::string& what, const robotlink::Errors& why) const;
   /// Adds the errors of libsdformat; returns true if there are none.
   bool take(const sdf::Errors& found, const sdf::ElementPtr& element) const;
   /// Returns `value` if it is in [minimum, maximum]; otherwise adds an error and returns `minimum`. NaN is
@@ -91,8 +102,8 @@ void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const 
 
 /// Reads the lights of a world.
 void readLamps(const sdf::World& world, WorldDescription& result, const SdfContext& context);
-/// Reads the sensors of a link; kinds that this simulator does not know are left out, and so are those of
-/// SDFormat with values that it cannot have.
+/// Reads the sensors of a link; kinds that this simulator does not know are left out, and so are those with
+/// values that they cannot have.
 void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context);
 /// The update_rate of a sensor, Hz, from `slowest` on; the fastest possible one if it is higher, which is
 /// noted.

@@ -7,7 +7,8 @@
 
 namespace simcore {
 
-/// The number in one of our own elements, or `otherwise` if it is missing; `name` is without the namespace.
+/// The number in one of our own elements, or `otherwise` if it is missing, or left out because it is not in
+/// its range; `name` is without the namespace.
 double ownNumber(const sdf::ElementPtr& parent, const char* name, double otherwise, double minimum,
                  double maximum, const SdfContext& context);
 /// The texts of all our own elements of a name.

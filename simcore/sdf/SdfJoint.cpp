@@ -195,13 +195,11 @@ class JointReader {
     result.maximumSpeed = context_.within(axis.MaxVelocity(), 1e-6, 1000, "a servo's <velocity>", element);
     const double most = result.kind == JointKind::kSlider ? 1e6 : 1000;
     result.maximumTorque = context_.within(axis.Effort(), 1e-9, most, "a servo's <effort>", element);
-    const auto number = [&](const char* key) {
-      return servo->HasElement(key) ? servo->Get<double>(key) : 0.0;
-    };
-    result.initialAngle = context_.within(number("robotcontrol:initial_position"), result.lower, result.upper,
+    const double initial = ownNumber(servo, "initial_position", 0, result.lower, result.upper, context_);
+    // Without one it is 0, where that is possible.
+    result.initialAngle = context_.within(initial, result.lower, result.upper,
                                           "initial_position of '" + result.name + "'", servo);
-    const double noise =
-        context_.within(number("robotcontrol:position_noise"), 0, 1, "position_noise", servo);
+    const double noise = ownNumber(servo, "position_noise", 0, 0, 1, context_);
     if (noise > 0) result.positionErrors.noise = {{.stddev = noise}};
   }
 

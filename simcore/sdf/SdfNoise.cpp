@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // readNoise(), readOwnErrors() and our own elements of SdfDevices.h.
+#include <cmath>
+#include <limits>
+
 #include "simcore/sdf/SdfDevices.h"
 
 namespace simcore {
@@ -28,7 +31,12 @@ double ownNumber(const sdf::ElementPtr& parent, const char* name, double otherwi
                  double maximum, const SdfContext& context) {
   const std::string key = std::string("robotcontrol:") + name;
   if (!parent->HasElement(key)) return otherwise;
-  return context.within(parent->Get<double>(key), minimum, maximum, name, parent);
+  const sdf::ElementPtr element = parent->GetElement(key);
+  const auto value = element->Get<double>();
+  const bool isSound = context.orLeaveOut(element, "<" + key + ">", [&](const SdfContext& own) {
+    own.within(value, minimum, maximum, name, element);
+  });
+  return isSound ? value : otherwise;
 }
 
 std::vector<std::string> ownTexts(const sdf::ElementPtr& parent, const char* name) {
@@ -66,8 +74,9 @@ NoiseModel readNoise(const sdf::Noise& noise, double most, const sdf::ElementPtr
 
 void readOwnErrors(const sdf::ElementPtr& element, SensorErrors& errors, const SdfContext& context) {
   for (const OwnNoise& own : kOwnNoise) {
-    if (!element->HasElement(std::string("robotcontrol:") + own.name)) continue;
-    const double value = ownNumber(element, own.name, 0, own.minimum, kMaxNoise, context);
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const double value = ownNumber(element, own.name, kNone, own.minimum, kMaxNoise, context);
+    if (std::isnan(value)) continue;
     if (errors.noise.empty()) errors.noise.emplace_back();
     for (NoiseModel& noise : errors.noise) noise.*own.value = value;
   }

@@ -17,11 +17,13 @@ using tinyxml2::XMLElement;
 
 constexpr std::string_view kOwnUri = "urn:robotcontrol:sdf";
 
-/// Our own element: where it is allowed, and how many numbers it contains (0: text or elements).
+/// One of our own elements: where it is allowed, how many numbers it contains (0: text or elements), and
+/// whether what it is in has no meaning without its value.
 struct OwnElement {
   std::string_view name;
   std::array<std::string_view, 6> parents;
   int numbers = 0;
+  bool needed = false;
 };
 
 // The elements in which errors of a sensor may be described.
@@ -30,7 +32,7 @@ constexpr std::array<std::string_view, 6> kWithErrors = {
 
 constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:robot", {"model", ""}, 0},
-    {"robotcontrol:ball", {"model", ""}, 0},
+    {"robotcontrol:ball", {"model", ""}, 0, true},
     {"robotcontrol:field", {"model", ""}, 0},
     {"robotcontrol:home", {"model", ""}, 3},
     {"robotcontrol:palette", {"model", "world"}, 0},
@@ -68,7 +70,7 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:exposure", {"camera"}, 1},
     {"robotcontrol:readout", {"camera"}, 1},
     {"robotcontrol:class", {"camera", "robotcontrol:facette"}, 0},
-    {"robotcontrol:whisker", {"sensor"}, 1},
+    {"robotcontrol:whisker", {"sensor"}, 1, true},
     {"robotcontrol:switch", {"sensor"}, 0},
     {"robotcontrol:odometry", {"sensor"}, 0},
     {"robotcontrol:battery", {"sensor"}, 0},
@@ -79,8 +81,8 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:idle_power", {"robotcontrol:battery"}, 1},
     {"robotcontrol:efficiency", {"robotcontrol:battery"}, 1},
     {"robotcontrol:facette", {"sensor"}, 0},
-    {"robotcontrol:azimuth", {"robotcontrol:facette"}, 3},
-    {"robotcontrol:elevation", {"robotcontrol:facette"}, 3},
+    {"robotcontrol:azimuth", {"robotcontrol:facette"}, 3, true},
+    {"robotcontrol:elevation", {"robotcontrol:facette"}, 3, true},
     {"robotcontrol:far", {"robotcontrol:facette"}, 1},
     {"robotcontrol:radiation", {"world"}, 0},
     {"robotcontrol:sleeping", {"world"}, 0},
@@ -89,13 +91,13 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:reflects", {"robotcontrol:surface"}, 1},
     {"robotcontrol:emits", {"robotcontrol:surface"}, 1},
     {"robotcontrol:emitter", {"link"}, 0},
-    {"robotcontrol:position", {"robotcontrol:emitter"}, 3},
+    {"robotcontrol:position", {"robotcontrol:emitter"}, 3, true},
     {"robotcontrol:attenuation", {"robotcontrol:emitter"}, 1},
-    {"robotcontrol:intensity", {"robotcontrol:emitter", "light"}, 1},
+    {"robotcontrol:intensity", {"robotcontrol:emitter", "light"}, 1, true},
     {"robotcontrol:door", {"joint"}, 0},
-    {"robotcontrol:open", {"robotcontrol:door"}, 1},
+    {"robotcontrol:open", {"robotcontrol:door"}, 1, true},
     {"robotcontrol:closed", {"robotcontrol:door"}, 1},
-    {"robotcontrol:below", {"robotcontrol:door"}, 1},
+    {"robotcontrol:below", {"robotcontrol:door"}, 1, true},
     {"robotcontrol:seconds", {"robotcontrol:door"}, 1},
     {"robotcontrol:controller", {"model", "world"}, 0},
     {"robotcontrol:parameter", {"robotcontrol:controller"}, 0},
@@ -115,7 +117,7 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:drive", {"model", ""}, 0},
     {"robotcontrol:left", {"robotcontrol:drive", ""}, 0},
     {"robotcontrol:right", {"robotcontrol:drive", ""}, 0},
-    {"robotcontrol:track", {"robotcontrol:drive", "robotcontrol:guided", "robotcontrol:vehicle"}, 1},
+    {"robotcontrol:track", {"robotcontrol:drive", "robotcontrol:guided", "robotcontrol:vehicle"}, 1, true},
     {"robotcontrol:idle_torque", {"robotcontrol:drive", "robotcontrol:vehicle"}, 1},
     {"robotcontrol:vehicle", {"model"}, 0},
     {"robotcontrol:wheel", {"robotcontrol:vehicle"}, 0},
@@ -183,13 +185,14 @@ std::vector<OwnProblem> problemsOfOwnElement(const XMLElement& element) {
   if (numbers > 0 && (values.size() != numbers || !std::ranges::all_of(values, isFiniteNumber))) {
     const std::string count =
         numbers == 1 ? "one finite number" : std::to_string(numbers) + " finite numbers";
-    problems.push_back({"scene.value", "<" + name + "> must be " + count});
+    problems.push_back({"scene.value", "<" + name + "> must be " + count, true, !known->needed});
   }
   const auto help = ownSdfElement(name, parent);
   if (!help) return problems;
   if (help->type == "bool" && (values.size() != 1 || !isBool(values[0]))) {
-    problems.push_back(
-        {"scene.value", "<" + name + "> must be true or false, not '" + trimmedText(&element) + "'"});
+    problems.push_back({"scene.value",
+                        "<" + name + "> must be true or false, not '" + trimmedText(&element) + "'", true,
+                        !known->needed});
   }
   if (std::string text = unknownAttribute(element, *help); !text.empty())
     problems.push_back({"scene.unknown-attribute", std::move(text)});

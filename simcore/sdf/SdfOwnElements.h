@@ -25,6 +25,8 @@ struct OwnProblem {
   std::string text;
   /// Whether the element has a meaning where it is.
   bool isKnown = true;
+  /// Whether it can be left out, since what it is in has a meaning without it.
+  bool canBeLeftOut = false;
 };
 
 /// Checks one of our own elements, but not what is in it: its place, its attributes, its value, and whether

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/physics/shapes/LumpedLink.h"
 #include "simcore/sdf/SdfDevices.h"
 #include "simcore/sdf/SdfUnsupported.h"
 
@@ -145,46 +146,43 @@ bool readByType(const sdf::Sensor& sensor, const LinkDescription& link, SensorDe
   return true;
 }
 
-/// Whether something of ours is written in an element.
-bool hasOwn(const sdf::ElementPtr& element) {
-  for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
-    if (child->GetName().starts_with("robotcontrol:") || hasOwn(child)) return true;
-  }
-  return false;
-}
-
-/// Calls `read`. A problem with a standard sensor of SDFormat only leaves that sensor out; our own sensors
-/// have to be right. Returns false if it is left out.
+/// Calls `read`, which says whether there is such a sensor; what is wrong with it leaves only that sensor
+/// out. Returns false if it is left out.
 template <typename Read>
 bool readOrLeaveOut(const sdf::Sensor& sensor, const SdfContext& context, Read read) {
-  const sdf::ElementPtr element = sensor.Element();
-  if (hasOwn(element)) return read(context);
-  robotlink::Errors errors;
-  const bool isRead = read(context.reportingTo(errors));
-  const std::string path = SdfContext::pathOf(element), prefix = path + ": ";
-  for (robotlink::Error& error : errors) {
-    if (error.text.starts_with(prefix)) error.text.erase(0, prefix.size());
-    leaveOut(context.leftOut, {error.where, path, "sensor '" + sensor.Name() + "'", std::move(error.text)});
-  }
-  return isRead && errors.empty();
+  bool isRead = false;
+  const bool isSound = context.orLeaveOut(sensor.Element(), "sensor '" + sensor.Name() + "'",
+                                          [&](const SdfContext& own) { isRead = read(own); });
+  return isRead && isSound;
 }
 
-void readForceTorque(const sdf::Sensor& sensor, int joint, ModelDescription& model,
-                     const SdfContext& context) {
+/// Whether the forces in a joint are those between two bodies; a model with a drive is moved as one body
+/// where it follows its odometry.
+bool isMeasurable(const JointDescription& joint, const ModelDescription& model) {
+  return joint.kind == JointDescription::Kind::kFixed && !model.drive;
+}
+
+/// `bodies`: the rigidParts() of the model.
+void readForceTorque(const sdf::Sensor& sensor, int joint, const std::vector<int>& bodies,
+                     ModelDescription& model, const SdfContext& context) {
   const sdf::ElementPtr element = sensor.Element();
   JointDescription& of = model.joints[static_cast<std::size_t>(joint)];
   if (sensor.ForceTorqueSensor() == nullptr) {
     return context.omit(element, "sensor of type '" + sensor.TypeStr() + "'",
                         "joints only support force_torque sensors");
   }
-  // A model with a drive is moved as one body where it follows its odometry.
-  const bool isFixed = of.kind == JointDescription::Kind::kFixed && !model.drive;
+  const std::string what = "force_torque sensor '" + sensor.Name() + "'";
+  const bool isFixed = isMeasurable(of, model);
   if (!of.hasPosition() && !isFixed) {
-    return context.omit(element, "force_torque sensor '" + sensor.Name() + "'",
+    return context.omit(element, what,
                         "only revolute, continuous and prismatic joints that are not wheels have one, and "
                         "fixed ones of models without a drive");
   }
-  of.isMeasured = isFixed;
+  const auto bodyOf = [&](int link) { return bodies[static_cast<std::size_t>(link)]; };
+  if (isFixed && of.parent >= 0 && bodyOf(of.parent) == bodyOf(of.child)) {
+    of.isMeasured = false;
+    return context.omit(element, what, "other fixed joints connect the links of its joint as well");
+  }
   const sdf::ForceTorque& meter = *sensor.ForceTorqueSensor();
   if (meter.Frame() != sdf::ForceTorqueFrame::CHILD) {
     context.omit(element, "<frame> of a force_torque sensor", "it measures in the frame of the child");
@@ -233,11 +231,18 @@ void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, 
 }
 
 void readJointSensors(const sdf::Model& source, ModelDescription& model, const SdfContext& context) {
+  std::vector<std::pair<int, const sdf::Sensor*>> sensors;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const sdf::Joint* joint = source.JointByName(model.joints[i].name);
-    for (std::uint64_t s = 0; joint != nullptr && s < joint->SensorCount(); ++s)
-      readForceTorque(*joint->SensorByIndex(s), static_cast<int>(i), model, context);
+    for (std::uint64_t s = 0; joint != nullptr && s < joint->SensorCount(); ++s) {
+      sensors.emplace_back(static_cast<int>(i), joint->SensorByIndex(s));
+      model.joints[i].isMeasured |=
+          isMeasurable(model.joints[i], model) && joint->SensorByIndex(s)->ForceTorqueSensor() != nullptr;
+    }
   }
+  if (sensors.empty()) return;
+  const std::vector<int> bodies = rigidParts(model);
+  for (const auto& [joint, sensor] : sensors) readForceTorque(*sensor, joint, bodies, model, context);
 }
 
 }  // namespace simcore

@@ -252,6 +252,21 @@ TEST(SensorsTest, sensorsThatAreNotKnownAreLeftOut) {
   }
 }
 
+TEST(SensorsTest, aForceBetweenLinksThatAreOneBodyAnywayIsLeftOut) {
+  const auto simulation = cartWith(
+      "", R"(<link name="arm"><pose>0 0 1 0 0 0</pose></link><link name="hand"><pose>0 0 2 0 0 0</pose></link>
+      <joint name="mount" type="fixed"><parent>base</parent><child>arm</child><sensor name="wrist" type="force_torque"/></joint>
+      <joint name="rod" type="fixed"><parent>arm</parent><child>hand</child></joint>
+      <joint name="brace" type="fixed"><parent>base</parent><child>hand</child></joint>)");
+  ASSERT_TRUE(simulation);
+  EXPECT_EQ(simulation->port("cart/wrist"), nullptr);
+  const auto& left = simulation->scene().leftOut();
+  const auto wrist = std::ranges::find(left, "force_torque sensor 'wrist'", &LeftOut::what);
+  ASSERT_NE(wrist, left.end());
+  EXPECT_EQ(wrist->why, "other fixed joints connect the links of its joint as well");
+  EXPECT_GT(wrist->where.line, 1);
+}
+
 TEST(SensorsTest, sensorsOfOneNameInSeveralLinksAreNamedAfterThem) {
   const auto simulation = cartWith("<sensor name='imu' type='imu'/>", R"(<link name="arm">
       <pose>0 0 1 0 0 0</pose><sensor name="imu" type="imu"/><sensor name="gps" type="navsat"/></link>
@@ -289,17 +304,27 @@ TEST(SensorsTest, aStaticModelLooksAround) {
   }));
 }
 
-TEST(SensorsTest, wrongDescriptionsAreErrorsWithTheirLines) {
+TEST(SensorsTest, whatIsWrongOfSensorsIsLeftOutWithItsLine) {
   const SceneFolder folder;
-  const auto errorsOf = [&](const std::string& sensor) {
-    return folder.errorsOf(worldAround("<model name='m'><link name='l'>\n" + sensor + "</link></model>"));
+  const auto leftOutOf = [&](const std::string& sensor) {
+    const auto scene = Scene::load(folder.write(
+        "world.sdf", worldAround("<model name='m'><link name='l'>\n" + sensor + "</link></model>")));
+    EXPECT_TRUE(scene) << (scene ? "" : describe(scene.error()));
+    const LeftOuts left = scene ? (*scene)->leftOut() : LeftOuts();
+    EXPECT_EQ(left.size(), 1U);
+    return left.empty() ? LeftOut() : left[0];
   };
-  EXPECT_NE(errorsOf("<sensor name='s' type='custom'><robotcontrol:odometry/><robotcontrol:dropout>2"
-                     "</robotcontrol:dropout></sensor>")
-                .find("dropout must be between 0 and 1"),
-            std::string::npos);
-  EXPECT_NE(errorsOf("<sensor name='s' type='custom'><robotcontrol:facette/></sensor>").find("azimuth"),
-            std::string::npos);
+  const LeftOut dropout = leftOutOf(
+      "<sensor name='s' "
+      "type='custom'><robotcontrol:odometry/>\n<robotcontrol:dropout>2</robotcontrol:dropout>"
+      "</sensor>");
+  EXPECT_EQ(dropout.what, "<robotcontrol:dropout>");
+  EXPECT_EQ(dropout.why, "dropout must be between 0 and 1, not 2");
+  EXPECT_EQ(dropout.where.line, 5);
+  EXPECT_EQ(dropout.object, "m/l/s");
+  const LeftOut facette = leftOutOf("<sensor name='s' type='custom'><robotcontrol:facette/></sensor>");
+  EXPECT_EQ(facette.what, "sensor 's'");
+  EXPECT_NE(facette.why.find("azimuth"), std::string::npos);
 }
 
 }  // namespace

@@ -26,14 +26,13 @@ class DriveReader {
     readController();
     drive_.left = wheels("robotcontrol:left");
     drive_.right = wheels("robotcontrol:right");
-    drive_.track = context_.within(number("robotcontrol:track"), 0.01, 10, "a drive's track", element_);
+    drive_.track = context_.within(track(), 0.01, 10, "a drive's track", element_);
     if (drive_.left.empty() || drive_.right.empty()) {
       return fail("scene.drive",
                   "a drive needs a wheel on each side: <robotcontrol:left>, <robotcontrol:right>");
     }
     if (model_.isStatic) return fail("scene.drive", "a static model has no drive");
-    const double idleTorque =
-        context_.within(number("robotcontrol:idle_torque"), 0, 1000, "idle_torque", element_);
+    const double idleTorque = ownNumber(element_, "idle_torque", 0, 0, 1000, context_);
     if (!readJointLimits()) return;
     drive_.idleForce = idleTorque / drive_.wheelRadius;
     model_.drive = drive_;
@@ -57,7 +56,10 @@ class DriveReader {
     fail("scene.drive", "a drive has the controller 'arcos' or 'none', not '" + controller + "'");
   }
 
-  double number(const char* key) const { return element_->HasElement(key) ? element_->Get<double>(key) : 0; }
+  double track() const {
+    constexpr char kTrack[] = "robotcontrol:track";
+    return element_->HasElement(kTrack) ? element_->Get<double>(kTrack) : 0;
+  }
 
   std::vector<int> wheels(const char* key) const {
     std::vector<int> joints;

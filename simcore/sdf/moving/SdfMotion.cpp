@@ -16,10 +16,14 @@ void readThree(const sdf::ElementPtr& parent, const char* name, double minimum, 
   if (!parent->HasElement(key)) return;
   const sdf::ElementPtr element = parent->GetElement(key);
   std::istringstream stream(element->Get<std::string>());
-  for (double& value : values) {
-    stream >> value;
-    value = context.within(value, minimum, maximum, name, element);
-  }
+  std::array<double, 3> read{};
+  const bool isSound = context.orLeaveOut(element, "<" + key + ">", [&](const SdfContext& own) {
+    for (double& value : read) {
+      stream >> value;
+      own.within(value, minimum, maximum, name, element);
+    }
+  });
+  if (isSound) values = read;
 }
 
 }  // namespace

@@ -103,11 +103,19 @@ TEST_F(ModelSearchTest, aFileIsAModelItselfAndAFolderWithoutOneIsNone) {
 }
 
 TEST_F(ModelSearchTest, robotsAreFoundByTheirKind) {
-  write("scenes/models/b/model.sdf", "<robotcontrol:robot>rover</robotcontrol:robot>");
-  write("scenes/models/a/model.sdf", "<robotcontrol:robot>rover2</robotcontrol:robot>");
+  const auto robot = [&](const std::string& folder, const std::string& prefix, const std::string& kind) {
+    write("scenes/models/" + folder + "/model.sdf",
+          "<sdf version='1.9' xmlns:" + prefix + "='urn:robotcontrol:sdf'><model name='m'><" + prefix +
+              ":robot> " + kind + " </" + prefix + ":robot></model></sdf>");
+  };
+  robot("b", "robotcontrol", "rover");
+  robot("a", "robotcontrol", "rover2");
+  robot("c", "rc", "lander");
+  write("scenes/models/aa/model.sdf", "<sdf><!-- <robotcontrol:robot>rover</robotcontrol:robot> --></sdf>");
   const ModelSearch search(scene_);
   EXPECT_EQ(found(search.findRobot("rover")), "scenes/models/b/model.sdf");
   EXPECT_EQ(found(search.findRobot("rover2")), "scenes/models/a/model.sdf");
+  EXPECT_EQ(found(search.findRobot("lander")), "scenes/models/c/model.sdf") << "whatever its prefix is";
   EXPECT_FALSE(search.findRobot("rove"));
   // Those that are shipped are found in the end.
   const auto shipped = search.findRobot("ers210");

@@ -98,10 +98,17 @@ TEST_F(WorldSizeTest, anImageHasNoMoreNumbersThanTheLargestCameraHasPixels) {
       text += "<robotcontrol:class>c" + std::to_string(i) + "</robotcontrol:class>";
     return worldAround(text + "</robotcontrol:facette></sensor></link></model>");
   };
-  EXPECT_EQ(folder_.errorsOf(facettes(4096, 4)), "");
-  EXPECT_THAT(
-      folder_.errorsOf(facettes(4096, 5)),
-      HasSubstr("eye/l/s: an image's width times its height times its classes must be between 0 and"));
+  const auto leftOutOf = [&](int size, int classes) {
+    const auto scene = Scene::load(folder_.write("world.sdf", facettes(size, classes)));
+    EXPECT_TRUE(scene);
+    return scene ? (*scene)->leftOut() : LeftOuts();
+  };
+  EXPECT_TRUE(leftOutOf(4096, 4).empty());
+  const LeftOuts left = leftOutOf(4096, 5);
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].what, "sensor 's'");
+  EXPECT_THAT(left[0].why,
+              HasSubstr("an image's width times its height times its classes must be between 0 and"));
 }
 
 TEST_F(WorldSizeTest, anImageTakesMemoryOnlyWhereItIsMeasured) {
