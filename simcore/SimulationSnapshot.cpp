@@ -232,7 +232,7 @@ robotlink::Result<std::vector<std::string>> Simulation::restoreInEdited(const Sn
       std::exchange(implementation_, std::make_unique<Implementation>(snapshot.of, implementation_->options));
   auto before = std::move(before_);
   startControllers();
-  // What was added since then goes on as it is.
+  // Models added since then continue as they are.
   Continuation how{.otherPorts = true};
   for (std::size_t i = 0; i < present->world.models.size(); ++i) {
     const ModelInstance& model = present->world.models[i];

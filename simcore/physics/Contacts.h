@@ -31,13 +31,13 @@ Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note = NoteTouches:
 struct OverlappingPair {
   OdeGeom* first = nullptr;
   OdeGeom* second = nullptr;
-  /// That share of the normal of their first contact.
+  /// The vertical share of the normal of their first contact.
   double upward = 0;
   /// How deep they are in the way of each other, m.
   double depth = 0;
 };
 
-/// What the solids of a model that follows overlap. For what travels, floors and ramps are not in the way. If
+/// The overlaps of the solids of a kinematic model. For what travels, floors and ramps are not in the way. If
 /// it pushes, models that can be moved are in the way only where they are squeezed.
 std::vector<OverlappingPair> pairsInWay(OdeWorld& ode, const OdeFollower& follower);
 

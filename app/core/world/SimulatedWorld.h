@@ -183,7 +183,7 @@ class SimulatedWorld {
   /// Discards what was measured or rendered of the world before a jump; the clock continues.
   void settleAfterJump();
   struct Kept;
-  /// What was set for a camera.
+  /// The settings of a camera.
   struct KeptCamera {
     CameraSetting setting;
     bool errorsChosen = false;

@@ -12,7 +12,7 @@ class Simulation;
 
 namespace app {
 
-/// What has truly happened to the body of a simulated robot at the present step, as the oracle tells it. It
+/// The true events of a simulated robot's body at the present step, as the oracle reports them. It
 /// is picked up while nothing touches it and it is more than 10 mm above what is below it, and has fallen
 /// while it is tilted by more than 45 degrees. What of it touches anything but a floor and the ball has
 /// collided: a leg by its name ("front left"), any other part by that of its link. The time and the duration

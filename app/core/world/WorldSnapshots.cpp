@@ -103,14 +103,14 @@ void SimulatedWorld::restoreKept(const Kept& kept, const simcore::Scene* of) {
     cameraSettings_[index] = camera.setting;
     cameraErrorsChosen_[index] = camera.errorsChosen;
   }
-  // What was held after the snapshot is not held in it, but for models that were added since then.
+  // Actuators held after the snapshot are released, except those of models added since then.
   auto before = std::exchange(held_, {}).all();
   if (of != nullptr) {
     for (const auto& model : of->models())
       std::erase_if(before, [&](const auto& held) { return held.second.model == model.name; });
     for (const auto& [port, held] : before) (void)held_.hold(*simulation_, port, held.values);
   }
-  // What cannot be held any more need not be.
+  // Actuators that no longer exist are skipped.
   for (const auto& [port, values] : kept.held) (void)held_.hold(*simulation_, port, values);
 }
 
