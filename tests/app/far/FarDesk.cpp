@@ -18,11 +18,6 @@ W* shown(QWidget& window, const char* name) {
   return found != nullptr && found->isVisible() ? found : nullptr;
 }
 
-template <typename Condition>
-bool comes(Condition condition) {
-  return QTest::qWaitFor(condition, kWaitMs);
-}
-
 }  // namespace
 
 QString FarDesk::meet(const FarRobot& robot) {

@@ -296,8 +296,7 @@ class ColorGuiTest : public WindowTest {
         if (!desk.workbench.commands().runLine("simulation.step")) return false;
       }
       const double after = before + kSteps * 0.008 - 1e-6;
-      if (!QTest::qWaitFor([&] { return desk.window.tick(), desk.status()->time() >= after; }, kWaitMs))
-        return false;
+      if (!comes([&] { return desk.window.tick(), desk.status()->time() >= after; })) return false;
     }
     return condition();
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAction>
+#include <QDeadlineTimer>
 #include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
@@ -28,6 +29,20 @@ using widgets::test::find;
 
 /// Maximum time to wait for a condition, also on a machine that does much else.
 constexpr int kWaitMs = 60'000;
+
+/// Waits until a condition holds; false if it never does. QTest::qWaitFor() looks only when no event is left,
+/// which on a busy machine, where each tick of a window takes longer than the next one is away, is at the
+/// end.
+template <typename Condition>
+bool comes(Condition condition) {
+  constexpr int kBetweenLooksMs = 10;
+  const QDeadlineTimer end(kWaitMs);
+  while (!condition()) {
+    if (end.hasExpired()) return false;
+    QTest::qWait(kBetweenLooksMs);
+  }
+  return true;
+}
 
 /// A workbench with its window and a settings folder of its own, with functions for what a user does.
 /// Destroying it and creating another one with the same folder is a restart.

@@ -31,13 +31,13 @@ struct ExportDesk : Desk {
   /// Runs the simulation for a while, then pauses it.
   void play(double until) {
     click("simulation.start");
-    if (!QTest::qWaitFor([&] { return status() != nullptr && status()->time() > until; }, kWaitMs))
+    if (!comes([&] { return status() != nullptr && status()->time() > until; }))
       qFatal("the simulation does not run");
     click("simulation.pause");
   }
   /// Waits for the end of the export.
   bool finishes() {
-    return QTest::qWaitFor([this] { return find<QToolButton>("exportDismiss").isVisible(); }, kWaitMs);
+    return comes([this] { return find<QToolButton>("exportDismiss").isVisible(); });
   }
   widgets::View& view(const char* dock) {
     return *static_cast<widgets::View*>(window.docks().named(QLatin1String(dock))->widget());

@@ -44,7 +44,7 @@ class LetGo {
   ~LetGo() {
     StuckSolution::release();
     const auto nothingIsLeft = [] { return abandonedCount() == 0; };
-    if (!QTest::qWaitFor(nothingIsLeft, kWaitMs)) QTest::qFail("modules still hang", __FILE__, __LINE__);
+    if (!comes(nothingIsLeft)) QTest::qFail("modules still hang", __FILE__, __LINE__);
   }
 };
 

@@ -22,15 +22,14 @@ class PausedDesk : public EmptyDesk {
     RunOptions options = defaultSimulation();
     options.scene = sceneNamed(scene);
     workbench.open(SimulationFeed::opening(options));
-    if (!QTest::qWaitFor([&] { return loaded(); }, kWaitMs)) return false;
+    if (!comes([&] { return loaded(); })) return false;
     for (const char* robot : {"red1", "blue1"}) {
       if (!first.empty() && !(run(std::string("robot.select ") + robot) && run(first))) return false;
     }
     if (!run("simulation.start")) return false;
     const auto now = [&] { return robotlink::seconds(workbench.session().timeline().newest()); };
-    if (!QTest::qWaitFor([&] { return now() > seconds; }, kWaitMs)) return false;
-    return run("simulation.pause") &&
-           QTest::qWaitFor([&] { return status() != nullptr && !status()->running(); }, kWaitMs);
+    if (!comes([&] { return now() > seconds; })) return false;
+    return run("simulation.pause") && comes([&] { return status() != nullptr && !status()->running(); });
   }
   widgets::View* open(const char* id) {
     ads::CDockWidget* dock = window.docks().open(QLatin1String(id));
@@ -103,7 +102,7 @@ class PausedViewsGuiTest : public WindowTest {
     for (int i = 0; i < views.size(); ++i) {
       widgets::View* view = desk.open(qPrintable(views[i]));
       const auto isThere = [&] { return view->numbers().value_or(QString()).contains(texts[i]); };
-      QVERIFY2(QTest::qWaitFor(isThere, kWaitMs), qPrintable(views[i]));
+      QVERIFY2(comes(isThere), qPrintable(views[i]));
       QVERIFY2(hints(*view).isEmpty(), qPrintable(views[i] + hints(*view).join(QLatin1Char(' '))));
     }
     QVERIFY(!desk.status()->running());

@@ -52,6 +52,15 @@ struct RoomDesk : Desk {
     return found == all->objects().end() ? nullptr : &*found;
   }
   bool has(const std::string& path) { return object(path) != nullptr; }
+  /// The value of a property of the selected object in the view Properties; invalid: it has none.
+  QModelIndex property(const QString& title) {
+    const auto& model = *find<QTableView>("propertiesTable").model();
+    for (int row = 0; row < model.rowCount(); ++row) {
+      const QModelIndex name = model.index(row, widgets::PropertiesModel::kName);
+      if (name.data().toString() == title) return name.siblingAtColumn(widgets::PropertiesModel::kValue);
+    }
+    return {};
+  }
   std::string saved() const { return robotlink::readFile(file).value_or(""); }
   widgets::SceneBench& bench() { return *window.context().scenes; }
 
@@ -202,14 +211,7 @@ class SceneHandsGuiTest : public WindowTest {
     QCOMPARE(desk.run("view.show scene-properties"), QString());
     widgets::sceneSelection(desk.window.context()).select("ball/link:body");
     auto& table = desk.find<QTableView>("propertiesTable");
-    const auto mass = [&]() -> QModelIndex {
-      for (int row = 0; row < table.model()->rowCount(); ++row) {
-        const QModelIndex name = table.model()->index(row, widgets::PropertiesModel::kName);
-        if (name.data().toString() == QStringLiteral("mass"))
-          return name.siblingAtColumn(widgets::PropertiesModel::kValue);
-      }
-      return {};
-    };
+    const auto mass = [&desk] { return desk.property(QStringLiteral("mass")); };
     QTRY_VERIFY_WITH_TIMEOUT(mass().isValid(), kWaitMs);
     QCOMPARE(mass().data().toString(), QStringLiteral("0.3"));
     QVERIFY(!table.model()->setData(mass(), QStringLiteral("-3")));
@@ -222,6 +224,25 @@ class SceneHandsGuiTest : public WindowTest {
     QVERIFY(desk.saved().find("<mass>0.7</mass>") == std::string::npos);
     desk.find<QAction>("propertiesSaveAction").trigger();
     QVERIFY(desk.saved().find("<mass>0.7</mass>") != std::string::npos);
+  }
+
+  void whereALampIsIsAPropertyThatIsUndone() {
+    RoomDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("light:lamp"), kWaitMs);
+    QCOMPARE(desk.run("view.show scene-properties"), QString());
+    widgets::sceneSelection(desk.window.context()).select("light:lamp");
+    const auto place = [&desk] { return desk.property(QStringLiteral("place at the start")); };
+    QTRY_VERIFY_WITH_TIMEOUT(place().isValid(), kWaitMs);
+    auto& model = *desk.find<QTableView>("propertiesTable").model();
+    QVERIFY(model.setData(place(), QStringLiteral("1 1 3 0 0 0.5")));
+    const auto isThere = [&] {
+      const auto* lamp = desk.object("light:lamp");
+      return lamp != nullptr && lamp->pose_in_frame().position().x() == 1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isThere(), kWaitMs);
+    QVERIFY(desk.object("light:lamp")->pose_in_frame().orientation().z() > 0.2);
+    QVERIFY(widgets::sceneEdits(desk.window.context()).undo().has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(!isThere(), kWaitMs);
   }
 
   void lampsAndWallsAreMovedInTheText() {

@@ -33,12 +33,9 @@ struct ScenesDesk : Desk {
   bool open(const char* name) {
     const auto before = workbench.loaded() == nullptr ? std::string() : workbench.loaded()->sources.front();
     if (!run((std::string("simulation.open ") + name).c_str()).isEmpty()) return false;
-    return QTest::qWaitFor(
-        [&] {
-          return workbench.loaded() != nullptr && workbench.loaded()->sources.front() != before &&
-                 hasObjects();
-        },
-        20000);
+    return comes([&] {
+      return workbench.loaded() != nullptr && workbench.loaded()->sources.front() != before && hasObjects();
+    });
   }
 };
 
