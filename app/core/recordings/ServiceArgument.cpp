@@ -60,7 +60,7 @@ robotlink::Result<json> argumentOfCall(const std::string& name, const std::vecto
     const auto member = std::ranges::find(members, key, &ArgumentMember::name);
     if (member == members.end()) return wrong(name + " takes no " + jsonMessage(json(key)));
     if (member->isNumber ? value.is_number_unsigned() : value.is_string()) continue;
-    return wrong("'" + key + "' of " + name + " is no " + (member->isNumber ? "whole number" : "text"));
+    return wrong("'" + key + "' of " + name + " is not a " + (member->isNumber ? "whole number" : "text"));
   }
   return argument;
 }

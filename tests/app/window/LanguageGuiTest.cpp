@@ -63,7 +63,7 @@ class LanguageGuiTest : public WindowTest {
     {
       EmptyDesk desk(home);
       desk.choose("language.de");
-      QVERIFY(desk.window.statusBar()->currentMessage().contains(QStringLiteral("next start")));
+      QVERIFY(desk.window.statusBar()->currentMessage().contains(QStringLiteral("Restart")));
       desk.window.keep();
       QCOMPARE(savedLanguage(home / "window.json"), Language::kGerman);
     }

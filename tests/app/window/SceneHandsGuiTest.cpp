@@ -231,7 +231,7 @@ class SceneHandsGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.has("light:lamp"), kWaitMs);
     QCOMPARE(desk.run("view.show scene-properties"), QString());
     widgets::sceneSelection(desk.window.context()).select("light:lamp");
-    const auto place = [&desk] { return desk.property(QStringLiteral("place at the start")); };
+    const auto place = [&desk] { return desk.property(QStringLiteral("initial position")); };
     QTRY_VERIFY_WITH_TIMEOUT(place().isValid(), kWaitMs);
     auto& model = *desk.find<QTableView>("propertiesTable").model();
     QVERIFY(model.setData(place(), QStringLiteral("1 1 3 0 0 0.5")));

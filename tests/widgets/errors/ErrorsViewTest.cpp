@@ -97,7 +97,7 @@ class ErrorsViewTest : public QObject {
     Wrong bench;
     bench.push("red1/tables/keys", robotcontrol::KeyTable(), 1);
     bench.settle();
-    QVERIFY2(bench.hint().contains(QStringLiteral("Nobody knows the truth")), qPrintable(bench.hint()));
+    QVERIFY2(bench.hint().contains(QStringLiteral("no ground truth")), qPrintable(bench.hint()));
     QVERIFY(!child<QToolButton>(*bench.view, "errorsReset").isEnabled());
     bench.session.setRobots({});
     bench.settle();

@@ -212,7 +212,7 @@ class JointsViewTest : public QObject {
     bench.push("/rosout", foxglove::Log(), ++bench.time);
     auto view = bench.open<JointsView>();
     const auto& hint = child<QLabel>(child<QTableView>(*view, "jointsTable"), "emptyHint");
-    QVERIFY2(hint.text().contains(QStringLiteral("no joints in this log")), qPrintable(hint.text()));
+    QVERIFY2(hint.text().contains(QStringLiteral("no joints up to this time")), qPrintable(hint.text()));
   }
 
   void commandsTurnJointsWithinTheirLimits() {

@@ -203,7 +203,7 @@ class RobotsViewTest : public QObject {
     Team team(std::vector<std::string>{});
     team.push("/rosout", foxglove::Log(), 1);
     team.tick(*team.view);
-    QVERIFY(child<QLabel>(*team.view, "emptyHint").text().contains(QStringLiteral("no robot of ours")));
+    QVERIFY(child<QLabel>(*team.view, "emptyHint").text().contains(QStringLiteral("without a description")));
   }
 
   void withoutRobotsItSaysWhatToDo() {

@@ -112,7 +112,7 @@ class FoundRobotsGuiTest : public WindowTest {
     desk.choose("remote.connect");
     auto& list = desk.list("remoteDialog");
     QTRY_COMPARE_WITH_TIMEOUT(list.topLevelItemCount(), 2, kWaitMs);
-    QVERIFY(list.topLevelItem(0)->text(2).contains(QStringLiteral("only the body")));
+    QVERIFY(list.topLevelItem(0)->text(2).contains(QStringLiteral("body only")));
     desk.clickRow(list, 0);
     QCOMPARE(desk.find<QComboBox>("remoteProgram").currentIndex(), 1);
     desk.clickRow(list, 1);

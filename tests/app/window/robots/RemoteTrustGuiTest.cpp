@@ -137,7 +137,7 @@ class RemoteTrustGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(bench.find<QDialog>("trustDialog") != nullptr, kWaitMs);
     bench.press("trustAccept");
     QTRY_VERIFY_WITH_TIMEOUT(bench.find<QDialog>("tokenDialog") != nullptr, kWaitMs);
-    QVERIFY(bench.find<QLabel>("tokenText")->text().contains(QStringLiteral("lets in only")));
+    QVERIFY(bench.find<QLabel>("tokenText")->text().contains(QStringLiteral("only accepts")));
     widgets::test::keepPicture(*bench.find<QDialog>("tokenDialog"), "token");
     QTest::keyClicks(bench.find<QLineEdit>("tokenField"), QStringLiteral("wrong"));
     bench.find<QCheckBox>("tokenRemember")->setChecked(true);
@@ -199,7 +199,7 @@ class RemoteTrustGuiTest : public WindowTest {
     const websocket::Connector connector(client, options);
     auto& clients = desk.find<QTreeWidget>("offerClients");
     QTRY_COMPARE_WITH_TIMEOUT(clients.topLevelItemCount(), 1, kWaitMs);
-    QCOMPARE(clients.topLevelItem(0)->text(0), QStringLiteral("guest (may only watch)"));
+    QCOMPARE(clients.topLevelItem(0)->text(0), QStringLiteral("guest (watch only)"));
     qunsetenv("XDG_STATE_HOME");
   }
 };
