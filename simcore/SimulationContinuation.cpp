@@ -200,14 +200,16 @@ void SimulationState::takeOverPorts(const SimulationState& before, const std::ve
     const auto was = std::ranges::find(
         before.ports.servos, info.path, [](const Servo& servo) -> const auto& { return servo.info.path; });
     if (!isKept(info) || was == before.ports.servos.end()) continue;
-    actuation->takeOver(i, *before.actuation, static_cast<std::size_t>(was - before.ports.servos.begin()));
+    actuation->takeOver(i, *before.actuation, static_cast<std::size_t>(was - before.ports.servos.begin()),
+                        steps - before.steps);
   }
   for (std::size_t i = 0; i < ports.doors.size(); ++i) {
     const PortInfo& info = ports.doors[i].info;
     const auto was = std::ranges::find(
         before.ports.doors, info.path, [](const Door& door) -> const auto& { return door.info.path; });
     if (!isKept(info) || was == before.ports.doors.end()) continue;
-    doors->takeOver(i, *before.doors, static_cast<std::size_t>(was - before.ports.doors.begin()));
+    doors->takeOver(i, *before.doors, static_cast<std::size_t>(was - before.ports.doors.begin()),
+                    before.steps, steps);
   }
   for (std::size_t i = 0; i < ports.guides.size(); ++i) {
     const PortInfo& info = ports.guides[i].info;
@@ -235,9 +237,9 @@ robotlink::Result<std::vector<std::string>> SimulationState::takeOver(const Simu
   std::vector<int> kept;
   auto putBack = takeOverModels(before, how, kept);
   if (!putBack) return putBack;
+  steps = before.steps;
   takeOverPorts(before, kept);
   for (const int model : kept) sensing->adoptVelocitiesOf(model);
-  steps = before.steps;
   ballContacts = before.ballContacts;
   for (std::size_t r = 0; r < robots.size(); ++r) {
     const auto* touches = before.obstaclesOf(world.models[static_cast<std::size_t>(robots[r])].name);

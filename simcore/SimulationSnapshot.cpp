@@ -222,6 +222,8 @@ void Simulation::takeOverAdded(const Implementation& present) {
   }
   i.takeOverPorts(present, added);
   for (const int model : added) i.sensing->adoptVelocitiesOf(model);
+  i.readWheels();
+  i.invalidate();
   for (const auto& [path, errors] : present.errorsByPath()) {
     if (isAdded(port(path)->info.robot)) static_cast<void>(setSensorErrors(path, errors));
   }

@@ -156,7 +156,9 @@ Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
     return failure("parameters.range", "'" + name + "' has to be " + range.describe(), {},
                    {name, range.describe()});
   }
-  if (const std::string wrong = rules_.check ? rules_.check(**parsed) : ""; !wrong.empty())
+  // A value that a file has already, and that is wrong, does not keep others from being changed.
+  if (const std::string wrong = rules_.check ? rules_.check(**parsed) : "";
+      !wrong.empty() && wrong != rules_.check(*message_))
     return failure("parameters.value", wrong, {}, {wrong});
   apply(**parsed);
   return {};

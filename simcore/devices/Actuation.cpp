@@ -53,11 +53,13 @@ void Actuation::guide(std::size_t guide, std::span<const double> values) {
   guides_[guide].unobstructed = true;
 }
 
-void Actuation::takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo) {
+void Actuation::takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo,
+                         std::uint64_t later) {
   const Servo& limits = ports_.servos[servo];
   const ServoMotor& before = from.servos_[fromServo];
   ServoMotor& motor = servos_[servo];
   motor.waiting = before.waiting;
+  for (auto& command : motor.waiting) command.step += later;
   motor.integral = before.integral;
   motor.state.target = std::clamp(before.state.target, limits.minimum, limits.maximum);
   motor.state.torqueShare = before.state.torqueShare;

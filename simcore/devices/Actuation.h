@@ -28,8 +28,9 @@ class Actuation {
   /// The command of a guide: as many finite values as its port has, which are limited; others are ignored.
   void guide(std::size_t guide, std::span<const double> values);
 
-  /// Has a servo continue as one of another simulation does; its command is limited to its own range.
-  void takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo);
+  /// Has a servo continue as one of another simulation does; its command is limited to its own range. Delayed
+  /// commands become due `later` steps later, modulo 2^64, than in the other simulation.
+  void takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo, std::uint64_t later);
 
   /// The same of a guide.
   void takeOverGuide(std::size_t guide, const Actuation& from, std::size_t fromGuide);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -29,9 +30,12 @@ class Doors {
 
   /// Opens a door for its time, or closes it at once; if its sensor still detects something, it opens again.
   void command(std::size_t door, bool open, std::uint64_t step);
-  /// A door continues as another one that opens and closes in the same simulation; its servo does so, too.
-  void takeOver(std::size_t door, const Doors& before, std::size_t other) {
+  /// A door continues at step `now` as another one at step `then` of its simulation; its servo does so, too.
+  void takeOver(std::size_t door, const Doors& before, std::size_t other, std::uint64_t then,
+                std::uint64_t now) {
     states_[door] = before.states_[other];
+    std::uint64_t& closesAt = states_[door].closesAt;
+    closesAt = closesAt > then ? closesAt - then + now : std::min(closesAt, now);
   }
   /// Writes or reads which doors are open, and until when.
   void transfer(StateStream& stream);

@@ -107,7 +107,14 @@ void ExactSensing::adoptVelocitiesOf(int model) {
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const SensorSource& source = sources_[i];
     if (source.model != model) continue;
-    if (source.kind == SourceKind::kOdometry) memories_[i].before = robotlink::groundPose(poseOf(source));
+    if (source.kind == SourceKind::kOdometry) {
+      memories_[i].before = robotlink::groundPose(poseOf(source));
+      if (source.drive >= 0) {
+        const auto side = 2 * static_cast<std::size_t>(source.drive);
+        memories_[i].left = physics_.sideState(side).travel;
+        memories_[i].right = physics_.sideState(side + 1).travel;
+      }
+    }
     if (source.kind != SourceKind::kAccelerometer) continue;
     const Vector3 point = physics_.linkInWorld(source.body) * source.poseInLink.translation();
     memories_[i].velocity = physics_.velocityAt(source.body, point);

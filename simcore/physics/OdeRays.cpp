@@ -72,19 +72,19 @@ void comeDown(OdeWorld& ode, int model) {
   const OdeModel& entry = ode.models[static_cast<std::size_t>(model)];
   const double down = gapBelow(ode, model);
   if (down < kNoGap || down >= kGroundDepth) return;
-  const double most = std::max(kNoGap, deepestOverlap(ode, model).depth);
-  auto fitsAt = [&, at = 0.0](double lowered) mutable {
+  const double before = deepestOverlap(ode, model).depth;
+  auto fitsAt = [&, at = 0.0](double lowered, double most) mutable {
     lower(ode, entry, lowered - std::exchange(at, lowered));
     return deepestOverlap(ode, model).depth <= most;
   };
-  if (fitsAt(down)) return;
+  if (fitsAt(down, std::max(kNoGap, before))) return;
   // There is an edge below it, but not below the middle of any of its solids.
   double free = 0, inside = down;
   while (inside - free > kNoGap) {
     const double between = (free + inside) / 2;
-    (fitsAt(between) ? free : inside) = between;
+    (fitsAt(between, before) ? free : inside) = between;
   }
-  fitsAt(free);
+  fitsAt(free, before);
 }
 
 }  // namespace simcore

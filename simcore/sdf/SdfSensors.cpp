@@ -93,7 +93,8 @@ void readBattery(const sdf::ElementPtr& element, SensorDescription& result, cons
   battery.capacity = number("capacity", battery.capacity, 1e-3, 1e12);
   battery.charge = number("charge", battery.charge, 0, 1);
   battery.fullVoltage = number("full_voltage", battery.fullVoltage, 0, 1e5);
-  battery.emptyVoltage = number("empty_voltage", battery.emptyVoltage, 0, battery.fullVoltage);
+  battery.emptyVoltage =
+      number("empty_voltage", std::min(battery.emptyVoltage, battery.fullVoltage), 0, battery.fullVoltage);
   battery.idlePower = number("idle_power", battery.idlePower, 0, 1e6);
   battery.efficiency = number("efficiency", battery.efficiency, 0.01, 1);
 }

@@ -93,6 +93,23 @@ TEST_F(SceneChangeTest, aSnapshotLeavesTheCommandsAndChosenErrorsOfWhatWasAdded)
   EXPECT_NEAR(simulation_->read(sensor).value()[0], 0.8, 0.02) << "its servo still holds";
 }
 
+TEST_F(SceneChangeTest, anAddedDoorThatIsOpenClosesInTimeAlsoAfterGoingBack) {
+  const std::string stone = ball("stone", "1 0 1 0 0 0");
+  start(stone);
+  run(50);
+  const Snapshot snapshot = simulation_->snapshot();
+  const std::string door =
+      "<include><uri>model://sliding_door</uri><name>door</name><pose>3 3 0 0 0 0</pose></include>";
+  ASSERT_TRUE(simulation_->continueIn(sceneOf(stone + door), {.otherPorts = true}));
+  run(2000);
+  simulation_->moveDoor(0, true);
+  run(100);
+  ASSERT_TRUE(simulation_->restore(snapshot));
+  EXPECT_TRUE(simulation_->isDoorOpen(0));
+  run(1000);
+  EXPECT_FALSE(simulation_->isDoorOpen(0)) << "after its 3 s, not after those of the other run";
+}
+
 TEST_F(SceneChangeTest, aFileOfASnapshotOfAnEditedSceneIsRefusedWithWhatToDo) {
   start(ball("stone", "0 0 1 0 0 0"));
   const auto added = simulation_->scene().with(ModelToAdd{.model = "ers210", .place = {2, 0, 0}});

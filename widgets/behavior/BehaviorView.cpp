@@ -86,8 +86,10 @@ void BehaviorView::connectSignals() {
   connect(hold_, &QAction::toggled, this, [this](bool on) {
     ++holdNumber_;  // what the robot had before is shown no more
     ticksUntilHold_ = 0;
-    setControl("control.hold", on ? "on" : "off");
     updateActions();
+    if (setControl("control.hold", on ? "on" : "off")) return;
+    showHold(!on);
+    askHold();
   });
   connect(step_, &QAction::triggered, this, &BehaviorView::step);
 }
@@ -100,10 +102,11 @@ void BehaviorView::updateActions() {
   step_->setEnabled(canControl && hold_->isChecked());
 }
 
-void BehaviorView::setControl(const char* parameter, const std::string& value) {
+bool BehaviorView::setControl(const char* parameter, const std::string& value) {
   const std::string solution = std::string(kBehaviorTask) + '/' + model_.solution().toStdString();
-  if (const auto done = edits_->set(solution, parameter, value); !done)
-    session().reportRefusal(std::string("parameter ") + parameter, done.error().describe());
+  const auto done = edits_->set(solution, parameter, value);
+  if (!done) session().reportRefusal(std::string("parameter ") + parameter, done.error().describe());
+  return done.has_value();
 }
 
 void BehaviorView::followHold() {
@@ -126,10 +129,10 @@ void BehaviorView::askHold() {
   const std::string solution = std::string(kBehaviorTask) + '/' + model_.solution().toStdString();
   edits_->requestValue(solution, "control.hold", [this, number](const robotlink::Result<std::string>& value) {
     if (number != holdNumber_) return;
-    if (!value)
-      ticksUntilHold_ = kTicksUntilHoldIsAsked;
-    else
-      showHold(*value == "on");
+    if (value) return showHold(*value == "on");
+    const std::string& id = value.error().id;
+    const bool isFinal = id == "robot.parameter-unknown" || id == "robot.parameter-none";
+    ticksUntilHold_ = isFinal ? 0 : kTicksUntilHoldIsAsked;
   });
 }
 

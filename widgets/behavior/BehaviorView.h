@@ -46,8 +46,9 @@ class BehaviorView final : public View {
   void askHold();
   void forceSelected();
   void step();
-  /// Sets a parameter of the robot's behavior; a refusal is shown by the session.
-  void setControl(const char* parameter, const std::string& value);
+  /// Sets a parameter of the robot's behavior. Returns whether it was sent; a refusal is shown by the
+  /// session.
+  bool setControl(const char* parameter, const std::string& value);
 
   BehaviorModel model_;
   OptionHistory history_;

@@ -5,6 +5,7 @@
 #include <QTextCursor>
 #include <QTextDocument>
 #include <algorithm>
+#include <utility>
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
@@ -90,7 +91,7 @@ void SceneFile::noteSaved(const QString& text) {
 }
 
 void SceneFile::allowOverwriting() {
-  saved_ = outside_ = QString();
+  if (!readAgain()) mayOverwrite_ = true;
 }
 
 Result<QString> SceneFile::readAgain() {
@@ -107,16 +108,17 @@ bool SceneFile::isChangedOutside() const {
 
 bool SceneFile::follow(bool looks) {
   const auto time = timeOfFile(path_);
-  if (saved_.isNull() || !time || (!looks && time == savedTime_)) return false;
+  // A text that was found while there were unsaved changes is read once there are none.
+  const bool isDue = !isChanged() && outside_ != saved_;
+  if (saved_.isNull() || !time || (!looks && !isDue && time == savedTime_)) return false;
   savedTime_ = time;
   const auto text = textOfFile(path_);
-  if (!text || *text == outside_) return false;
-  outside_ = *text;
+  if (!text) return false;
+  const bool isNew = std::exchange(outside_, *text) != *text;
   if (*text == saved_) return false;
-  if (!isChanged()) {
-    saved_ = *text;
-    replaceText(*text);
-  }
+  if (isChanged()) return isNew;
+  saved_ = *text;
+  replaceText(*text);
   return true;
 }
 
@@ -127,7 +129,8 @@ void SceneFile::setUnsaved(const QString& text, const std::filesystem::path& pat
 }
 
 Result<void> SceneFile::write(const std::filesystem::path& path) {
-  if (path == path_ && isChangedOutside())
+  const bool mayOverwrite = std::exchange(mayOverwrite_, false);
+  if (path == path_ && !mayOverwrite && isChangedOutside())
     return failure("scene.changed-outside",
                    "the file was changed by another program since it was read here; save under another name "
                    "(scene.save FILE), or discard the changes to reload it",

@@ -90,6 +90,8 @@ class SceneFile final : public QObject {
   QString saved_;
   /// The text that was found in the file last, by whomever it was written.
   QString outside_;
+  /// Whether the next write() may overwrite a file that cannot be read as a text.
+  bool mayOverwrite_ = false;
   /// When the file was written, as far as that is known.
   std::optional<std::filesystem::file_time_type> savedTime_;
   std::vector<SceneProblem> problems_;

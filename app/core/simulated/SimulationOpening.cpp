@@ -41,6 +41,14 @@ void useTeamPrograms(const PlatformContext& context, const std::filesystem::path
   if (!kept) return;
   options.layouts = kept->layouts;
   options.robotLayouts = kept->robotLayouts;
+  // In older settings the names of robots and teams are among those of kinds.
+  for (auto one = options.layouts.begin(); one != options.layouts.end();) {
+    std::error_code ignored;
+    const auto next = std::next(one);
+    if (!std::filesystem::exists(descriptionFile(one->first), ignored))
+      options.robotLayouts.insert(options.layouts.extract(one));
+    one = next;
+  }
   for (auto* layouts : {&options.layouts, &options.robotLayouts}) {
     std::erase_if(*layouts, [](const auto& one) {
       std::error_code ignored;

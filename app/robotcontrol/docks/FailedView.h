@@ -16,6 +16,7 @@ class FailedView final : public widgets::View {
   void tick() override {}
   QJsonObject saveState() const override { return state_; }
   void restoreState(const QJsonObject& state) override { state_ = state; }
+  void followNames(const Renamed& renamed) override { state_ = renamed(QJsonValue(state_)).toObject(); }
 
  private:
   QJsonObject state_;

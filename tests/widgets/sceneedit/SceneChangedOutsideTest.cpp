@@ -40,6 +40,20 @@ class SceneChangedOutsideTest : public QObject {
     QVERIFY(reported[1][0].toString().contains(QStringLiteral("unsaved changes")));
   }
 
+  void aTextFromOutsideIsReadOnceTheOwnChangesAreUndone() {
+    RoomBench bench;
+    bench.show();
+    bench.setCursor("<sdf>");
+    QTest::keyClicks(&bench.text(), QStringLiteral(" "));
+    const std::string other = kRoom + "<!-- other -->\n";
+    bench.folder.write("room.sdf", other);
+    QVERIFY(bench.bench().ensure(bench.room).has_value());
+    QVERIFY2(bench.shown() != other, "there are unsaved changes");
+    bench.text().undo();
+    QVERIFY(bench.bench().ensure(bench.room).has_value());
+    QCOMPARE(bench.shown(), other);
+  }
+
   void aFileInAnotherEncodingIsOverwrittenIfThatIsWanted() {
     RoomBench bench;
     bench.show();
