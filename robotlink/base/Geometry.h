@@ -63,9 +63,11 @@ struct Pose2 {
 /// if they are opposite.
 inline Eigen::Matrix3d rotationFromZAxis(const Vector3& direction) {
   const Vector3 unit = direction.normalized();
-  constexpr double kOpposite = -1 + 1e-12;
-  if (unit.z() < kOpposite) return Vector3(1, -1, -1).asDiagonal();
-  const double scale = std::sqrt(2 * (1 + unit.z()));
+  const double aside = unit.x() * unit.x() + unit.y() * unit.y();
+  if (aside == 0 && unit.z() < 0) return Vector3(1, -1, -1).asDiagonal();
+  // 1 + z without loss of digits where z is nearly -1.
+  const double sum = unit.z() < 0 ? aside / (1 - unit.z()) : 1 + unit.z();
+  const double scale = std::sqrt(2 * sum);
   return Eigen::Quaterniond(scale / 2, -unit.y() / scale, unit.x() / scale, 0).toRotationMatrix();
 }
 

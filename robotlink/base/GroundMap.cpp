@@ -35,7 +35,7 @@ bool isSpace(char c) {
   return c == ' ' || c == '\t';
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view withoutLeadingSpace(std::string_view text) {
   while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
   return text;
 }
@@ -133,7 +133,7 @@ class Parser {
   }
 
   void parseCount(std::string_view text, Promise& promise) {
-    const auto value = parsedNumberWithSign<double>(trimmed(text));
+    const auto value = parsedNumberWithSign<double>(withoutLeadingSpace(text));
     if (!value || !(*value >= 0 && *value <= 1e15))
       return note(line_, "this is not a number of lines or points; they are counted instead");
     promise.line = promise.line == 0 ? line_ : promise.line;
@@ -271,7 +271,7 @@ class Parser {
   void parseOrigin(std::string_view text) {
     std::vector<Token> tokens;
     std::optional<double> numbers[3];
-    if (!readTokens(trimmed(text), tokens)) return;
+    if (!readTokens(withoutLeadingSpace(text), tokens)) return;
     for (std::size_t i = 0; i < 3 && i < tokens.size(); ++i)
       numbers[i] = parsedNumberWithSign<double>(tokens[i].text);
     const bool known =
@@ -284,7 +284,7 @@ class Parser {
   }
 
   void parseResolution(std::string_view text) {
-    const auto value = parsedNumberWithSign<double>(trimmed(text));
+    const auto value = parsedNumberWithSign<double>(withoutLeadingSpace(text));
     if (value && *value >= kFinestMm && *value <= kCoarsestMm) {
       map_.resolution = *value / 1000;
     } else {

@@ -57,10 +57,10 @@ void DeployServices::list(const json&, const Reply& reply) {
 }
 
 void DeployServices::put(const json& argument, const Reply& reply) {
-  const std::string path = textIn(argument, "path");
-  const auto contents = robotlink::websocket::fromBase64(textIn(argument, "content"));
+  const std::string path = textMember(argument, "path");
+  const auto contents = robotlink::websocket::fromBase64(textMember(argument, "content"));
   if (!contents) return reply.fail("the content of '" + path + "' is not base64");
-  if (robotlink::websocket::sha256(*contents) != textIn(argument, "sha256"))
+  if (robotlink::websocket::sha256(*contents) != textMember(argument, "sha256"))
     return reply.fail("the content of '" + path + "' is not that of its checksum; send it again");
   const auto written = folder_.put(path, *contents);
   if (!written) return reply.fail(written.error().describe());
@@ -69,7 +69,7 @@ void DeployServices::put(const json& argument, const Reply& reply) {
 }
 
 void DeployServices::restart(const json& argument, const Reply& reply) {
-  const std::string robot = textIn(argument, "robot"), layout = textIn(argument, "layout");
+  const std::string robot = textMember(argument, "robot"), layout = textMember(argument, "layout");
   std::filesystem::path file;
   if (!layout.empty()) {
     const auto found = folder_.find("layouts/" + layout);

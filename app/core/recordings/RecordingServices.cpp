@@ -61,14 +61,14 @@ void RecordingServices::list(const json&, const Reply& reply) {
 }
 
 void RecordingServices::read(const json& argument, const Reply& reply) {
-  const auto piece = folder_.read(textIn(argument, "name"), numberIn(argument, "offset", 0),
-                                  numberIn(argument, "bytes", RecordingFolder::kMaxPiece));
+  const auto piece = folder_.read(textMember(argument, "name"), numberMember(argument, "offset", 0),
+                                  numberMember(argument, "bytes", RecordingFolder::kMaxPiece));
   if (!piece) return reply.fail(piece.error().text);
   reply.succeed(*piece, "binary");
 }
 
 void RecordingServices::check(const json& argument, const Reply& reply) {
-  continueCheck(textIn(argument, "name"), numberIn(argument, "bytes", UINT64_MAX), {}, reply);
+  continueCheck(textMember(argument, "name"), numberMember(argument, "bytes", UINT64_MAX), {}, reply);
 }
 
 void RecordingServices::continueCheck(const std::string& name, std::uint64_t bytes,
@@ -83,7 +83,7 @@ void RecordingServices::continueCheck(const std::string& name, std::uint64_t byt
 }
 
 void RecordingServices::remove(const json& argument, const Reply& reply) {
-  const std::string name = textIn(argument, "name");
+  const std::string name = textMember(argument, "name");
   if (!name.empty() && name == recorded())
     return reply.fail("'" + name + "' is being recorded; stop the recording first");
   if (const auto removed = folder_.remove(name); !removed) return reply.fail(removed.error().text);

@@ -65,12 +65,12 @@ robotlink::Result<json> argumentOfCall(const std::string& name, const std::vecto
   return argument;
 }
 
-std::string textIn(const json& argument, const char* member) {
+std::string textMember(const json& argument, const char* member) {
   const auto found = argument.find(member);
   return found != argument.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-std::uint64_t numberIn(const json& argument, const char* member, std::uint64_t otherwise) {
+std::uint64_t numberMember(const json& argument, const char* member, std::uint64_t otherwise) {
   const auto found = argument.find(member);
   return found != argument.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : otherwise;
 }

@@ -32,8 +32,8 @@ robotlink::Result<nlohmann::json> argumentOfCall(const std::string& name,
                                                  const robotlink::websocket::ServiceCallRequest& call);
 
 /// The text of a member of an argument; empty if it has none.
-std::string textIn(const nlohmann::json& argument, const char* member);
+std::string textMember(const nlohmann::json& argument, const char* member);
 /// The number of a member of an argument; `otherwise` if it has none.
-std::uint64_t numberIn(const nlohmann::json& argument, const char* member, std::uint64_t otherwise);
+std::uint64_t numberMember(const nlohmann::json& argument, const char* member, std::uint64_t otherwise);
 
 }  // namespace app

@@ -30,7 +30,7 @@ TEST(ServiceArgument, membersThatTheServiceDoesNotHaveAreRefused) {
 TEST(ServiceArgument, valuesThatDoNotFitAreRefused) {
   for (const char* payload : {R"({"bytes": "7"})", R"({"bytes": -7})", R"({"bytes": 0.5})"})
     EXPECT_THAT(wrongWith(payload), HasSubstr("'bytes' of recordings/read is not a whole number")) << payload;
-  EXPECT_THAT(wrongWith(R"({"name": 7})"), HasSubstr("'name' of recordings/read is no text"));
+  EXPECT_THAT(wrongWith(R"({"name": 7})"), HasSubstr("'name' of recordings/read is not a text"));
   EXPECT_THAT(wrongWith("[]"), HasSubstr("not a JSON object"));
   EXPECT_THAT(wrongWith("{"), HasSubstr("not a JSON object"));
 }

@@ -398,7 +398,7 @@ TEST_F(ReplayRunTest, requestsAreAnsweredAlsoOverAJumpAndKeysStay) {
   robotcontrol::Request stop;
   stop.set_robot("red1");
   stop.mutable_stop()->set_engaged(true);
-  EXPECT_THAT(replay.run->request(stop).error().text, HasSubstr("cannot be changed"));
+  EXPECT_THAT(replay.run->request(stop).error().text, HasSubstr("cannot be controlled"));
   EXPECT_FALSE(replay.run->request(keyRequest("blue7", "segmentation/regions")));
 }
 

@@ -124,7 +124,7 @@ class OpenedLogsGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible(), kWaitMs);
     QVERIFY(desk.workbench.session().robots().empty());
     const QString text = desk.find<QLabel>("logContentsText").text();
-    QVERIFY2(text.contains(QLatin1String("foreign.mcap has no robot")), qPrintable(text));
+    QVERIFY2(text.contains(QLatin1String("foreign.mcap contains no known robot")), qPrintable(text));
     QVERIFY2(text.contains(QLatin1String("It holds /rosout, a/b/c.")), qPrintable(text));
     QVERIFY2(text.contains(QLatin1String("Not decoded: /camera (flatbuffer), /odom (ros1).")),
              qPrintable(text));

@@ -114,7 +114,7 @@ TEST(ColorTableFile, runsThatDoNotMakeATableAreRefusedWithTheirPlace) {
             std::string::npos);
   EXPECT_NE(refusal(bytesOf({{0xFFFFFFFFU, 2}, {0, 0}})).find("at byte 0 there are more cells"),
             std::string::npos);
-  EXPECT_NE(refusal(bytesOf({{kAll, 2}, {0, 0}}) + "x").find("at byte 9 something follows"),
+  EXPECT_NE(refusal(bytesOf({{kAll, 2}, {0, 0}}) + "x").find("at byte 9 there is extra data"),
             std::string::npos);
   EXPECT_NE(refusal(bytesOf({{kAll, 2}})).find("at byte 5 it ends within its runs"), std::string::npos);
   EXPECT_EQ(refusal("").rfind("some.c64", 0), 0U) << "the file is named first";

@@ -111,7 +111,9 @@ TEST_F(LogImport, fieldAndTeamAreThoseOfTheRobotAndItsName) {
   for (const auto& [robot, team] : {std::pair{"nao", "red"}, std::pair{"blue3", "blue"}}) {
     ImportOptions options;
     options.robot = robot;
-    ASSERT_TRUE(importLog(written(someLog().file()), target(), options));
+    std::filesystem::remove(target());
+    const auto report = importLog(written(someLog().file()), target(), options);
+    ASSERT_TRUE(report) << report.error().describe();
     robotcontrol::ProgramSetup setup;
     ASSERT_TRUE(setup.ParseFromString(messagesOf(target())[0].data));
     EXPECT_EQ(setup.team(), team);

@@ -288,7 +288,7 @@ TEST(GridPathPlanning, itGivesUpWithAReasonWhereTheOnlyDoorIsBlocked) {
   EXPECT_TRUE(drive.path().blocked());
   EXPECT_EQ("an obstacle that is not on the map blocks every path to the goal", drive.path().reason());
   EXPECT_GT(drive.robot().nearest(), 0);
-  EXPECT_TRUE(drive.planner().said("no way to “Desk”: something that is not on the map blocks"));
+  EXPECT_TRUE(drive.planner().said("no way to “Desk”: an obstacle that is not on the map blocks"));
 }
 
 TEST(GridPathPlanning, whereThePoseIsUnsureNothingCountsAsAnObstacle) {

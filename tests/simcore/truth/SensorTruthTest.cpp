@@ -40,7 +40,7 @@ TEST(SensorTruth, onATurningPlatformInertialSensorsFeelItsTurn) {
   // It is the mean acceleration of a step, which points half a step's turn back.
   const double centripetal = rate * rate * lever;
   compare(
-      {"accelerometer on a platform, towards the axis", "w^2 r", -centripetal, 0.001 * centripetal, "m/s^2"},
+      {"accelerometer on a platform, toward the axis", "w^2 r", -centripetal, 0.001 * centripetal, "m/s^2"},
       felt.x());
   compare({"accelerometer on a platform, along its way", "0", 0, centripetal * rate * kStepSeconds / 2 * 1.05,
            "m/s^2"},
@@ -62,7 +62,7 @@ TEST(SensorTruth, anAcceleratingPlatformIsFeltAlongItsWay) {
   compare({"accelerometer on an accelerating platform, along its way", "T r / I", acceleration * lever,
            halfStep * 1.05 + 1e-3, "m/s^2"},
           felt.y());
-  compare({"accelerometer on an accelerating platform, towards the axis", "w^2 r", -rate * rate * lever,
+  compare({"accelerometer on an accelerating platform, toward the axis", "w^2 r", -rate * rate * lever,
            acceleration * kStepSeconds * rate * lever + 1e-3, "m/s^2"},
           felt.x());
 }

@@ -21,8 +21,8 @@ TEST(PropertyRule, numbersAreReadWithBlanksBetweenThem) {
   EXPECT_THAT(*size, ElementsAre(1, 2.5, 0.1));
   EXPECT_THAT(refusal("1 2", "size", 3), HasSubstr("3 numbers"));
   EXPECT_THAT(refusal("", "mass"), HasSubstr("mass takes 1 number;"));
-  EXPECT_THAT(refusal("1,5", "mass"), HasSubstr("1,5 is no number"));
-  EXPECT_THAT(refusal("nan", "mass"), HasSubstr("no number"));
+  EXPECT_THAT(refusal("1,5", "mass"), HasSubstr("1,5 is not a number"));
+  EXPECT_THAT(refusal("nan", "mass"), HasSubstr("not a number"));
 }
 
 TEST(PropertyRule, whatNothingCanHaveIsRefusedWithItsRange) {

@@ -203,7 +203,8 @@ class RobotsViewTest : public QObject {
     Team team(std::vector<std::string>{});
     team.push("/rosout", foxglove::Log(), 1);
     team.tick(*team.view);
-    QVERIFY(child<QLabel>(*team.view, "emptyHint").text().contains(QStringLiteral("without a description")));
+    QVERIFY(
+        child<QLabel>(*team.view, "emptyHint").text().contains(QStringLiteral("no description of this log")));
   }
 
   void withoutRobotsItSaysWhatToDo() {

@@ -179,7 +179,7 @@ class ColorQualityViewTest : public QObject {
   void howFewStrokesTheFiguresStandOnIsSaidAndThatTheyCountAlike() {
     goodStrokes();
     QTRY_VERIFY(
-        note().contains(QStringLiteral("Based on 8 strokes, at least 2 of a class and 2 of the background")));
+        note().contains(QStringLiteral("Based on 8 strokes, at least 2 per class and 2 of the background")));
     QVERIFY(note().contains(QStringLiteral("the figures are only a rough guide")));
     bench_->undoStack().undo();  // the second stroke of the background
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("False colors –")));
