@@ -70,7 +70,7 @@ TEST_F(RobotctlScene, whatASceneNamesIsThere) {
       "name='l'/><robotcontrol:field>1999</robotcontrol:field></model>";
   EXPECT_THAT(errorsOf(game),
               HasSubstr("w.sdf:3: w: the <robotcontrol:game> is '1999', but there are no rules"));
-  EXPECT_THAT(errorsOf(field), HasSubstr("w.sdf:3: 'f' is the field '1999', but there are no rules"));
+  EXPECT_THAT(errorsOf(field), HasSubstr("w.sdf:3: 'f' is the field '1999', of which"));
   EXPECT_THAT(run("sim", game, "--seconds 0").errors,
               HasSubstr("w.sdf:3: w: the <robotcontrol:game> is '1999'"));
   EXPECT_THAT(run("sim", field + "<include><uri>model://burger</uri></include>", "--seconds 0").errors,
