@@ -20,7 +20,7 @@ constexpr std::size_t kMaxCameras = 10'000, kMaxHeld = 10'000;
 struct SimulatedWorld::Kept {
   std::uint64_t digest = 0, images = 0;
   simcore::LightAdjustment lighting;
-  /// By path.
+  /// The cameras that had settings, by path.
   std::vector<std::pair<std::string, KeptCamera>> cameras;
   /// Ports and their values.
   std::vector<std::pair<std::string, std::vector<double>>> held;
