@@ -14246,8 +14246,8 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <translation>Die Simulation geht weiter, aber die Szene lässt sich so nicht öffnen: %1, oder schreiben Sie in die Szene, wo es jetzt ist (Strg+Umschalt+W)</translation>
     </message>
     <message>
-        <source>The text was edited since and keeps the change, so the simulation goes on in it, and what is in the way goes back to where its file puts it</source>
-        <translation>Der Text wurde seitdem bearbeitet und behält die Änderung; die Simulation geht darum mit ihm weiter, und was im Weg ist, kehrt dorthin zurück, wo seine Datei es hinstellt</translation>
+        <source>So the text keeps the change, and the simulation continues in it; objects in the way return to their places in the file.</source>
+        <translation>Darum behält der Text die Änderung, und die Simulation läuft mit ihm weiter; Objekte im Weg kehren an ihre Plätze in der Datei zurück.</translation>
     </message>
 </context>
 <context>

@@ -103,8 +103,9 @@ void SceneEdits::takeBack(const Asked& asked, const std::string& reason) {
   QString text = QString::fromStdString(reason);
   if (!done)
     text +=
-        QLatin1Char('\n') + tr("The text was edited since and keeps the change, so the simulation goes on "
-                               "in it, and what is in the way goes back to where its file puts it");
+        QLatin1Char('\n') + QString::fromStdString(done.error().describe()) + QLatin1Char('\n') +
+        tr("So the text keeps the change, and the simulation continues in it; objects in the way return to "
+           "their places in the file.");
   Q_EMIT bench_.reported(text, true);
   // The simulation may have gone on in texts that are gone now, and has not in those that stay.
   const bool isSame = done && isKnown && asked.number == lastAsked_;

@@ -30,7 +30,7 @@ class SceneHistoryTest : public QObject {
     b.refuse("there is no room for 'box'");
     QCOMPARE(b.text().text().toStdString(), mine);
     QVERIFY2(b.lastReport().startsWith(QStringLiteral("there is no room for 'box'")), "the reason");
-    QVERIFY(b.lastReport().contains(QStringLiteral("edited since")));
+    QVERIFY(b.lastReport().contains(QStringLiteral("edited by hand since")));
     QCOMPARE(b.texts.size(), std::size_t{2});
     QCOMPARE(b.running(), mine);
     QVERIFY2(!b.refuse, "what is in the way gives way");
