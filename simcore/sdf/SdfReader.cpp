@@ -52,8 +52,10 @@ void readHomes(const sdf::ElementPtr& element, ModelDescription& model, const Sd
     HomeDescription home;
     if (child->HasAttribute("team")) home.team = child->Get<std::string>("team");
     std::istringstream(child->Get<std::string>()) >> home.place.x >> home.place.y >> home.place.heading;
-    home.place.x = context.within(home.place.x, -1000, 1000, "a place", child);
-    home.place.y = context.within(home.place.y, -1000, 1000, "a place", child);
+    const bool isSound = context.orLeaveOut(child, "<robotcontrol:home>", [&](const SdfContext& own) {
+      for (const double at : {home.place.x, home.place.y}) own.within(at, -1000, 1000, "a place", child);
+    });
+    if (!isSound) continue;
     home.place.heading = robotlink::normalizedAngle(home.place.heading);
     model.homes.push_back(std::move(home));
   }

@@ -186,6 +186,19 @@ TEST_F(SdfReader, homesHaveATeamAndAHeadingWithinATurn) {
   EXPECT_EQ(field->homes[1].team, "");
 }
 
+TEST_F(SdfReader, aHomeOutOfRangeIsLeftOut) {
+  const auto field = model(replaced(kSmallModel, "<link name=\"foot\">",
+                                    "<robotcontrol:home>1 2000 0</robotcontrol:home>"
+                                    "<robotcontrol:home>1 2 0</robotcontrol:home><link name=\"foot\">"));
+  ASSERT_TRUE(field) << errors();
+  EXPECT_EQ(errors(), "");
+  ASSERT_EQ(field->homes.size(), 1U);
+  EXPECT_EQ(field->homes[0].place.y, 2);
+  ASSERT_EQ(leftOut_.size(), 1U);
+  EXPECT_EQ(leftOut_[0].what, "<robotcontrol:home>");
+  EXPECT_THAT(leftOut_[0].why, HasSubstr("between -1000 and 1000"));
+}
+
 TEST_F(SdfReader, aWorldHasItsSurroundings) {
   const WorldDescription dark = world(
       "<gravity>0 0 -1.6</gravity><scene><ambient>0.25 0.25 0.25 1</ambient>"
