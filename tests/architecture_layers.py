@@ -4,8 +4,8 @@
 
 The tables are those of ARCHITECTURE.md. TARGETS says which targets a target may include; ROOMS lists the
 folders of a target in their order: a folder may include those before it. A folder that is in neither table
-fails. What widgets/CMakeLists.txt lists as widgets_models knows no Qt Widgets and no view. A test that is named
-after a unit is in the folder of tests/ that mirrors the unit's room, or in one beside it, not above it.
+fails. What widgets/CMakeLists.txt lists as widgets_models and widgets_painting knows no Qt Widgets and no view. A
+test that is named after a unit is in the folder of tests/ that mirrors the unit's room, or in one beside it, not above it.
 Usage: architecture_layers.py SOURCE_DIR
 """
 import pathlib
@@ -46,9 +46,10 @@ TARGETS = {
     "logplayer": ["logplayer/mcap"] + ROBOTLINK,
     "modules": ["colortool"] + PROGRAM,
     "widgets": ["logplayer", "logplayer/mcap", "colortool"] + ROBOTLINK,
-    "app/core": SIMULATED,
-    "app/robotctl": ["app/core"] + SIMULATED,
-    "app/robotcontrol": ["app/core", "widgets"] + SIMULATED,
+    "app/core": [folder for folder in SIMULATED if folder not in ("simcore", "robotlink/arcos/server")],
+    "app/platforms": ["app/core"] + SIMULATED,
+    "app/robotctl": ["app/core", "app/platforms"] + SIMULATED,
+    "app/robotcontrol": ["app/core", "app/platforms", "widgets"] + SIMULATED,
 }
 
 # "." is the target's own folder. Targets that are not here have no sub-folders.
@@ -66,7 +67,8 @@ ROOMS = {
     "widgets": ["controls", ".", "text", "steering", "drawings", "picture", "keys", "ports", "packets", "processes", "solutions", "image", "camera", "motion", "motions", "joints", "world", "field",
         "log", "streams", "timing", "errors", "color", "drive", "behavior", "game", "messages", "search", "console", "plots/items", "plots", "data", "overview", "sceneedit", "scene/render", "scene/gizmo", "scene", "objects", "timeline", "export", "color/image", "color/quality",
         "color/samples", "color/space"],
-    "app/core": ["plugins", "truth", "team", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "scenetext", "world/control", "world", "snapshots", "game", "simulated", "remote", "body", "."],
+    "app/core": ["plugins", "truth", "team", "program", "own", "spread", "platform", "recordings", "deploy", "remote", "."],
+    "app/platforms": [".", "real", "pioneer", "camera", "replay", "body", "simulated/scenetext", "simulated/world/control", "simulated/world", "simulated/snapshots", "simulated/game", "simulated", "simulated/adapter"],
     "app/robotctl": [".", "color", "compare", "link", "log", "run"],
     "app/robotcontrol": ["language", "actions", "commands", "presets", "remote", "docks", "bars", "."],
 }
@@ -105,10 +107,10 @@ def split(path):
 
 
 def models_of(root):
-    """The files that widgets/CMakeLists.txt lists as models, without their suffix."""
+    """The files that widgets/CMakeLists.txt lists as models and painting, without their suffix."""
     text = (root / "widgets/CMakeLists.txt").read_text()
-    listed = re.search(r"robotcontrol_library\(widgets_models MOC\s+SOURCES(.*?)PUBLIC", text, re.S)
-    return {f"widgets/{name}" for name in re.findall(r"([\w/]+)\.cpp", listed.group(1))}
+    listed = re.findall(r"robotcontrol_library\(widgets_(?:models|painting) MOC\s+SOURCES(.*?)PUBLIC", text, re.S)
+    return {f"widgets/{name}" for name in re.findall(r"([\w/]+)\.cpp", "".join(listed))}
 
 
 def room_problem(target, room, included_target, included_room):

@@ -19,7 +19,7 @@ FILES = "resources/translations/robotcontrol_*.ts"
 # Sources without Qt cannot mark their texts; what the window translates of them is found by these rules, by context.
 LITERALS = r'((?:"(?:[^"\\]|\\.)*"\s*)+)'
 COMMANDS = "robotlink/commands/*Catalog.cpp"
-PLATFORMS = "app/core/**/*.cpp"
+PLATFORMS = "app/[cp]*/**/*.cpp"
 # Help of the command line alone.
 HEADLESS = re.compile("Headless")
 FIELDS = "accept|emptyText|entry|entryHelp|fileEntry|fileFilter|files|group|help|hint|label|listAgain|title|toggle|unit"

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "app/core/CommandValues.h"
-#include "app/core/LogSearchJob.h"
 #include "app/core/LogWriteJob.h"
 #include "app/core/OpenPlatform.h"
 #include "app/core/program/ShippedFiles.h"
@@ -330,14 +329,12 @@ void addLogWriting(CommandTable& commands, OpenPlatform& open, LogWriteJob& job)
       });
 }
 
-void addLogSearch(CommandTable& commands, OpenPlatform& open, LogSearchJob& job) {
-  commands.attach("log.search", [logs = Logs(open), &job](const Values& values) -> Result<void> {
-    const auto status = logs.status();
-    if (!status) return tl::unexpected(status.error());
-    LogSearchJob::Plan plan{{}, text(values, 0), text(values, 1)};
-    for (const auto& log : (*status)->logs()) plan.logs.emplace_back(log.path());
-    return job.begin(std::move(plan));
-  });
+Result<std::vector<std::filesystem::path>> openLogs(OpenPlatform& open) {
+  const auto status = Logs(open).status();
+  if (!status) return tl::unexpected(status.error());
+  std::vector<std::filesystem::path> files;
+  for (const auto& log : (*status)->logs()) files.emplace_back(log.path());
+  return files;
 }
 
 void addLogCommands(CommandTable& commands, OpenPlatform& open) {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+
 namespace robotlink {
 class CommandTable;
 }
 
 namespace app {
 
-class LogSearchJob;
 class LogWriteJob;
 class OpenPlatform;
 
@@ -17,8 +21,8 @@ class OpenPlatform;
 /// Times are in seconds since the beginning of the timeline that the open logs share. What only the replay
 /// can find wrong (a stream that is not in the log) is passed to the handler of errors later.
 void addLogCommands(robotlink::CommandTable& commands, OpenPlatform& open);
-/// Attaches log.search, which searches the open logs by `job`.
-void addLogSearch(robotlink::CommandTable& commands, OpenPlatform& open, LogSearchJob& job);
+/// Returns the files of the open logs. Fails if none is open.
+robotlink::Result<std::vector<std::filesystem::path>> openLogs(OpenPlatform& open);
 /// Attaches log.cut and log.export, which write parts of the open logs by `job`.
 void addLogWriting(robotlink::CommandTable& commands, OpenPlatform& open, LogWriteJob& job);
 

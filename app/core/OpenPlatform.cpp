@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -46,7 +45,7 @@ PlatformThread::LoadHandler OpenPlatform::outcomeOf(Change change, std::shared_p
 }
 
 void OpenPlatform::open(PlatformOpening opening) {
-  bodyQuestion_.begin(opening);
+  openingQuestion_.begin(opening);
   const auto reading = opening.file.empty() ? nullptr : std::make_shared<Opening>(opening.file);
   platform_.open(std::move(opening), reading ? progressOf(reading) : logplayer::LogFile::Progress(),
                  outcomeOf(Change::kPlatform, reading));
@@ -104,10 +103,6 @@ void OpenPlatform::fitScene(const FileTexts& texts, std::function<void(const rob
 
 void OpenPlatform::goOnIn(const FileTexts& texts, bool mustFit,
                           std::function<void(const robotlink::Errors&)> refused) {
-  const auto again = [texts](const LoadedPlatform& loaded) {
-    return SimulationFeed::opening(loaded.sources.front(),
-                                   [texts](RunOptions& options) { options.texts = texts; });
-  };
   if (const auto kept = keepKeys(); !kept) report({kept.error()});
   openings_.push_back(nullptr);
   const auto outcome = [this, refused = std::move(refused)](Change change) {
@@ -115,7 +110,7 @@ void OpenPlatform::goOnIn(const FileTexts& texts, bool mustFit,
       outcomes_.push({.change = change, .loaded = loaded, .refused = refused});
     };
   };
-  platform_.reload(texts, mustFit, again, outcome(Change::kScene), outcome(Change::kPlatform));
+  platform_.reload(texts, mustFit, outcome(Change::kScene), outcome(Change::kPlatform));
 }
 
 void OpenPlatform::setLayout(const std::filesystem::path& file, const std::string& name) {
@@ -128,25 +123,25 @@ robotlink::Result<void> OpenPlatform::connectRemote(const std::string& url, cons
   return {};
 }
 robotlink::Result<void> OpenPlatform::trustRemote(const std::string& url, const std::string& fingerprint) {
-  if (!bodyQuestion_.isAbout(url)) return remote_.trust(url, fingerprint);
-  auto opening = bodyQuestion_.trust(fingerprint);
+  if (!openingQuestion_.isAbout(url)) return remote_.trust(url, fingerprint);
+  auto opening = openingQuestion_.trust(fingerprint);
   if (!opening) return tl::unexpected(opening.error());
   if (*opening) open(**std::move(opening));
   return {};
 }
 robotlink::Result<void> OpenPlatform::showToken(const std::string& url, const std::string& token) {
-  if (!bodyQuestion_.isAbout(url)) return connectRemote(url, token);
-  open(bodyQuestion_.show(token));
+  if (!openingQuestion_.isAbout(url)) return connectRemote(url, token);
+  open(openingQuestion_.show(token));
   return {};
 }
 robotlink::Result<void> OpenPlatform::rememberToken(const std::string& url) {
-  if (!bodyQuestion_.isShowing(url)) return remote_.rememberToken(url);
-  bodyQuestion_.rememberToken();
+  if (!openingQuestion_.isShowing(url)) return remote_.rememberToken(url);
+  openingQuestion_.rememberToken();
   return {};
 }
 std::vector<LinkQuestion> OpenPlatform::questions() const {
   std::vector<LinkQuestion> all;
-  if (bodyQuestion_.asked()) all.push_back(*bodyQuestion_.asked());
+  if (openingQuestion_.asked()) all.push_back(*openingQuestion_.asked());
   for (const auto& connection : remote_.connections()) {
     const auto& objection = connection.state.objection;
     if (objection.kind != robotlink::websocket::ServerObjection::Kind::kNone)
@@ -155,8 +150,8 @@ std::vector<LinkQuestion> OpenPlatform::questions() const {
   return all;
 }
 robotlink::Result<void> OpenPlatform::disconnectRemote(const std::string& url) {
-  if (bodyQuestion_.isAbout(url)) {
-    if (bodyQuestion_.drop()) close();
+  if (openingQuestion_.isAbout(url)) {
+    if (openingQuestion_.drop()) close();
     report({{"body.declined",
              "the program of the robot at " + url +
                  " does not run here, because the question about its connection was not answered; choose "
@@ -213,7 +208,7 @@ void OpenPlatform::tick() {
     if (const auto saved = hosting_.save(); !saved) report({saved.error()});
     if (const auto saved = limits_.save(); !saved) report({saved.error()});
   }
-  if (!loading()) bodyQuestion_.follow();
+  if (!loading()) openingQuestion_.follow();
   followRemote();
   session_.tick();
   offer_.tick();
@@ -257,7 +252,7 @@ void OpenPlatform::apply(Outcome outcome) {
       openingErrors_ = errors;
       return outcome.refused(errors);
     }
-    if (bodyQuestion_.ask(errors)) return;
+    if (openingQuestion_.ask(errors)) return;
     openingErrors_ = errors;
     const bool wanted =
         errors.size() == 1 && (errors.front().id == "log.given-up" || errors.front().id == "scene.given-up");
@@ -270,7 +265,7 @@ void OpenPlatform::apply(Outcome outcome) {
   }
   loaded_ = std::move(*outcome.loaded);
   if (outcome.change == Change::kPlatform) {
-    if (const auto kept = bodyQuestion_.finish(loaded_->sources); !kept) report({kept.error()});
+    if (const auto kept = openingQuestion_.finish(loaded_->sources); !kept) report({kept.error()});
   }
   std::set<std::string> robots;
   for (const auto& [name, description] : loaded_->robots) robots.insert(name);

@@ -17,8 +17,8 @@
 #include "app/core/HistoryKeeper.h"
 #include "app/core/PlatformThread.h"
 #include "app/core/Recording.h"
-#include "app/core/body/BodyQuestion.h"
 #include "app/core/platform/HostingMemory.h"
+#include "app/core/remote/OpeningQuestion.h"
 #include "app/core/remote/RemoteRobots.h"
 #include "app/core/remote/RobotSearch.h"
 #include "app/core/remote/SessionOffer.h"
@@ -81,7 +81,7 @@ class OpenPlatform {
   /// Remembers the token of a connection once it was accepted.
   robotlink::Result<void> rememberToken(const std::string& url);
   /// Whether one of questions() is about a body whose program is to run here.
-  bool asksForBody() const { return bodyQuestion_.asked().has_value(); }
+  bool asksForBody() const { return openingQuestion_.asked().has_value(); }
   /// The objections of remote robots that the user can resolve.
   std::vector<LinkQuestion> questions() const;
   /// Limits what a connection carries, also that to a body whose program runs here, now and whenever it is
@@ -188,7 +188,7 @@ class OpenPlatform {
   std::function<void(const robotlink::Errors&)> onErrors_;
   /// The subjects of the results to come, in their order; null where no file is read.
   std::deque<std::shared_ptr<Opening>> openings_;
-  BodyQuestion bodyQuestion_;
+  OpeningQuestion openingQuestion_;
   RobotSearch search_;
   LinkLimitsMemory limits_;
   RemoteRobots remote_;

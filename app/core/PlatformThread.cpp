@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/PlatformThread.h"
 
+#include "app/core/platform/ReplayMoves.h"
 #include "app/core/program/Abandoned.h"
-#include "app/core/replay/ReplayMoves.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -164,19 +164,17 @@ void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler, 
   });
 }
 
-void PlatformThread::reload(FileTexts texts, bool mustFit,
-                            std::function<PlatformOpening(const LoadedPlatform&)> again, LoadHandler inPlace,
-                            LoadHandler opened) {
-  postOther([this, texts = std::move(texts), mustFit, again = std::move(again), inPlace = std::move(inPlace),
-             opened = std::move(opened)] {
-    tl::expected<bool, robotlink::Errors> done = tl::unexpected(
-        robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
-    if (feed_) done = feed_->reload(texts, mustFit);
-    reportedAtEnd_.clear();
-    if (!done) return inPlace(tl::unexpected(std::move(done.error())));
-    if (!*done) return open(again(feed_->describe()), {}, opened);
-    inPlace(describe());
-  });
+void PlatformThread::reload(FileTexts texts, bool mustFit, LoadHandler inPlace, LoadHandler opened) {
+  postOther(
+      [this, texts = std::move(texts), mustFit, inPlace = std::move(inPlace), opened = std::move(opened)] {
+        tl::expected<bool, robotlink::Errors> done = tl::unexpected(
+            robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
+        if (feed_) done = feed_->reload(texts, mustFit);
+        reportedAtEnd_.clear();
+        if (!done) return inPlace(tl::unexpected(std::move(done.error())));
+        if (!*done) return open(feed_->reopening(texts), {}, opened);
+        inPlace(describe());
+      });
 }
 
 void PlatformThread::close(LoadHandler handler) {

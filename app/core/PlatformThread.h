@@ -58,9 +58,9 @@ class PlatformThread {
   /// Restarts the programs of the platform in another layout; with a name only those of that robot or team.
   void setLayout(std::filesystem::path file, LoadHandler handler, std::string name = {});
   /// Reads the file of what runs again and continues in it, see PlatformFeed::reload(); where that is
-  /// impossible what `again` returns is opened instead, as open() does. One of the handlers is called.
-  void reload(FileTexts texts, bool mustFit, std::function<PlatformOpening(const LoadedPlatform&)> again,
-              LoadHandler inPlace, LoadHandler opened);
+  /// impossible, its PlatformFeed::reopening() is opened instead, as open() does. One of the handlers is
+  /// called.
+  void reload(FileTexts texts, bool mustFit, LoadHandler inPlace, LoadHandler opened);
   /// Ends the platform, as the destructor does; none runs then.
   void close(LoadHandler handler);
   /// Fulfills a request to a robot or to the platform; the session gets one result for each. Moves in a log

@@ -6,7 +6,6 @@
 
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
-#include "app/core/pioneer/PioneerCommands.h"
 #include "app/core/program/ColorTables.h"
 #include "foxglove/Grid.pb.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -73,11 +72,6 @@ Result<void> askRobots(OpenPlatform& open, const std::string& whose, const Reque
     open.ask(std::move(one));
   }
   return {};
-}
-
-/// Sends a request to the selected robot. Fails if there is no robot.
-Result<void> ask(OpenPlatform& open, const Request& request) {
-  return askRobots(open, {}, request);
 }
 
 /// Returns completions for the name of a robot, of a team, or all.
@@ -183,7 +177,7 @@ Result<void> setColorTable(OpenPlatform& open, const std::string& file) {
   *request.mutable_set_color_table()->mutable_table() = std::move(**table);
   robotlink::assign(*request.mutable_set_color_table()->mutable_table()->mutable_loaded(),
                     robotlink::Instant(std::chrono::system_clock::now().time_since_epoch()));
-  return ask(open, request);
+  return askSelectedRobot(open, request);
 }
 
 void addForAll(CommandTable& commands, OpenPlatform& open) {
@@ -256,7 +250,7 @@ void addForProgram(CommandTable& commands, OpenPlatform& open) {
   commands.attach("robot.no-color-table", [&open](const Values&) {
     Request request;
     request.mutable_set_color_table();
-    return ask(open, request);
+    return askSelectedRobot(open, request);
   });
 }
 
@@ -277,7 +271,7 @@ void addForCamera(CommandTable& commands, OpenPlatform& open) {
         Request request;
         request.mutable_set_camera()->set_setting(text(values, 0));
         request.mutable_set_camera()->set_value(number(values, 1));
-        return ask(open, request);
+        return askSelectedRobot(open, request);
       },
       [&open](const auto& before) {
         return before.empty() ? cameraSettings(open) : std::vector<std::string>();
@@ -295,7 +289,7 @@ Result<void> saveMap(OpenPlatform& open, const std::string& file) {
     Request show;
     show.mutable_set_key()->set_name(std::string("package/") + robotlink::kGridMap.name);
     show.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
-    if (auto asked = ask(open, show); !asked) return asked;
+    if (auto asked = askSelectedRobot(open, show); !asked) return asked;
     return robotlink::failure(
         "robot.no-map",
         "there is no map of " + robot +
@@ -321,27 +315,30 @@ void addForDrive(CommandTable& commands, OpenPlatform& open) {
     request.mutable_set_goal()->mutable_pose_in_field()->set_x(number(values, 0));
     request.mutable_set_goal()->mutable_pose_in_field()->set_y(number(values, 1));
     request.mutable_set_goal()->set_any_heading(true);
-    return ask(open, request);
+    return askSelectedRobot(open, request);
   });
   commands.attach("robot.no-goal", [&open](const Values&) {
     Request request;
     request.mutable_set_goal()->set_cancelled(true);
-    return ask(open, request);
+    return askSelectedRobot(open, request);
   });
   const auto addSwitch = [&](const char* name, void (*set)(robotcontrol::ControlDrive&, bool)) {
     commands.attach(name, [&open, set](const Values& values) {
       Request request;
       set(*request.mutable_control_drive(), flag(values, 0));
-      return ask(open, request);
+      return askSelectedRobot(open, request);
     });
   };
-  addPioneerCommands(commands, [&open](const Request& request) { return ask(open, request); });
   commands.attach("robot.save-map", [&open](const Values& values) { return saveMap(open, text(values, 0)); });
   addSwitch("robot.motors", [](auto& details, bool on) { details.set_motors(on); });
   addSwitch("robot.sonars", [](auto& details, bool on) { details.set_sonar(on); });
 }
 
 }  // namespace
+
+Result<void> askSelectedRobot(OpenPlatform& open, const Request& request) {
+  return askRobots(open, {}, request);
+}
 
 void addRobotCommands(CommandTable& commands, OpenPlatform& open) {
   addForAll(commands, open);

@@ -9,9 +9,8 @@
 #include "app/core/RecordingCommands.h"
 #include "app/core/RemoteCommands.h"
 #include "app/core/RobotCommands.h"
-#include "app/core/SceneCommands.h"
-#include "app/core/SimulationCommands.h"
 #include "app/core/TimelineCommands.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "robotlink/commands/CommandRegistration.h"
 
 namespace app {
@@ -19,19 +18,18 @@ namespace app {
 Workbench::Workbench(std::filesystem::path userFolder)
     : OpenPlatform(std::move(userFolder)), commands_(allCommands()) {
   addPlatformCommands(commands_, *this);
-  addSimulationCommands(commands_, *this);
   addGameCommands(commands_, *this);
-  addSceneCommands(commands_, *this);
   addRobotCommands(commands_, *this);
   addRemoteCommands(commands_, *this);
   addLogCommands(commands_, *this);
-  addLogSearch(commands_, *this, logSearch_);
-  addJob([this] { return logSearch_.working(); });
   addLogWriting(commands_, *this, logWriting_);
   addJob([this] { return logWriting_.working(); });
   addRecordingCommands(commands_, *this);
   addTimelineCommands(commands_, *this, changeSteps_);
   addJob([this] { return changeSteps_.working(); });
+  for (const PlatformAdapter& adapter : platformAdapters()) {
+    if (adapter.commands != nullptr) adapter.commands(*this);
+  }
   robotlink::attachRegisteredCommands(commands_, session());
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/core/ChangeSteps.h"
-#include "app/core/LogSearchJob.h"
 #include "app/core/LogWriteJob.h"
 #include "app/core/OpenPlatform.h"
 #include "robotlink/commands/CommandTable.h"
@@ -32,7 +31,6 @@ class Workbench : public OpenPlatform {
 
  private:
   std::vector<std::function<robotlink::Result<bool>()>> jobs_;
-  LogSearchJob logSearch_;
   LogWriteJob logWriting_;
   ChangeSteps changeSteps_{*this};
   robotlink::CommandTable commands_;

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "app/core/Workbench.h"
-#include "app/core/replay/ReplayComputation.h"
+#include "app/platforms/replay/ReplayComputation.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"

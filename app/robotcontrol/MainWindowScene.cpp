@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "app/core/Workbench.h"
-#include "app/core/scenetext/SceneFileText.h"
+#include "app/platforms/simulated/scenetext/SceneFileText.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "robotlink/base/Resources.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/core/Workbench.h"
-#include "app/core/scenetext/SceneFileText.h"
+#include "app/platforms/simulated/scenetext/SceneFileText.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "robotcontrol/World.pb.h"

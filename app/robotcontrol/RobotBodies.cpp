@@ -3,7 +3,7 @@
 
 #include <QColor>
 
-#include "app/core/program/SceneMessages.h"
+#include "app/platforms/SceneMessages.h"
 #include "foxglove/Scene.pb.h"
 #include "simcore/ModelParts.h"
 #include "widgets/world/RobotBody.h"

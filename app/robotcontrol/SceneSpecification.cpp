@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/SceneSpecification.h"
 
-#include "app/core/scenetext/SceneFileText.h"
-#include "app/core/scenetext/SceneText.h"
+#include "app/platforms/simulated/scenetext/SceneFileText.h"
+#include "app/platforms/simulated/scenetext/SceneText.h"
 #include "simcore/sdf/SdfGlossary.h"
 
 namespace app {

@@ -21,7 +21,7 @@
 #include "app/core/plugins/Plugins.h"
 #include "app/core/program/Abandoned.h"
 #include "app/core/program/ShippedFiles.h"
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
 #include "app/robotcontrol/StartScript.h"

@@ -12,7 +12,7 @@
 
 #include "app/core/platform/NumberRange.h"
 #include "app/core/program/ShippedFiles.h"
-#include "app/core/simulated/SceneResources.h"
+#include "app/platforms/simulated/SceneResources.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "robotlink/base/Printable.h"

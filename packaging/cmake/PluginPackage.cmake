@@ -12,7 +12,7 @@ install(TARGETS ${libraries} EXPORT RobotControlTargets
         LIBRARY DESTINATION lib/robotcontrol
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol)
 
-foreach(folder robotlink colortool logplayer simcore widgets app/core)
+foreach(folder robotlink colortool logplayer simcore widgets app/core app/platforms)
   if(EXISTS ${PROJECT_BINARY_DIR}/${folder})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol/${folder}
             FILES_MATCHING PATTERN "*.h")

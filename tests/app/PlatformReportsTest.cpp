@@ -2,7 +2,7 @@
 // What simulated platforms of all kinds report about being set up and shut down.
 #include <gmock/gmock.h>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/core/Recording.h"
 #include "app/core/program/RecordingTap.h"
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/core/program/RobotHost.h"
-#include "app/core/replay/ReplayFeed.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/replay/ReplayFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/TaskProcess.h"
 #include "robotlink/debugging/program/DebugProcess.h"

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "app/core/Workbench.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "foxglove/Grid.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"

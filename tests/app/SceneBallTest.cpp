@@ -2,8 +2,8 @@
 // The ball of a simulation is the one that the scene says it is, whatever it is called.
 #include <gmock/gmock.h>
 
-#include "app/core/program/SceneMessages.h"
-#include "app/core/simulated/BallTrials.h"
+#include "app/platforms/SceneMessages.h"
+#include "app/platforms/simulated/BallTrials.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"

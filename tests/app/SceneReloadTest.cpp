@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/core/Workbench.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "app/core/simulated/SimulatedRun.h"
-#include "app/core/world/SimulatedWorld.h"
+#include "app/platforms/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/world/SimulatedWorld.h"
 #include "colortool/correction/CorrectionEstimate.h"
 #include "colortool/image/ClassPresets.h"
 #include "colortool/image/ColorImage.h"

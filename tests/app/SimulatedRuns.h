@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 
 // Runs of the shipped scene, without a window or a thread.
 namespace app::test {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "app/core/Workbench.h"
-#include "app/core/simulated/SimulatedRun.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"

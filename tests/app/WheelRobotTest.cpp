@@ -4,7 +4,7 @@
 // one.
 #include <gmock/gmock.h>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "foxglove/Ranging.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"

@@ -25,6 +25,7 @@ namespace app {
 class HostingMemory;
 class LinkLimitsMemory;
 class PlatformFeed;
+class Workbench;
 struct HeadlessPlatform;
 
 /// The kind of time by which a platform runs. It decides how users can control the platform.
@@ -121,6 +122,9 @@ struct PlatformAdapter {
   HeadlessPlatform (*headless)() = nullptr;
   /// The command that runs it instead, as a sentence; null: none.
   const char* insteadOfHeadless = nullptr;
+  /// Attaches the commands that only platforms of this kind fulfill; null: there are none. Called once for
+  /// each workbench, in its thread, whatever is open.
+  void (*commands)(Workbench& workbench) = nullptr;
 };
 
 /// Returns all adapters, sorted by their order. They are registered before main() and do not change later.

@@ -10,6 +10,10 @@ using robotlink::Result;
 
 namespace {
 
+robotlink::Errors noSimulation() {
+  return {{"simulation.none", "there is no simulation; open a scene first", {}, {}}};
+}
+
 /// Returns why a request that concerns a robot cannot be passed to it; empty if it can.
 std::string whyForNoRobot(const robotcontrol::Request& request, RequestDoer doer) {
   if (doer == RequestDoer::kRecording)
@@ -53,8 +57,14 @@ robotlink::Errors PlatformFeed::setLayoutOf(const std::string& name, const std::
 }
 
 tl::expected<bool, robotlink::Errors> PlatformFeed::reload(FileTexts, bool) {
-  return tl::unexpected(
-      robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
+  return tl::unexpected(noSimulation());
+}
+
+PlatformOpening PlatformFeed::reopening(FileTexts) const {
+  const LoadedPlatform loaded = describe();
+  return {.adapter = loaded.adapter, .sources = loaded.sources, .make = [](const PlatformContext&) {
+            return PlatformOpening::Made(tl::unexpected(noSimulation()));
+          }};
 }
 
 PlatformOpening::Made PlatformFeed::withLog(const std::filesystem::path&, robotlink::Duration,

@@ -126,6 +126,9 @@ class PlatformFeed {
   /// before. `texts` count instead of files, until it is loaded again. If it `mustFit`, it fails if something
   /// would be inside of something that is there now, which is put back otherwise.
   virtual tl::expected<bool, robotlink::Errors> reload(FileTexts texts, bool mustFit);
+  /// Returns the opening that starts the same from its beginning, with `texts` in place of files. By default
+  /// it cannot be opened.
+  virtual PlatformOpening reopening(FileTexts texts) const;
   /// Whether describe() tells of other robots since this was called last, because a request was fulfilled.
   virtual bool takeDescriptionChange() { return false; }
   /// Describes what runs now.

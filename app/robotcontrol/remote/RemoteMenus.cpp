@@ -5,7 +5,7 @@
 #include <QMenu>
 
 #include "app/core/Workbench.h"
-#include "app/core/body/BodyFeed.h"
+#include "app/platforms/body/BodyFeed.h"
 #include "app/robotcontrol/remote/FoundRobots.h"
 #include "app/robotcontrol/remote/OfferDialog.h"
 #include "app/robotcontrol/remote/RecordingsDialog.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/platform/JsonOutput.h"
-#include "app/core/world/TrueClasses.h"
+#include "app/platforms/simulated/world/TrueClasses.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/color/ColorImages.h"
 #include "app/robotctl/color/ColorSubcommands.h"

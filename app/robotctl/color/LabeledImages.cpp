@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "app/core/world/TrueClasses.h"
+#include "app/platforms/simulated/world/TrueClasses.h"
 #include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/table/NamedColorTable.h"
 #include "foxglove/Image.pb.h"

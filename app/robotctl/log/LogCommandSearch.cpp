@@ -14,7 +14,7 @@
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/program/SolutionChoices.h"
-#include "app/core/replay/ReplayComputation.h"
+#include "app/platforms/replay/ReplayComputation.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "foxglove/Robot.pb.h"

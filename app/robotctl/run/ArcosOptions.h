@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/core/simulated/ArcosSimulation.h"
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/ArcosSimulation.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 
 namespace CLI {
 class App;

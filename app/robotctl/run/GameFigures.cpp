@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 
 namespace app {
 namespace {

@@ -4,13 +4,13 @@
 #include <iostream>
 #include <memory>
 
-#include "app/core/body/BodyProgram.h"
-#include "app/core/pioneer/PioneerOptions.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/platform/RobotName.h"
 #include "app/core/program/ShippedFiles.h"
-#include "app/core/real/RealFeed.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/body/BodyProgram.h"
+#include "app/platforms/pioneer/PioneerOptions.h"
+#include "app/platforms/real/RealFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/run/ListenOptions.h"
 

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <map>
 
-#include "app/core/simulated/ArcosSimulation.h"
-#include "app/core/simulated/SimulatedRun.h"
 #include "app/core/truth/ErrorFigures.h"
+#include "app/platforms/simulated/ArcosSimulation.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "app/robotctl/run/GameFigures.h"
 
 namespace app {

@@ -11,7 +11,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/core/platform/ExitStatus.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "robotlink/base/Clock.h"

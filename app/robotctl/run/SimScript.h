@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 
 namespace app {
 

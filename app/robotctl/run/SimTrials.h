@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/core/simulated/BallTrials.h"
-#include "app/core/simulated/WalkTrial.h"
+#include "app/platforms/simulated/BallTrials.h"
+#include "app/platforms/simulated/WalkTrial.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "app/robotctl/color/LabeledImages.h"
 
 namespace CLI {

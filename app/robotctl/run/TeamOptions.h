@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "robotlink/base/Error.h"
 
 namespace CLI {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/simulated/ArcosSimulation.h"
+#include "app/platforms/simulated/ArcosSimulation.h"
 #include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/arcos/stream/ByteStream.h"
 #include "tests/robotlink/arcos/PacketClient.h"

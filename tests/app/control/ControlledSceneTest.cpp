@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "app/core/Workbench.h"
-#include "app/core/simulated/SimulatedRun.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"

@@ -78,6 +78,7 @@ class FakeFeed final : public PlatformFeed {
       return tl::unexpected(robotlink::Errors{{"scene.bad", "the scene is bad", {}, {}}});
     return notes_->reload == FeedNotes::Reload::kInPlace;
   }
+  PlatformOpening reopening(FileTexts texts) const override;
   LoadedPlatform describe() const override { return loaded_; }
   std::shared_ptr<StopSwitch> stopSwitch() const override { return stop_; }
   void publishStatus() override {}
@@ -150,6 +151,12 @@ inline PlatformOpening fakeOpening(const LoadedPlatform& loaded, const std::shar
     return std::make_unique<FakeFeed>(loaded, context.session, notes, std::move(all));
   };
   return opening;
+}
+
+inline PlatformOpening FakeFeed::reopening(FileTexts) const {
+  LoadedPlatform again = loaded_;
+  again.title += " again";
+  return fakeOpening(again, notes_);
 }
 
 /// What cannot be opened.

@@ -3,13 +3,13 @@
 // to the next.
 #include <gtest/gtest.h>
 
-#include "app/core/pioneer/PioneerOptions.h"
 #include "app/core/platform/HostingMemory.h"
-#include "app/core/real/RealFeed.h"
-#include "app/core/replay/ReplayFeed.h"
+#include "app/platforms/pioneer/PioneerOptions.h"
+#include "app/platforms/real/RealFeed.h"
+#include "app/platforms/replay/ReplayFeed.h"
 #include "robotcontrol/Hosting.pb.h"
-#include "tests/app/body/BodyBench.h"
-#include "tests/app/replay/ReplayFixture.h"
+#include "tests/app/platforms/body/BodyBench.h"
+#include "tests/app/platforms/replay/ReplayFixture.h"
 #include "tests/app/served/ServedWorld.h"
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Sensing.pb.h"
-#include "tests/app/body/BodyBench.h"
+#include "tests/app/platforms/body/BodyBench.h"
 
 namespace {
 

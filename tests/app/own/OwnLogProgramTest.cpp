@@ -8,7 +8,7 @@
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Packages.h"
 #include "tests/app/own/TroubleLayout.h"
-#include "tests/app/replay/ReplayFixture.h"
+#include "tests/app/platforms/replay/ReplayFixture.h"
 
 namespace app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "app/core/own/CrashReport.h"
 #include "app/core/own/SpareChild.h"
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/debugging/SharedDebugQueue.h"

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <mutex>
 
-#include "app/core/pioneer/PioneerOptions.h"
+#include "app/platforms/pioneer/PioneerOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Hosting.pb.h"

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "app/core/Workbench.h"
-#include "app/core/pioneer/PioneerOptions.h"
-#include "app/core/real/RealFeed.h"
+#include "app/platforms/pioneer/PioneerOptions.h"
+#include "app/platforms/real/RealFeed.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"

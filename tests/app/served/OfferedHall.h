@@ -10,7 +10,7 @@
 #include "app/core/PlatformThread.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "app/core/remote/SessionOffer.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"

@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "app/core/simulated/SimulatedRun.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "foxglove/Geometry.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/core/ServedPlatform.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "logplayer/record/Recorder.h"
 
 namespace app::test {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "app/core/replay/ReplayFeed.h"
+#include "app/platforms/replay/ReplayFeed.h"
 #include "tests/app/ShortLog.h"
 #include "tests/app/served/ServedTest.h"
 

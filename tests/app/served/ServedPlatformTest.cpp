@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/core/simulated/SimulatedRun.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "foxglove/Image.pb.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Requests.pb.h"

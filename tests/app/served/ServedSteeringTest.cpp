@@ -3,7 +3,7 @@
 // manual clock that goes with the simulation.
 #include <gtest/gtest.h>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"

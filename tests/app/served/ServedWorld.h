@@ -7,8 +7,8 @@
 #include <string>
 #include <thread>
 
-#include "app/core/simulated/ArcosPorts.h"
-#include "app/core/world/SimulatedWorld.h"
+#include "app/platforms/simulated/ArcosPorts.h"
+#include "app/platforms/simulated/world/SimulatedWorld.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 

@@ -5,13 +5,13 @@
 #include <atomic>
 #include <mutex>
 
-#include "app/core/pioneer/PioneerOptions.h"
-#include "app/core/pioneer/PioneerPlatform.h"
 #include "app/core/program/Abandoned.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/spread/OtherProgram.h"
+#include "app/platforms/pioneer/PioneerOptions.h"
+#include "app/platforms/pioneer/PioneerPlatform.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"

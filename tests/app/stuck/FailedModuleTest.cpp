@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Motion.pb.h"

@@ -2,7 +2,7 @@
 // Modules that never return, in programs that run in the workbench: everything else goes on.
 #include <gmock/gmock.h>
 
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "simcore/Scene.h"
 #include "tests/TestFolder.h"

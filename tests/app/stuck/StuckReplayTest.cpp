@@ -4,12 +4,12 @@
 
 #include <sstream>
 
-#include "app/core/replay/ReplayFeed.h"
-#include "app/core/replay/ReplayHeadless.h"
+#include "app/platforms/replay/ReplayFeed.h"
+#include "app/platforms/replay/ReplayHeadless.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "simcore/Scene.h"
 #include "tests/TestFolder.h"
-#include "tests/app/replay/ReplayFixture.h"
+#include "tests/app/platforms/replay/ReplayFixture.h"
 #include "tests/app/stuck/StuckBench.h"
 
 namespace app {

@@ -6,7 +6,7 @@
 
 #include "app/core/platform/ProgramTroubles.h"
 #include "app/core/program/Abandoned.h"
-#include "app/core/simulated/BallTrials.h"
+#include "app/platforms/simulated/BallTrials.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"

@@ -8,8 +8,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/core/body/BodyFeed.h"
-#include "app/core/body/BodyProgram.h"
+#include "app/platforms/body/BodyFeed.h"
+#include "app/platforms/body/BodyProgram.h"
 #include "robotlink/foxglove/security/Certificate.h"
 #include "robotlink/foxglove/security/KnownServers.h"
 #include "robotlink/foxglove/security/RememberedTokens.h"

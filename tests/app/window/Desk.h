@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "app/core/Workbench.h"
-#include "app/core/simulated/SimulationFeed.h"
+#include "app/platforms/simulated/SimulationFeed.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "foxglove/Geometry.pb.h"

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/core/simulated/SimulatedRun.h"
-#include "app/core/world/SimulatedWorld.h"
+#include "app/platforms/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/world/SimulatedWorld.h"
 #include "modules/navigation/ReachableSpace.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "robotlink/base/Geometry.h"
 
 namespace modules {

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/core/world/TrueClasses.h"
+#include "app/platforms/simulated/world/TrueClasses.h"
 #include "foxglove/Image.pb.h"
 #include "logplayer/images/PictureFile.h"
 #include "robotlink/base/AtomicFile.h"

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/core/simulated/SimulatedRun.h"
+#include "app/platforms/simulated/SimulatedRun.h"
 #include "tests/app/SimulatedRuns.h"
 
 namespace app {
