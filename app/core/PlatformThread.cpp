@@ -58,7 +58,7 @@ void PlatformThread::endFeed() {
   if (!ended->hasEnded()) abandon(ended, [feed = ended.get()] { return feed->hasEnded(); });
 }
 
-void PlatformThread::postOther(PacedThread::Job job) {
+void PlatformThread::postOther(robotlink::PacedThread::Job job) {
   {
     const std::lock_guard lock(mutex_);
     // Later requests must be fulfilled after this job.

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "app/core/platform/PacedThread.h"
 #include "app/core/platform/PlatformFeed.h"
+#include "robotlink/base/threads/PacedThread.h"
 
 namespace logplayer {
 class Recorder;
@@ -102,7 +102,7 @@ class PlatformThread {
   /// Fulfills STOP at once if there is such a robot, otherwise after the earlier requests.
   void stop(const robotcontrol::Request& request);
   /// Enqueues a job that no move can be joined across.
-  void postOther(PacedThread::Job job);
+  void postOther(robotlink::PacedThread::Job job);
 
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
@@ -133,7 +133,7 @@ class PlatformThread {
   /// null.
   std::shared_ptr<Asked> newest_;
   /// The last member, since the thread uses the others.
-  PacedThread thread_;
+  robotlink::PacedThread thread_;
 };
 
 }  // namespace app

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "app/core/platform/PacedThread.h"
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/platform/StopSwitch.h"
 #include "logplayer/file/LogFile.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/base/threads/PacedThread.h"
 
 namespace robotcontrol {
 class Request;
@@ -100,8 +100,8 @@ class PlatformFeed {
   /// Called once, when the session belongs to this platform: publishes the current state. From then on
   /// everything is published as it happens.
   virtual void begin() = 0;
-  /// The real time of the next step, as for PacedThread::Work; nothing while it is paused.
-  virtual std::optional<PacedThread::Clock::time_point> due() = 0;
+  /// The real time of the next step, as for robotlink::PacedThread::Work; nothing while it is paused.
+  virtual std::optional<robotlink::PacedThread::Clock::time_point> due() = 0;
   /// Makes the step that is due.
   virtual void step() = 0;
 

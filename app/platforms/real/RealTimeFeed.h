@@ -22,7 +22,7 @@ class HostingMemory;
 class RealTimeFeed : public PlatformFeed {
  public:
   void begin() override;
-  std::optional<PacedThread::Clock::time_point> due() override { return due_; }
+  std::optional<robotlink::PacedThread::Clock::time_point> due() override { return due_; }
   void step() override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
@@ -34,7 +34,7 @@ class RealTimeFeed : public PlatformFeed {
   std::map<std::string, ProgramOverrides> overrides() const override;
 
  protected:
-  using Clock = PacedThread::Clock;
+  using Clock = robotlink::PacedThread::Clock;
 
   /// `adapter` is the name of the PlatformAdapter, `period` the real time between two steps. `hosting`
   /// remembers what the user chooses; it may be null, otherwise it must outlive the feed.

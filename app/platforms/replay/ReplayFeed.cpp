@@ -159,7 +159,7 @@ Result<void> ReplayFeed::goTo(Instant time) {
   return {};
 }
 
-std::optional<PacedThread::Clock::time_point> ReplayFeed::due() {
+std::optional<robotlink::PacedThread::Clock::time_point> ReplayFeed::due() {
   if (stale_ && !playback_.playing()) return Clock::now();
   const auto next = playback_.next(place());
   if (!next) return std::nullopt;

@@ -39,7 +39,7 @@ class ReplayFeed final : public PlatformFeed {
   /// Publishes what the last jump has collected, and the status.
   void begin() override;
   /// While it plays, also the times at which the status is due.
-  std::optional<PacedThread::Clock::time_point> due() override;
+  std::optional<robotlink::PacedThread::Clock::time_point> due() override;
   void step() override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
@@ -68,7 +68,7 @@ class ReplayFeed final : public PlatformFeed {
   robotlink::Result<void> requestReplay(const robotcontrol::Request& request) override;
 
  private:
-  using Clock = PacedThread::Clock;
+  using Clock = robotlink::PacedThread::Clock;
   using Change = std::function<robotlink::Errors()>;
 
   ReplayFeed(robotlink::Session& session, logplayer::Recorder& recorder)

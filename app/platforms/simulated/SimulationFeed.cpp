@@ -116,7 +116,7 @@ void SimulationFeed::begin() {
   publishAnswers();
 }
 
-std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
+std::optional<robotlink::PacedThread::Clock::time_point> SimulationFeed::due() {
   // Threads take the time that they take.
   if (run_->options().hosting.threads && pace_.speed() == 0) {
     pace_.setSpeed(1);

@@ -55,7 +55,7 @@ class SimulationFeed final : public PlatformFeed {
 
   /// Publishes scene, map, transforms, status, notes of the map, and the addresses of the ports.
   void begin() override;
-  std::optional<PacedThread::Clock::time_point> due() override;
+  std::optional<robotlink::PacedThread::Clock::time_point> due() override;
   /// Makes one step; publishes transforms and status at their rates, or at once after a single step.
   void step() override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
@@ -78,7 +78,7 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
 
  private:
-  using Clock = PacedThread::Clock;
+  using Clock = robotlink::PacedThread::Clock;
 
   SimulationFeed(robotlink::Session& session, logplayer::Recorder& recorder)
       : gate_(session), recorder_(recorder) {}

@@ -62,7 +62,7 @@ class FakeFeed final : public PlatformFeed {
         overrides_(std::move(overrides)) {}
 
   void begin() override { note("begin"); }
-  std::optional<PacedThread::Clock::time_point> due() override { return std::nullopt; }
+  std::optional<robotlink::PacedThread::Clock::time_point> due() override { return std::nullopt; }
   void step() override {}
   std::vector<std::string> end() override {
     note("end");

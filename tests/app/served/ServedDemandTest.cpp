@@ -81,10 +81,10 @@ class DemandedFeed : public PlatformFeed {
   DemandedFeed(robotlink::Session& session, std::shared_ptr<Noted> noted)
       : session_(session), noted_(std::move(noted)) {}
   void begin() override {}
-  std::optional<PacedThread::Clock::time_point> due() override { return next_; }
+  std::optional<robotlink::PacedThread::Clock::time_point> due() override { return next_; }
   /// As other platforms do, it publishes again and again: a session forgets what came before its platform.
   void step() override {
-    next_ = PacedThread::Clock::now() + std::chrono::milliseconds(10);
+    next_ = robotlink::PacedThread::Clock::now() + std::chrono::milliseconds(10);
     session_.push({streams::kTransforms, robotlink::Instant(std::chrono::seconds(1)),
                    std::make_shared<foxglove::FrameTransforms>()});
   }
@@ -101,7 +101,7 @@ class DemandedFeed : public PlatformFeed {
 
  private:
   robotlink::Session& session_;
-  PacedThread::Clock::time_point next_ = PacedThread::Clock::now();
+  robotlink::PacedThread::Clock::time_point next_ = robotlink::PacedThread::Clock::now();
   const std::shared_ptr<Noted> noted_;
 };
 

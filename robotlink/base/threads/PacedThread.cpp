@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/platform/PacedThread.h"
+#include "robotlink/base/threads/PacedThread.h"
 
 #include <utility>
 
-namespace app {
+namespace robotlink {
 
 PacedThread::PacedThread(Work work) : work_(std::move(work)), thread_([this] { runLoop(); }) {}
 
@@ -32,6 +32,19 @@ void PacedThread::postTo(std::deque<Job>& jobs, Job job) {
   wakeUp_.notify_one();
 }
 
+void PacedThread::wake() {
+  {
+    const std::lock_guard lock(mutex_);
+    isWoken_ = true;
+  }
+  wakeUp_.notify_one();
+}
+
+bool PacedThread::isEnding() const {
+  const std::lock_guard lock(mutex_);
+  return quit_;
+}
+
 bool PacedThread::doJobs(std::unique_lock<std::mutex>& lock) {
   while (!(urgent_.empty() && jobs_.empty()) && !quit_) {
     auto& jobs = urgent_.empty() ? jobs_ : urgent_;
@@ -46,17 +59,20 @@ bool PacedThread::doJobs(std::unique_lock<std::mutex>& lock) {
 
 void PacedThread::runLoop() {
   const auto disturbed = [this] { return quit_ || !urgent_.empty() || !jobs_.empty(); };
+  const auto disturbedOrWoken = [&] { return disturbed() || isWoken_; };
   std::unique_lock lock(mutex_);
   while (doJobs(lock)) {
+    isWoken_ = false;
     lock.unlock();
     const auto due = work_.due();
     lock.lock();
     if (!due) {
-      wakeUp_.wait(lock, disturbed);
+      wakeUp_.wait(lock, disturbedOrWoken);
       continue;
     }
-    // To wait until a time that is over would cost a call of the system for each step.
-    if (disturbed() || (Clock::now() < *due && wakeUp_.wait_until(lock, *due, disturbed))) continue;
+    // To wait until a time that is over would cost a call of the system for each step. A call of wake() does
+    // not put off a step that is due, however often it comes.
+    if (disturbed() || (Clock::now() < *due && wakeUp_.wait_until(lock, *due, disturbedOrWoken))) continue;
     lock.unlock();
     work_.step();
     lock.lock();
@@ -65,4 +81,4 @@ void PacedThread::runLoop() {
   if (work_.end) work_.end();
 }
 
-}  // namespace app
+}  // namespace robotlink

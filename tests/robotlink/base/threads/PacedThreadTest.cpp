@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/platform/PacedThread.h"
+#include "robotlink/base/threads/PacedThread.h"
 
 #include <gmock/gmock.h>
 
@@ -9,20 +9,20 @@
 
 #include "tests/Eventually.h"
 
-using namespace app;
+using namespace robotlink;
 using namespace std::chrono_literals;
-using Clock = PacedThread::Clock;
 
 namespace {
 
+using PacedClock = PacedThread::Clock;
 constexpr auto kLongest = 10s;
 
 /// Steps `wanted` times, at once; due and steps are seen by this thread only after done() was waited for.
 struct Steps {
   std::atomic<int> wanted = 0, done = 0, ended = 0;
   PacedThread::Work work() {
-    return {[this] { return done < wanted ? std::optional(Clock::now()) : std::nullopt; }, [this] { ++done; },
-            [this] { ++ended; }};
+    return {[this] { return done < wanted ? std::optional(PacedClock::now()) : std::nullopt; },
+            [this] { ++done; }, [this] { ++ended; }};
   }
 };
 
@@ -58,13 +58,13 @@ TEST(PacedThread, aJobWakesItUpToSteps) {
 }
 
 TEST(PacedThread, aStepIsNotMadeBeforeItIsDue) {
-  const auto due = Clock::now() + 50ms;
-  std::promise<Clock::time_point> stepped;
+  const auto due = PacedClock::now() + 50ms;
+  std::promise<PacedClock::time_point> stepped;
   std::atomic<bool> done = false;
   PacedThread thread({[&] { return done ? std::nullopt : std::optional(due); },
                       [&] {
                         done = true;
-                        stepped.set_value(Clock::now());
+                        stepped.set_value(PacedClock::now());
                       },
                       {}});
   auto when = stepped.get_future();
@@ -73,14 +73,14 @@ TEST(PacedThread, aStepIsNotMadeBeforeItIsDue) {
 }
 
 TEST(PacedThread, jobsAreDoneWhileAStepIsWaitedFor) {
-  PacedThread thread({[] { return Clock::now() + 1h; }, [] { FAIL() << "a step that is not due"; }, {}});
+  PacedThread thread({[] { return PacedClock::now() + 1h; }, [] { FAIL() << "a step that is not due"; }, {}});
   EXPECT_TRUE(finish(thread));
   EXPECT_TRUE(finish(thread));
 }
 
 TEST(PacedThread, jobsAreDoneBetweenStepsThatAreAlwaysDue) {
   std::atomic<int> steps = 0;
-  PacedThread thread({[] { return Clock::now() - 1s; }, [&] { ++steps; }, {}});
+  PacedThread thread({[] { return PacedClock::now() - 1s; }, [&] { ++steps; }, {}});
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(finish(thread));
   EXPECT_TRUE(eventually([&] { return steps > 0; }));
 }
@@ -113,4 +113,66 @@ TEST(PacedThread, itEndsThoughJobsNeverRunOut) {
     EXPECT_TRUE(eventually([&] { return done >= 10; }));
   }
   EXPECT_EQ(steps.ended, 1);
+}
+
+TEST(PacedThread, wakingItMakesItAskAgainWhenAStepIsDue) {
+  Steps steps;
+  PacedThread thread(steps.work());
+  ASSERT_TRUE(finish(thread));
+  EXPECT_EQ(steps.done, 0);
+  steps.wanted = 2;
+  thread.wake();
+  EXPECT_TRUE(eventually([&] { return steps.done == 2; }));
+}
+
+TEST(PacedThread, wakingItEndsTheWaitForAStep) {
+  std::atomic<bool> isUrgent = false;
+  std::promise<void> stepped;
+  PacedThread thread({.due = [&] { return PacedClock::now() + (isUrgent ? 0h : 1h); },
+                      .step =
+                          [&] {
+                            isUrgent = false;
+                            stepped.set_value();
+                          }});
+  ASSERT_TRUE(finish(thread));
+  isUrgent = true;
+  thread.wake();
+  EXPECT_EQ(stepped.get_future().wait_for(kLongest), std::future_status::ready);
+}
+
+TEST(PacedThread, wakingItOverAndOverDoesNotPutOffSteps) {
+  std::atomic<int> steps = 0;
+  PacedThread* waker = nullptr;
+  PacedThread thread({.due =
+                          [&] {
+                            if (waker != nullptr) waker->wake();
+                            return PacedClock::now() - 1s;
+                          },
+                      .step = [&] { ++steps; }});
+  thread.post([&] { waker = &thread; });
+  ASSERT_TRUE(finish(thread));
+  const int before = steps;
+  EXPECT_TRUE(eventually([&] { return steps > before + 10; }));
+}
+
+TEST(PacedThread, aStepThatTakesLongLearnsThatItShouldReturn) {
+  std::promise<void> begun;
+  std::atomic<bool> sawEnd = false;
+  {
+    std::atomic<PacedThread*> own = nullptr;
+    std::atomic<bool> isDue = false;
+    PacedThread thread({.due = [&] { return isDue ? std::optional(PacedClock::now()) : std::nullopt; },
+                        .step =
+                            [&] {
+                              sawEnd = own.load()->isEnding();
+                              begun.set_value();
+                              while (!own.load()->isEnding()) std::this_thread::yield();
+                              sawEnd = !sawEnd;
+                            }});
+    own = &thread;
+    isDue = true;
+    thread.wake();
+    ASSERT_EQ(begun.get_future().wait_for(kLongest), std::future_status::ready);
+  }
+  EXPECT_TRUE(sawEnd) << "first it was not ending, then it was";
 }
