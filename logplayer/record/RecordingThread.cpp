@@ -16,15 +16,10 @@ constexpr std::chrono::seconds kWarnEvery{5};
 }  // namespace
 
 RecordingThread::RecordingThread(Options options)
-    : options_(std::move(options)), queue_(options_.queueBytes), thread_([this] { run(); }) {}
-
-RecordingThread::~RecordingThread() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
-  }
-  work_.notify_all();
-  thread_.join();
+    : options_(std::move(options)),
+      queue_(options_.queueBytes),
+      nextAt_(Clock::now() + kTick),
+      thread_({.due = [this] { return due(); }, .step = [this] { step(); }, .end = [this] { writeRest(); }}) {
 }
 
 // ---- Input
@@ -35,7 +30,7 @@ void RecordingThread::pushJob(FrameQueue::Job job) {
     queue_.push(std::move(job));
     hurry_ = true;
   }
-  work_.notify_one();
+  thread_.wake();
 }
 
 void RecordingThread::push(RecordedFramePtr frame) {
@@ -45,7 +40,7 @@ void RecordingThread::push(RecordedFramePtr frame) {
     queue_.push(std::move(frame));
     wakes = queue_.bytes() > kWorthWaking;
   }
-  if (wakes) work_.notify_one();
+  if (wakes) thread_.wake();
 }
 
 void RecordingThread::open(std::shared_ptr<RecordingFile> file, Held before) {
@@ -89,32 +84,42 @@ void RecordingThread::close() {
 
 // ---- Worker thread
 
-void RecordingThread::run() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    if (queue_.empty()) {
-      hurry_ = false;
-      done_.notify_all();
-      if (quit_) return;
-    }
-    work_.wait_for(lock, kTick, [this] { return quit_ || hurry_ || queue_.bytes() > kWorthWaking; });
-    std::vector<FrameQueue::Entry> entries = takeSome();
-    busy_ = true;
-    lock.unlock();
-    for (const FrameQueue::Entry& entry : entries) {
-      if (entry.frame) write(*entry.frame);
-      if (entry.job) entry.job();
-    }
-    entries.clear();
-    tick();
-    lock.lock();
-    busy_ = false;
-    if (file_ && isNewest()) {
-      progress_.messages = file_->messages();
-      progress_.bytes = file_->bytes();
-    }
-    if (queue_.bytes() <= options_.queueBytes / 2) done_.notify_all();
+RecordingThread::Clock::time_point RecordingThread::due() {
+  const std::lock_guard lock(mutex_);
+  if (queue_.empty()) {
+    hurry_ = false;
+    done_.notify_all();
   }
+  return hurry_ || queue_.bytes() > kWorthWaking ? Clock::time_point() : nextAt_;
+}
+
+void RecordingThread::step() {
+  std::unique_lock lock(mutex_);
+  std::vector<FrameQueue::Entry> entries = takeSome();
+  busy_ = true;
+  lock.unlock();
+  for (const FrameQueue::Entry& entry : entries) {
+    if (entry.frame) write(*entry.frame);
+    if (entry.job) entry.job();
+  }
+  entries.clear();
+  tick();
+  lock.lock();
+  busy_ = false;
+  if (file_ && isNewest()) {
+    progress_.messages = file_->messages();
+    progress_.bytes = file_->bytes();
+  }
+  if (queue_.bytes() <= options_.queueBytes / 2) done_.notify_all();
+  nextAt_ = Clock::now() + kTick;
+}
+
+void RecordingThread::writeRest() {
+  const auto isEmpty = [this] {
+    const std::lock_guard lock(mutex_);
+    return queue_.empty();
+  };
+  while (!isEmpty()) step();
 }
 
 std::vector<FrameQueue::Entry> RecordingThread::takeSome() {
@@ -207,14 +212,14 @@ void RecordingThread::waitForRoom() {
   std::unique_lock lock(mutex_);
   if (queue_.bytes() <= options_.queueBytes / 2) return;
   hurry_ = true;
-  work_.notify_one();
+  thread_.wake();
   done_.wait(lock, [this] { return queue_.bytes() <= options_.queueBytes / 2; });
 }
 
 void RecordingThread::finish() {
   std::unique_lock lock(mutex_);
   hurry_ = true;
-  work_.notify_one();
+  thread_.wake();
   done_.wait(lock, [this] { return queue_.empty() && !busy_ && !hurry_; });
 }
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "logplayer/record/FrameQueue.h"
 #include "logplayer/record/RecordingFile.h"
+#include "robotlink/base/threads/PacedThread.h"
 
 namespace logplayer {
 
@@ -19,9 +19,8 @@ namespace logplayer {
 /// callers never wait for the disk. Frames are discarded while no file is open, and after the file has
 /// failed.
 ///
-/// All functions may be called from any thread; callbacks run in the worker thread. No robotlink::Worker,
-/// which keeps the newest job only: this takes many frames at once from a queue that is bounded by their
-/// bytes.
+/// All functions may be called from any thread; callbacks run in the worker thread. It has a queue of its
+/// own, since that is bounded by the bytes of the frames, and takes many of them at once.
 class RecordingThread {
  public:
   /// Latched messages with which a file begins.
@@ -50,7 +49,7 @@ class RecordingThread {
 
   explicit RecordingThread(Options options);
   /// Waits until the queue is empty.
-  ~RecordingThread();
+  ~RecordingThread() = default;
   RecordingThread(const RecordingThread&) = delete;
   RecordingThread& operator=(const RecordingThread&) = delete;
 
@@ -70,11 +69,16 @@ class RecordingThread {
   void finish();
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = robotlink::PacedThread::Clock;
   /// Enqueues a job and wakes the thread.
   void pushJob(FrameQueue::Job job);
-  /// The loop of the worker thread; all functions that follow are called in it.
-  void run();
+  /// When entries are written next: at once, if there are many or if a caller waits. The functions that
+  /// follow are called in the worker thread.
+  Clock::time_point due();
+  /// Writes a batch of entries.
+  void step();
+  /// Writes what is left in the queue.
+  void writeRest();
   /// Removes a batch of entries from the queue; requires the mutex to be locked.
   std::vector<FrameQueue::Entry> takeSome();
   void write(const RecordedFrame& frame);
@@ -90,10 +94,8 @@ class RecordingThread {
   void warnOfDropped();
 
   const Options options_;
-  /// Protects all members from here to quit_.
+  /// Protects all members from here to hurry_.
   mutable std::mutex mutex_;
-  /// Wakes the worker thread.
-  std::condition_variable work_;
   /// Notified when the queue is at most half full, and when it is empty.
   std::condition_variable done_;
   FrameQueue queue_;
@@ -104,7 +106,6 @@ class RecordingThread {
   bool busy_ = false;
   /// Whether a caller waits, so that the thread must not wait for more frames.
   bool hurry_ = false;
-  bool quit_ = false;
 
   // The members from here on are used by the worker thread only.
   std::shared_ptr<RecordingFile> file_;
@@ -114,12 +115,14 @@ class RecordingThread {
   std::filesystem::path path_;
   /// Path of the file that was opened; continuations are named after it.
   std::filesystem::path requested_;
+  /// When few entries are written, for which the thread is not woken.
+  Clock::time_point nextAt_;
   Clock::time_point tickedAt_, warnedAt_;
   /// The total of dropped messages at the last warning.
   std::uint64_t warnedOf_ = 0;
 
   /// Declared last, since it uses all others.
-  std::thread thread_;
+  robotlink::PacedThread thread_;
 };
 
 }  // namespace logplayer

@@ -2,9 +2,8 @@
 #include "robotlink/dds/FollowedClock.h"
 
 #include <algorithm>
-#include <condition_variable>
-#include <thread>
 
+#include "robotlink/base/threads/PacedThread.h"
 #include "robotlink/dds/Wire.h"
 
 namespace robotlink::dds {
@@ -28,25 +27,22 @@ class Announcer {
       : node_(std::move(node)),
         writer_(std::move(writer)),
         clock_(clock),
-        thread_([this](const auto& stop) { run(stop); }) {}
+        thread_({.due = [this] { return nextAt_; }, .step = [this] { step(); }}) {}
 
  private:
-  void run(const std::stop_token& stop) {
-    std::mutex mutex;
-    std::condition_variable_any pace;
+  void step() {
     const std::string none;
-    std::unique_lock lock(mutex);
-    while (!stop.stop_requested()) {
-      const auto time = clock_ != nullptr ? clock_->now().time_since_epoch().count() : 0;
-      write(writer_.get(), {.name = none, .type = none, .sender = none, .time = time});
-      pace.wait_for(lock, stop, kAnnounceEvery, [] { return false; });
-    }
+    const auto time = clock_ != nullptr ? clock_->now().time_since_epoch().count() : 0;
+    write(writer_.get(), {.name = none, .type = none, .sender = none, .time = time});
+    nextAt_ = PacedThread::Clock::now() + kAnnounceEvery;
   }
 
   const std::shared_ptr<Node> node_;
   const Entity writer_;
   const Clock* const clock_;
-  const std::jthread thread_;  // no Worker: it has no jobs, only a pace
+  /// Only the thread's.
+  PacedThread::Clock::time_point nextAt_;
+  PacedThread thread_;
 };
 
 }  // namespace

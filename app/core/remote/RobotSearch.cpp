@@ -60,15 +60,6 @@ RobotSearch::Open RobotSearch::onNetworks(Nodes nodes) {
 RobotSearch::RobotSearch(Open open, std::shared_ptr<const robotlink::Clock> clock)
     : clock_(std::move(clock)), open_(std::move(open)) {}
 
-RobotSearch::~RobotSearch() {
-  {
-    const std::lock_guard lock(mutex_);
-    isOver_ = true;
-  }
-  changed_.notify_all();
-  if (thread_.joinable()) thread_.join();
-}
-
 void RobotSearch::listenBy(Open open) {
   const std::lock_guard lock(mutex_);
   open_ = std::move(open);
@@ -84,8 +75,9 @@ void RobotSearch::setWanted(bool wanted) {
       problem_.clear();
     }
   }
-  changed_.notify_all();
-  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+  if (thread_) return thread_->wake();
+  thread_.emplace(robotlink::PacedThread::Work{
+      .due = [this] { return due(); }, .step = [this] { step(); }, .end = [this] { source_.reset(); }});
 }
 
 RobotSearch::State RobotSearch::state() const {
@@ -100,34 +92,36 @@ RobotSearch::State RobotSearch::state() const {
   return state;
 }
 
-void RobotSearch::run() {
-  std::unique_ptr<Source> source;
+std::optional<robotlink::PacedThread::Clock::time_point> RobotSearch::due() {
+  const std::lock_guard lock(mutex_);
+  if (isWanted_) return lookAt_;
+  lookAt_ = {};
+  return source_ ? std::optional(lookAt_) : std::nullopt;
+}
+
+void RobotSearch::step() {
   std::unique_lock lock(mutex_);
-  while (!isOver_) {
-    if (!isWanted_) {
-      lock.unlock();
-      source.reset();
-      lock.lock();
-      changed_.wait(lock, [this] { return isWanted_ || isOver_; });
-      continue;
-    }
-    const Open open = open_;
+  if (!isWanted_) {
     lock.unlock();
-    std::vector<AnnouncedRobots> robots;
-    std::string problem;
-    try {
-      if (!source) source = open();
-      robots = source->robots();
-      problem = source->problem();
-    } catch (const std::exception& error) {
-      // The search is tried again, in case the network comes back.
-      source.reset();
-      problem = std::string("Robots cannot be searched for (") + error.what() + "). Enter the URL instead.";
-    }
-    lock.lock();
-    note(std::move(robots), std::move(problem));
-    changed_.wait_for(lock, kSearchLook, [this] { return !isWanted_ || isOver_; });
+    source_.reset();
+    return;
   }
+  const Open open = open_;
+  lock.unlock();
+  std::vector<AnnouncedRobots> robots;
+  std::string problem;
+  try {
+    if (!source_) source_ = open();
+    robots = source_->robots();
+    problem = source_->problem();
+  } catch (const std::exception& error) {
+    // The search is tried again, in case the network comes back.
+    source_.reset();
+    problem = std::string("Robots cannot be searched for (") + error.what() + "). Enter the URL instead.";
+  }
+  lookAt_ = robotlink::PacedThread::Clock::now() + kSearchLook;
+  lock.lock();
+  note(std::move(robots), std::move(problem));
 }
 
 void RobotSearch::note(std::vector<AnnouncedRobots> robots, std::string problem) {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/base/threads/PacedThread.h"
 #include "robotlink/dds/RobotDiscovery.h"
 
 namespace app {
@@ -55,7 +55,7 @@ class RobotSearch {
   explicit RobotSearch(Open open = onNetworks(), std::shared_ptr<const robotlink::Clock> clock =
                                                      std::make_shared<const robotlink::SteadyClock>());
   /// Waits for the source to end.
-  ~RobotSearch();
+  ~RobotSearch() = default;
   RobotSearch(const RobotSearch&) = delete;
   RobotSearch& operator=(const RobotSearch&) = delete;
 
@@ -66,16 +66,22 @@ class RobotSearch {
   State state() const;
 
  private:
-  void run();
+  /// When step() is called next: nothing while no user wants to see robots and no source is open.
+  std::optional<robotlink::PacedThread::Clock::time_point> due();
+  /// Looks for robots, or closes the source if no user wants to see them.
+  void step();
   /// Notes what the source hears, unless the search is over meanwhile.
   void note(std::vector<robotlink::dds::AnnouncedRobots> robots, std::string problem);
 
   const std::shared_ptr<const robotlink::Clock> clock_;
+  /// Only the thread's, as is the next.
+  std::unique_ptr<Source> source_;
+  /// When the source is asked next.
+  robotlink::PacedThread::Clock::time_point lookAt_;
   /// Protects all following members but the thread.
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
   Open open_;
-  bool isWanted_ = false, isOver_ = false, isListening_ = false;
+  bool isWanted_ = false, isListening_ = false;
   robotlink::Instant since_;
   /// The programs that are heard, and since when, by URL.
   struct Heard {
@@ -85,7 +91,7 @@ class RobotSearch {
   std::map<std::string, Heard> heard_;
   std::string problem_;
   /// Begun when the search is wanted for the first time. The last member, since it uses the others.
-  std::thread thread_;
+  std::optional<robotlink::PacedThread> thread_;
 };
 
 }  // namespace app

@@ -22,16 +22,7 @@ CameraReader::CameraReader(CameraAddress address, const robotlink::Clock& clock,
       clock_(clock),
       calls_(calls),
       state_("opening " + address_.device),
-      thread_([this] { run(); }) {}
-
-CameraReader::~CameraReader() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
-  }
-  wakeUp_.notify_all();
-  thread_.join();
-}
+      thread_({.due = [this] { return due(); }, .step = [this] { step(); }}) {}
 
 std::optional<CameraReader::Shot> CameraReader::take() {
   const std::lock_guard lock(mutex_);
@@ -95,7 +86,7 @@ void CameraReader::openNow() {
     const std::lock_guard lock(mutex_);
     now_ = true;
   }
-  wakeUp_.notify_all();
+  thread_.wake();
 }
 
 void CameraReader::setState(std::string state) {
@@ -110,51 +101,49 @@ void CameraReader::setProblem(const std::string& why) {
   isProblem_ = true;
 }
 
-bool CameraReader::quits() const {
+robotlink::PacedThread::Clock::time_point CameraReader::due() {
   const std::lock_guard lock(mutex_);
-  return quit_;
+  // Before the first attempt there is no pause to end.
+  constexpr robotlink::PacedThread::Clock::time_point kAtOnce;
+  if (retryAt_ != kAtOnce && std::exchange(now_, false)) retryAt_ = kAtOnce;
+  return retryAt_;
 }
 
-bool CameraReader::pause() {
-  std::unique_lock lock(mutex_);
-  wakeUp_.wait_for(lock, kRetryEvery, [this] { return quit_ || now_; });
-  now_ = false;
-  return !quit_;
+void CameraReader::step() {
+  if (auto device = CameraDevice::open(address_, calls_)) {
+    use(**device);
+  } else {
+    setProblem(device.error().text);
+  }
+  retryAt_ = robotlink::PacedThread::Clock::now() + kRetryEvery;
 }
 
-void CameraReader::run() {
-  do {
-    auto device = CameraDevice::open(address_, calls_);
-    if (!device) {
-      setProblem(device.error().text);
-      continue;
-    }
-    const CameraDevice::Mode& mode = (*device)->mode();
-    std::string text = fmt::format("{} takes images of {}x{} ({})", (*device)->title(), mode.width,
-                                   mode.height, mode.format);
-    if (mode.rate > 0) text += fmt::format(", {:.3g} a second", mode.rate);
-    setState(std::move(text));
-    {
-      const std::lock_guard lock(mutex_);
-      ++counts_.connections;
-      waiting_ = chosen_;
-      controls_ = (*device)->controls();
-    }
-    isOpen_ = true;
-    const robotlink::Error why = read(**device);
-    isOpen_ = false;
-    if (quits()) return;
-    {
-      const std::lock_guard lock(mutex_);
-      ++counts_.losses;
-    }
-    setProblem(why.text);
-  } while (pause());
+void CameraReader::use(CameraDevice& device) {
+  const CameraDevice::Mode& mode = device.mode();
+  std::string text =
+      fmt::format("{} takes images of {}x{} ({})", device.title(), mode.width, mode.height, mode.format);
+  if (mode.rate > 0) text += fmt::format(", {:.3g} a second", mode.rate);
+  setState(std::move(text));
+  {
+    const std::lock_guard lock(mutex_);
+    ++counts_.connections;
+    waiting_ = chosen_;
+    controls_ = device.controls();
+  }
+  isOpen_ = true;
+  const robotlink::Error why = read(device);
+  isOpen_ = false;
+  if (thread_.isEnding()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ++counts_.losses;
+  }
+  setProblem(why.text);
 }
 
 robotlink::Error CameraReader::read(CameraDevice& device) {
   int silent = 0;
-  while (!quits()) {
+  while (!thread_.isEnding()) {
     followControls(device);
     auto image = device.next(kWaitMs);
     const robotlink::Instant now = clock_.now();

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/platforms/camera/CameraDevice.h"
 #include "robotlink/base/Clock.h"
+#include "robotlink/base/threads/PacedThread.h"
 
 namespace app {
 
@@ -34,7 +33,7 @@ class CameraReader {
   };
 
   CameraReader(CameraAddress address, const robotlink::Clock& clock, VideoCalls& calls);
-  ~CameraReader();
+  ~CameraReader() = default;
   CameraReader(const CameraReader&) = delete;
   CameraReader& operator=(const CameraReader&) = delete;
 
@@ -57,8 +56,12 @@ class CameraReader {
   void openNow();
 
  private:
-  /// The thread's function.
-  void run();
+  /// When the camera is opened next.
+  robotlink::PacedThread::Clock::time_point due();
+  /// Opens the camera and reads it for as long as that works.
+  void step();
+  /// Takes images of a camera that was just opened, until it is lost or the thread is to end.
+  void use(CameraDevice& device);
   /// Reads until the camera is disconnected or the thread is to end; returns why.
   robotlink::Error read(CameraDevice& device);
   void setState(std::string state);
@@ -66,17 +69,13 @@ class CameraReader {
   void setProblem(const std::string& why);
   /// Gives the camera the values that were set since the last call, and looks at all every second.
   void followControls(CameraDevice& device);
-  /// Waits for the next attempt. Returns false if the thread is to end.
-  bool pause();
-  bool quits() const;
 
   const CameraAddress address_;
   const robotlink::Clock& clock_;
   VideoCalls& calls_;
   std::atomic<bool> isOpen_{false};
   mutable std::mutex mutex_;  // protects what follows
-  std::condition_variable wakeUp_;
-  bool quit_ = false, now_ = false;
+  bool now_ = false;
   std::optional<Shot> newest_;
   std::string state_;
   /// Whether the state is one in which there are no images.
@@ -86,10 +85,12 @@ class CameraReader {
   /// All that were set, and those that the camera has not got yet.
   std::map<std::string, std::int32_t> chosen_, waiting_;
   std::vector<std::string> refusals_;
-  /// Only the thread's.
+  /// Only the thread's, as is the next.
   robotlink::Instant refreshedAt_;
+  /// The earliest time of the next attempt to open the camera, if openNow() does not end the pause.
+  robotlink::PacedThread::Clock::time_point retryAt_;
   /// The last member, since the thread uses the others.
-  std::thread thread_;
+  robotlink::PacedThread thread_;
 };
 
 }  // namespace app

@@ -18,18 +18,14 @@ constexpr Duration kOpeningLimit = std::chrono::seconds(3);
 }  // namespace
 
 PioneerLine::PioneerLine(std::string url, const robotlink::Clock& clock)
-    : clock_(clock), events_(kMaxEvents), outgoing_(kMaxOutgoing), url_(std::move(url)), thread_([this] {
-        run();
-      }) {}
+    : clock_(clock),
+      events_(kMaxEvents),
+      outgoing_(kMaxOutgoing),
+      url_(std::move(url)),
+      thread_({.due = [this] { return due(); }, .step = [this] { step(); }}) {}
 
 PioneerLine::~PioneerLine() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
-    wanted_ = false;
-  }
-  wakeUp_.notify_all();
-  thread_.join();
+  close();
 }
 
 void PioneerLine::send(Bytes bytes) {
@@ -53,9 +49,9 @@ void PioneerLine::report(std::variant<Opened, Bytes, Lost> what) {
 void PioneerLine::open() {
   {
     const std::lock_guard lock(mutex_);
-    wanted_ = !quit_;
+    wanted_ = true;
   }
-  wakeUp_.notify_all();
+  thread_.wake();
 }
 
 void PioneerLine::open(std::string url) {
@@ -76,11 +72,14 @@ void PioneerLine::close() {
   wanted_ = false;
 }
 
-std::optional<std::string> PioneerLine::waitUntilWanted() {
-  std::unique_lock lock(mutex_);
-  busy_ = false;
-  wakeUp_.wait(lock, [this] { return wanted_ || quit_; });
-  if (quit_) return std::nullopt;
+std::optional<robotlink::PacedThread::Clock::time_point> PioneerLine::due() {
+  if (!wanted()) return std::nullopt;
+  return robotlink::PacedThread::Clock::time_point();
+}
+
+std::optional<std::string> PioneerLine::beginUse() {
+  const std::lock_guard lock(mutex_);
+  if (!wanted_) return std::nullopt;
   busy_ = true;
   return url_;
 }
@@ -90,18 +89,20 @@ bool PioneerLine::wanted() {
   return wanted_;
 }
 
-void PioneerLine::run() {
-  while (const auto url = waitUntilWanted()) {
-    if (auto stream = arcos::open(*url, kOpeningLimit)) {
-      outgoing_.drain();
-      open_ = true;
-      report(Opened{});
-      serve(**stream);
-      open_ = false;
-    } else {
-      lose(stream.error());
-    }
+void PioneerLine::step() {
+  const auto url = beginUse();
+  if (!url) return;
+  if (auto stream = arcos::open(*url, kOpeningLimit)) {
+    outgoing_.drain();
+    open_ = true;
+    report(Opened{});
+    serve(**stream);
+    open_ = false;
+  } else {
+    lose(stream.error());
   }
+  const std::lock_guard lock(mutex_);
+  busy_ = false;
 }
 
 void PioneerLine::serve(arcos::ByteStream& stream) {

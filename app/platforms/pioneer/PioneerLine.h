@@ -2,17 +2,16 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <variant>
 #include <vector>
 
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/base/threads/PacedThread.h"
 
 namespace robotlink::arcos {
 class ByteStream;
@@ -25,7 +24,7 @@ namespace app {
 ///
 /// Any thread may call. Only the destructor may block, while the line is being opened (up to 3 s). Memory is
 /// bounded: received data that is not taken is dropped, and so is what the robot does not accept. The clock
-/// must outlive it. It is no robotlink::Worker, since it does no jobs: it waits for the line.
+/// must outlive it.
 class PioneerLine {
  public:
   using Bytes = std::vector<std::uint8_t>;
@@ -64,8 +63,10 @@ class PioneerLine {
   bool isIdle();
 
  private:
-  /// The thread's function.
-  void run();
+  /// When step() is to be called: at once, if the line is wanted.
+  std::optional<robotlink::PacedThread::Clock::time_point> due();
+  /// Opens the line and serves it, if it is still wanted.
+  void step();
   /// Reads and writes until the line breaks or is to be closed.
   void serve(robotlink::arcos::ByteStream& stream);
   /// Sends the enqueued bytes. Returns false if the line broke.
@@ -74,8 +75,8 @@ class PioneerLine {
   void lose(const robotlink::Error& why);
   /// Enqueues an event with the current time.
   void report(std::variant<Opened, Bytes, Lost> what);
-  /// Blocks until the line is to be opened, and returns its URL; empty if the thread is to end.
-  std::optional<std::string> waitUntilWanted();
+  /// Begins to use the line, and returns its URL; empty if it is not wanted.
+  std::optional<std::string> beginUse();
   /// Whether the line should be open.
   bool wanted();
 
@@ -84,14 +85,13 @@ class PioneerLine {
   robotlink::BoundedQueue<Bytes> outgoing_;
   /// Whether send() accepts bytes.
   std::atomic<bool> open_{false};
-  /// Protects url_, wanted_, busy_ and quit_.
+  /// Protects url_, wanted_ and busy_.
   std::mutex mutex_;
-  std::condition_variable wakeUp_;
   std::string url_;
   /// busy_: the thread uses the line.
-  bool wanted_ = false, busy_ = false, quit_ = false;
+  bool wanted_ = false, busy_ = false;
   /// The last member, since the thread uses the others.
-  std::thread thread_;
+  robotlink::PacedThread thread_;
 };
 
 }  // namespace app
