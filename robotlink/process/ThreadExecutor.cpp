@@ -53,7 +53,11 @@ void ThreadExecutor::run(Slot& slot) {
     slot.since.store(0);
   }
   if (!process.failure().empty() && options_.onFailed) options_.onFailed(process);
-  slot.hasEnded.store(true);
+  {
+    const std::lock_guard lock(mutex_);
+    slot.hasEnded.store(true);
+  }
+  ended_.notify_all();
 }
 
 std::chrono::nanoseconds ThreadExecutor::busyFor(const Process& process) const {
@@ -82,9 +86,10 @@ bool ThreadExecutor::hasEnded(const Process& process) const {
 
 bool ThreadExecutor::stopWithin(std::chrono::milliseconds limit) {
   for (Process* process : processes_) process->stop();
-  const auto end = std::chrono::steady_clock::now() + limit;
-  constexpr std::chrono::milliseconds kLook{1};
-  while (!hasEnded() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLook);
+  {
+    std::unique_lock lock(mutex_);
+    ended_.wait_for(lock, limit, [this] { return hasEnded(); });
+  }
   forgetEnded();
   return hasEnded();
 }

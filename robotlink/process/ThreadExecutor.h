@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -14,8 +16,7 @@ namespace robotlink {
 
 /// Runs each process in a thread of its own, as on real robots. Processes must outlive it. Platforms are not
 /// added: their owner drives them, and calls clockAdvanced() after it has advanced a clock that is not real
-/// time. add(), start() and stop() are called by one thread. No Workers, since a process decides itself when
-/// its next frame begins.
+/// time. add(), start() and stop() are called by one thread.
 class ThreadExecutor {
  public:
   struct Options {
@@ -55,6 +56,7 @@ class ThreadExecutor {
     /// When the present frame began, steady nanoseconds; 0 between frames.
     std::atomic<std::int64_t> since{0};
     std::atomic<bool> hasEnded{false};
+    /// No PacedThread: the process waits for its next frame by its own clock, and is what stops the thread.
     std::thread thread;
   };
   void run(Slot& slot);
@@ -64,6 +66,9 @@ class ThreadExecutor {
   Options options_;
   std::vector<Process*> processes_;
   std::vector<std::unique_ptr<Slot>> slots_;
+  /// Signaled when a thread ends; the mutex is locked while it says so in its slot.
+  std::mutex mutex_;
+  std::condition_variable ended_;
 };
 
 }  // namespace robotlink
