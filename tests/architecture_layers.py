@@ -6,6 +6,7 @@ The tables are those of ARCHITECTURE.md. TARGETS says which targets a target may
 folders of a target in their order: a folder may include those before it. A folder that is in neither table
 fails. What widgets/CMakeLists.txt lists as widgets_models and widgets_painting knows no Qt Widgets and no view. A
 test that is named after a unit is in the folder of tests/ that mirrors the unit's room, or in one beside it, not above it.
+Threads are made by the classes of robotlink/base/threads and by Worker; the other files that make one are in THREADS.
 Usage: architecture_layers.py SOURCE_DIR
 """
 import pathlib
@@ -91,6 +92,15 @@ OUTSIDE = {
     r"^(turbojpeg|png)\.h": ["logplayer"],
     r"^(qcustomplot|qtadvanceddocking)": ["widgets", "app/robotcontrol"],
 }
+# Files that make a thread by themselves. Each says at its thread why that is neither a Worker nor a PacedThread.
+THREADS = [
+    "app/core/own/OwnProgramMain.cpp", "app/core/program/Abandoned.cpp", "app/core/program/TurnCrew.h", "app/core/program/TurnCrew.cpp",
+    "app/robotctl/Interrupt.cpp", "robotlink/base/Worker.h", "robotlink/base/network/HostLookup.cpp",
+    "robotlink/foxglove/client/Connector.cpp", "robotlink/foxglove/server/Listener.cpp", "robotlink/foxglove/server/ListenerPort.h",
+    "robotlink/process/ThreadExecutor.h", "robotlink/process/ThreadExecutor.cpp",
+]
+# Asking for the number of processors makes no thread.
+THREAD = re.compile(r"\bstd::(j?thread\b(?!::)|async\b)|\bpthread_create\b|\bQThread\b")
 QT_WIDGETS = re.compile(r"^(QtWidgets|QWidget|Q(Abstract)?(Button|ItemView|ScrollArea|Slider)|QApplication|QStyle\w*|"
                         r"QDialog|QMenu|QToolBar|QAction|QLayout|Q\w*(Box|Edit|Label|View|Dialog|Bar|Delegate))$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[>"]')
@@ -148,6 +158,19 @@ def problems_of(source, relative, target, room, models):
                     yield f"{relative}:{number}: {target} may not use <{included}>"
 
 
+def thread_problems(sources):
+    """`sources`: the text by relative path."""
+    for relative, text in sources.items():
+        if relative in THREADS or relative.startswith("robotlink/base/threads/"):
+            continue
+        for number, line in enumerate(text.splitlines(), 1):
+            if THREAD.search(line.split("//")[0]):
+                yield f"{relative}:{number}: use robotlink::PacedThread or robotlink::Worker rather than a thread of its own"
+    for relative in THREADS:
+        if not THREAD.search(sources.get(relative, "")):
+            yield f"{relative}:1: it makes no thread, so {pathlib.Path(__file__).name} need not list it"
+
+
 def mirror(folder):
     """The folder of tests/ for a folder of the product."""
     return re.sub(r"^app/robotcontrol\b", "app/window", re.sub(r"^app/core\b", "app", folder))
@@ -168,19 +191,21 @@ def misplaced_tests(root):
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     models = models_of(root)
-    problems, files = [], 0
+    problems, files, sources = [], 0, {}
     for top in ("app", "widgets", "robotlink", "simcore", "logplayer", "colortool", "modules"):
         for source in sorted((root / top).rglob("*")):
             if source.suffix not in (".h", ".cpp"):
                 continue
             files += 1
             relative = source.relative_to(root).as_posix()
+            sources[relative] = source.read_text(errors="replace")
             target, room = split(relative)
             if target is None or room not in ROOMS.get(target, ["."]):
                 problems.append(f"{relative}:1: this folder is not in the tables of {pathlib.Path(__file__).name}")
             else:
                 problems.extend(problems_of(source, relative, target, room, models))
     problems.extend(misplaced_tests(root))
+    problems.extend(thread_problems(sources))
     print("\n".join(problems) or f"{files} files include only what they may")
     return 1 if problems or files == 0 else 0
 

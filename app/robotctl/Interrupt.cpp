@@ -25,7 +25,7 @@ std::atomic<int> caught{0};
 std::atomic<int> guards{0};       // number of Interrupt objects
 std::atomic<bool> heeded{false};  // whether noted() has returned true
 std::atomic<bool> watching{false};
-std::optional<std::thread> watcher;  // no robotlink::Worker: it waits for signals, not for jobs
+std::optional<std::thread> watcher;  // no robotlink::PacedThread: signals wake it
 
 void noteBrokenPipe(int signal) {
   int none = 0;

@@ -27,6 +27,7 @@ constexpr std::chrono::milliseconds kGrace{1000};
 
 /// Ends this process when the host has ended, whatever the program does then.
 void watchHost() {
+  // No robotlink::PacedThread: the thread waits for the socket, and is never joined but ends the process.
   std::thread([] {
     sigset_t all;
     sigfillset(&all);

@@ -19,6 +19,7 @@ constexpr std::chrono::milliseconds kAbandonedLook{20};
 
 void abandon(std::shared_ptr<void> what, std::function<bool()> hasEnded) {
   ++abandoned;
+  // No robotlink::PacedThread: this thread has no owner that could join it, and may never end.
   std::thread([what = std::move(what), hasEnded = std::move(hasEnded)]() mutable {
     while (!hasEnded()) std::this_thread::sleep_for(kAbandonedLook);
     hasEnded = nullptr;

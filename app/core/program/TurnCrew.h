@@ -52,6 +52,8 @@ class TurnCrew {
     ModulePatience::Clock::time_point begin = {};
     /// The turn was given up: the thread ends with it.
     bool isLost = false;
+    /// No robotlink::PacedThread: a thread whose turn was given up is replaced while it still runs, and
+    /// threads look for turns for a while before they sleep.
     std::thread thread = {};
   };
   /// The hand-over between the caller and the only thread of a sleeping crew, which run alternately.

@@ -57,6 +57,7 @@ std::shared_ptr<HostLookup> HostLookup::start(const std::string& host, Resolver 
   }
   if (!resolver) resolver = addressesOf;
   try {
+    // No PacedThread: the system cannot be interrupted, so no one joins the thread.
     std::thread([lookup, host, resolver] { lookup->finish(tried(resolver, host)); }).detach();
   } catch (const std::system_error& error) {
     lookup->finish(failure("host.unknown", std::string("the system cannot start a thread: ") + error.what()));

@@ -90,6 +90,7 @@ class ConnectorThread {
   /// Whether an address is waited for.
   bool isConnecting_ = false;
   std::shared_ptr<ServerConnection> connection_;
+  /// No PacedThread: Asio's context waits for sockets and timers, and is what stops the thread.
   std::thread thread_;
 };
 

@@ -104,6 +104,7 @@ class ListenerPort {
   std::size_t reports_ = 0;
   Instant reportsSince_;
   std::set<ConnectionPtr> connections_;
+  /// No PacedThread: Asio's context waits for sockets and timers, and is what stops the thread.
   std::thread thread_;
 };
 
