@@ -41,6 +41,11 @@ void ListenOptions::addTo(CLI::App& command) {
           "deploy)")
       ->type_name("FOLDER")
       ->needs(option_);
+  addAccessTo(command);
+  addTimeLimitsTo(command);
+}
+
+void ListenOptions::addAccessTo(CLI::App& command) {
   auto* secure =
       command.add_flag("--secure", access_.isSecure, "Requires encryption and tokens at 127.0.0.1 as well")
           ->needs(option_);
@@ -61,6 +66,9 @@ void ListenOptions::addTo(CLI::App& command) {
                   "Web pages of this origin may connect, such as https://app.foxglove.dev; * for all")
       ->needs(option_)
       ->type_name("ORIGIN");
+}
+
+void ListenOptions::addTimeLimitsTo(CLI::App& command) {
   command
       .add_option(
           "--motion-timeout", motionTimeout_,

@@ -28,6 +28,10 @@ struct ListenOptions {
   int serve(PlatformOpening opening, ServeOptions options, const RecordOptions& record) const;
 
  private:
+  /// Adds the options about who may connect, and those about silent clients. They need option_.
+  void addAccessTo(CLI::App& command);
+  void addTimeLimitsTo(CLI::App& command);
+
   std::string text_, recordings_, resources_;
   AccessOptions access_;
   /// Seconds.

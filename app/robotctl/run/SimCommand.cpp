@@ -14,7 +14,6 @@
 #include <thread>
 
 #include "app/core/platform/JsonOutput.h"
-#include "app/core/platform/NumberRange.h"
 #include "app/core/platform/Pace.h"
 #include "app/core/platform/ProgramTroubles.h"
 #include "app/core/platform/RecordOptions.h"
@@ -32,18 +31,15 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/log/LogSubcommands.h"
-#include "app/robotctl/run/ArcosOptions.h"
-#include "app/robotctl/run/ListenOptions.h"
+#include "app/robotctl/run/SimArguments.h"
 #include "app/robotctl/run/SimFigures.h"
 #include "app/robotctl/run/SimScript.h"
 #include "app/robotctl/run/SimTrials.h"
-#include "app/robotctl/run/SimulatedCameraOptions.h"
 #include "app/robotctl/run/SnapshotOptions.h"
 #include "app/robotctl/run/TeamOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Printable.h"
 #include "robotlink/base/UnfinishedFile.h"
-#include "robotlink/base/threads/ThreadPool.h"
 #include "robotlink/truth/TruthErrors.h"
 
 namespace app {
@@ -57,35 +53,6 @@ constexpr std::chrono::hours kNoEnd{24 * 365};
 constexpr char kAllRobots[] = "all";
 
 using nlohmann::json;
-
-struct SimArguments {
-  RunOptions run = defaultSimulation();
-  TeamOptions teams;
-  std::vector<std::string> models;
-  std::string script;
-  std::string executor = "lockstep";
-  std::vector<std::string> ownProcesses;
-  std::uint64_t programMemory = 2048;                                        ///< MiB
-  double patience = std::chrono::duration<double>(kModulePatience).count();  ///< s; 0: forever
-  double seconds = 10;
-  bool noNoise = false;
-  bool asJson = false;
-  bool digest = false;
-  bool texts = false;
-  bool errors = false;
-  int trials = 0;
-  double radius = 1.5;
-  bool goals = false;
-  std::vector<double> walk;  ///< m/s, m/s, degrees/s; empty: none
-  double speed = 0;          ///< times real time; 0: as fast as possible
-  bool progress = false;
-  bool isPaused = false;
-  SnapshotOptions snapshots;
-  ArcosOptions arcos;
-  ListenOptions listen;
-  CameraOptions camera;
-  RecordOptions record;
-};
 
 /// The outputs of a run.
 struct SimOutputs {
@@ -305,48 +272,6 @@ int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiv
   return arguments.listen.serve(SimulationFeed::opening(arguments.run), options, arguments.record);
 }
 
-/// A use of a scene, the options that do not apply to it, and the reason.
-struct SimUse {
-  bool isMeant;
-  const char* why;
-  std::vector<const char*> others;
-};
-
-/// Fails if an option was given that would have no effect.
-robotlink::Result<void> checkOptions(const CLI::App& sim, const SimArguments& arguments) {
-  const SimUse uses[]{
-      {arguments.arcos.given(),
-       "with --arcos robots have no programs here",
-       {"--script",      "--walk",     "--trials",         "--listen",      "--layout",   "--solution",
-        "--shadow",      "--preset",   "--game",           "--color-table", "--executor", "--own-process",
-        "--snapshot-at", "--restore",  "--record",         "--errors",      "--texts",    "--digest",
-        "--progress",    "--patience", "--labelled-images"}},
-      {!arguments.script.empty(),
-       "a script itself controls the run and its recording",
-       {"--walk", "--trials", "--listen", "--seconds", "--speed", "--snapshot-at", "--restore", "--record",
-        "--errors", "--texts", "--digest", "--json", "--progress", "--labelled-images"}},
-      {!arguments.walk.empty(),
-       "--walk measures how one robot walks",
-       {"--listen", "--speed", "--snapshot-at", "--restore", "--record", "--errors", "--texts", "--digest",
-        "--progress", "--labelled-images"}},
-      {arguments.trials > 0,
-       "--trials plays many games in lockstep, as fast as possible",
-       {"--listen", "--executor", "--snapshot-at", "--restore", "--record", "--errors", "--texts", "--digest",
-        "--progress", "--labelled-images"}},
-      {arguments.listen.given(),
-       "--listen is for one game in which others take part",
-       {"--snapshot-at", "--restore", "--errors", "--digest", "--json", "--progress", "--labelled-images"}}};
-  for (const SimUse& use : uses) {
-    if (!use.isMeant) continue;
-    std::string given;
-    for (const char* other : use.others) {
-      if (sim.get_option(other)->count() > 0) given += (given.empty() ? "" : ", ") + std::string(other);
-    }
-    if (!given.empty()) return robotlink::failure("usage", std::string(use.why) + "; omit " + given);
-  }
-  return arguments.arcos.check(arguments.run.scene);
-}
-
 /// Sets where programs run, and how long their modules may take.
 void applyHosting(SimArguments& arguments, bool threads) {
   RunOptions& run = arguments.run;
@@ -369,7 +294,7 @@ int simUsage(const robotlink::Error& error) {
 
 int runSim(const CLI::App& sim, SimArguments& arguments) {
   if (const auto found = findScene(arguments.run.scene); !found) return simUsage(found.error());
-  if (const auto fits = checkOptions(sim, arguments); !fits) return simUsage(fits.error());
+  if (const auto fits = arguments.check(sim); !fits) return simUsage(fits.error());
   const bool secondsGiven = sim.get_option("--seconds")->count() > 0;
   const bool speedGiven = sim.get_option("--speed")->count() > 0;
   arguments.run.models.assign(arguments.models.begin(), arguments.models.end());
@@ -394,104 +319,12 @@ int runSim(const CLI::App& sim, SimArguments& arguments) {
   return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
 }
 
-/// The options about the processes of programs.
-void addProgramOptions(CLI::App& sim, SimArguments& arguments) {
-  sim.add_option(
-         "--executor", arguments.executor,
-         "How processes run: lockstep (reproducible), or threads (the simulation does not wait for them)")
-      ->check(CLI::IsMember({"lockstep", "threads"}))
-      ->capture_default_str();
-  sim.add_option(
-         "--threads", arguments.run.world.threads,
-         "How many threads share physics, sensors, images and the robots' programs; the results are the "
-         "same for any number (default: as many as the machine has cores)")
-      ->check(numberFrom(1, robotlink::ThreadPool::kMaxThreads));
-  sim.add_option("--own-process", arguments.ownProcesses,
-                 "ROBOT whose program runs in its own process, so that a crash harms nothing else; "
-                 "'all' for each robot")
-      ->delimiter(',')
-      ->type_name("ROBOT|all");
-  sim.add_option("--program-memory", arguments.programMemory,
-                 "How much memory a program in a process of its own may allocate, MiB; 0: no limit")
-      ->check(numberFrom(0, 1 << 20))
-      ->capture_default_str();
-  sim.add_option("--patience", arguments.patience,
-                 "Seconds after which a module that does not return is reported, and the game continues "
-                 "without its robot; 0: never, or with --listen after 2 s")
-      ->check(numberFrom(0, 1e6))
-      ->capture_default_str();
-}
-
 }  // namespace
 
 void addSimCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<SimArguments>();
   CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots");
-  sim->add_option("scene", arguments->run.scene,
-                  "An SDFormat world, a map (*.map), or the name of a shipped one")
-      ->required();
-  sim->add_option("--seconds", arguments->seconds,
-                  "Simulated seconds (10; with --trials 60 each; with --arcos or --listen until Ctrl-C)")
-      ->check(numberFrom(0, 1e6));
-  sim->add_option("--seed", arguments->run.world.seed, "Seed of all noise and of the trials' places")
-      ->capture_default_str();
-  arguments->teams.addTo(*sim);
-  sim->add_option("--models", arguments->models,
-                  "Folders in which model://NAME is searched first, separated by colons")
-      ->expected(1)
-      ->take_all()
-      ->delimiter(':')
-      ->type_name("FOLDER");
-  sim->add_option("--script", arguments->script,
-                  "Runs a script of commands, such as simulation.step and scene.add, and ends with it; the "
-                  "simulation is paused at first")
-      ->check(CLI::ExistingFile);
-  addProgramOptions(*sim, *arguments);
-  sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
-  sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see only black");
-  auto* trials =
-      sim->add_option(
-             "--trials", arguments->trials,
-             "Plays this many games with the ball at random places around the first robot; counts touches")
-          ->check(numberFrom(1, 100000));
-  sim->add_option("--radius", arguments->radius, "Radius of these places around the robot, m")
-      ->check(numberFrom(0.4, 10))
-      ->needs(trials)
-      ->capture_default_str();
-  sim->add_flag(
-         "--goals", arguments->goals,
-         "Places robot and ball of these games anywhere on the field, and counts goals within --seconds")
-      ->needs(trials);
-  sim->add_option(
-         "--walk", arguments->walk,
-         "Measures how the first robot walks when FORWARD[,LEFT[,TURN]] (m/s, degrees/s) is requested, "
-         "for --seconds (5)")
-      ->delimiter(',')
-      ->expected(1, 3)
-      ->check(numberFrom(-1000, 1000))
-      ->excludes(trials);
-  sim->add_option("--speed", arguments->speed,
-                  "Speed relative to real time; 0 is as fast as possible (default: 0 in lockstep, 1 with "
-                  "threads, --arcos or --listen)")
-      ->check(numberFrom(0, 100))
-      ->excludes(trials);
-  sim->add_flag("--progress", arguments->progress,
-                "Prints the simulated time on stderr, ten times in each simulated second");
-  arguments->snapshots.addTo(*sim);
-  arguments->arcos.addTo(*sim);
-  arguments->listen.addTo(*sim);
-  sim->add_flag("--paused", arguments->isPaused,
-                "With --listen: waits before the first step until a client starts it, so that external "
-                "controllers miss none (the service control_simulation with {\"action\": \"START\"})")
-      ->needs("--listen");
-  arguments->camera.addTo(*sim);
-  arguments->record.addTo(*sim);
-  sim->add_flag(
-      "--errors", arguments->errors,
-      "Adds to the figures the errors of each robot's percepts and models against the ground truth");
-  sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
-  sim->add_flag("--digest", arguments->digest, "Prints only a hash of everything that happened");
-  sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");
+  arguments->addTo(*sim);
   sim->callback(
       [arguments, sim, &status] { status = withResources([&] { return runSim(*sim, *arguments); }); });
 }
