@@ -110,75 +110,83 @@ std::vector<std::string> worldModels(SceneBench& bench) {
   return names;
 }
 
+using BenchCommand = std::function<Result<void>(SceneBench&, const CommandTable::Values&)>;
+
+/// A command with one text, which may be left out.
+BenchCommand withText(Object run) {
+  return [run = std::move(run)](SceneBench& bench, const CommandTable::Values& values) {
+    return run(bench, values.empty() ? std::string() : sceneWord(values, 0));
+  };
+}
+
+/// Attaches a command that fails once the window with the scene editor is closed.
+void attachToBench(ViewContext& context, const char* name, BenchCommand run, CommandTable::Offer offer = {}) {
+  context.commands.attach(
+      name,
+      [shared = std::weak_ptr<SceneBench>(context.scenes),
+       run = std::move(run)](const CommandTable::Values& values) -> Result<void> {
+        if (const auto bench = shared.lock()) return run(*bench, values);
+        return failure("scene.closed", "the window with the scene editor is closed");
+      },
+      std::move(offer));
+}
+
+/// Offers names for the first argument of a command.
+CommandTable::Offer offered(const ViewContext& context, std::vector<std::string> (*names)(SceneBench&)) {
+  return [shared = std::weak_ptr<SceneBench>(context.scenes), names](const auto& before) {
+    const auto bench = shared.lock();
+    return bench && before.empty() ? names(*bench) : std::vector<std::string>();
+  };
+}
+
+/// The commands about the editor and its files.
+void attachEditorCommands(ViewContext& context) {
+  attachToBench(context, "scene.edit", withText(editScene), offered(context, knownObjects));
+  attachToBench(context, "scene.save", withText([](SceneBench& bench, const std::string& file) {
+                  return file.empty() ? bench.save() : bench.saveAs(file);
+                }));
+  attachToBench(context, "scene.apply",
+                [](SceneBench& bench, const auto&) { return sceneEdits(bench.context()).apply(); });
+  attachToBench(context, "scene.undo-edit",
+                [](SceneBench& bench, const auto&) { return sceneEdits(bench.context()).undo(); });
+  attachToBench(context, "scene.redo-edit",
+                [](SceneBench& bench, const auto&) { return sceneEdits(bench.context()).redo(); });
+}
+
+/// The commands that change objects of the simulated scene.
+void attachObjectCommands(ViewContext& context) {
+  using Values = CommandTable::Values;
+  const auto objects = offered(context, worldModels);
+  attachToBench(context, "scene.copy", withText(withObject(copyBeside)), objects);
+  attachToBench(context, "scene.write", withText(withObject(writePose)), objects);
+  const Object erase = withObject([](SceneBench& bench, const std::string& object) {
+    return finished(bench, [&](SceneEdits& edits, auto told) { edits.erase(object, told); });
+  });
+  attachToBench(context, "scene.erase", withText(erase), objects);
+  const BenchCommand rename = [](SceneBench& bench, const Values& values) {
+    return finished(bench, [&](SceneEdits& edits, auto told) {
+      edits.rename(sceneWord(values, 0), sceneWord(values, 1), told);
+    });
+  };
+  attachToBench(context, "scene.rename", rename, objects);
+  const BenchCommand insert = [](SceneBench& bench, const Values& values) {
+    return finished(bench, [&](SceneEdits& edits, auto told) {
+      edits.insert(sceneWord(values, 0), std::get<double>(values[1]), std::get<double>(values[2]), told);
+    });
+  };
+  attachToBench(context, "scene.insert", insert, [](const auto& before) {
+    return before.empty() ? std::vector<std::string>(kSceneObjectKinds.begin(), kSceneObjectKinds.end())
+                          : std::vector<std::string>();
+  });
+}
+
 }  // namespace
 
 void attachSceneEditorCommands(ViewContext& context) {
   if (context.commands.isAttached("scene.edit")) return;
   sceneBench(context);
-  const std::weak_ptr<SceneBench> shared = context.scenes;
-  using Values = CommandTable::Values;
-  const auto attachAny = [&](const char* name, std::function<Result<void>(SceneBench&, const Values&)> run,
-                             CommandTable::Offer offer) {
-    context.commands.attach(
-        name,
-        [shared, run = std::move(run)](const Values& values) -> Result<void> {
-          if (const auto bench = shared.lock()) return run(*bench, values);
-          return failure("scene.closed", "the window with the scene editor is closed");
-        },
-        std::move(offer));
-  };
-  const auto attach = [&](const char* name, Object run, CommandTable::Offer offer) {
-    attachAny(
-        name,
-        [run = std::move(run)](SceneBench& bench, const Values& values) {
-          return run(bench, values.empty() ? std::string() : sceneWord(values, 0));
-        },
-        std::move(offer));
-  };
-  attach("scene.edit", editScene, [shared](const auto& before) {
-    const auto bench = shared.lock();
-    return bench && before.empty() ? knownObjects(*bench) : std::vector<std::string>();
-  });
-  attach("scene.save",
-         [](SceneBench& bench, const std::string& file) {
-           return file.empty() ? bench.save() : bench.saveAs(file);
-         },
-         {});
-  const auto objects = [shared](const auto& before) {
-    const auto bench = shared.lock();
-    return bench && before.empty() ? worldModels(*bench) : std::vector<std::string>();
-  };
-  attach("scene.apply",
-         [](SceneBench& bench, const std::string&) { return sceneEdits(bench.context()).apply(); }, {});
-  attach("scene.undo-edit",
-         [](SceneBench& bench, const std::string&) { return sceneEdits(bench.context()).undo(); }, {});
-  attach("scene.redo-edit",
-         [](SceneBench& bench, const std::string&) { return sceneEdits(bench.context()).redo(); }, {});
-  attach("scene.copy", withObject(copyBeside), objects);
-  attach("scene.write", withObject(writePose), objects);
-  attach("scene.erase", withObject([](SceneBench& bench, const std::string& object) {
-           return finished(bench, [&](SceneEdits& edits, auto told) { edits.erase(object, told); });
-         }),
-         objects);
-  attachAny(
-      "scene.rename",
-      [](SceneBench& bench, const Values& values) {
-        return finished(bench, [&](SceneEdits& edits, auto told) {
-          edits.rename(sceneWord(values, 0), sceneWord(values, 1), told);
-        });
-      },
-      objects);
-  attachAny(
-      "scene.insert",
-      [](SceneBench& bench, const Values& values) {
-        return finished(bench, [&](SceneEdits& edits, auto told) {
-          edits.insert(sceneWord(values, 0), std::get<double>(values[1]), std::get<double>(values[2]), told);
-        });
-      },
-      [](const auto& before) {
-        return before.empty() ? std::vector<std::string>(kSceneObjectKinds.begin(), kSceneObjectKinds.end())
-                              : std::vector<std::string>();
-      });
+  attachEditorCommands(context);
+  attachObjectCommands(context);
 }
 
 }  // namespace widgets
