@@ -60,11 +60,44 @@ void hashJoint(Fingerprint& print, const JointDescription& joint) {
   print.add(joint.maximumTorque);
 }
 
+/// A value of a command; 0 if the command has fewer.
+double valueOf(const Rewind::Command& command, std::size_t i) {
+  return i < command.values.size() ? command.values[i] : 0;
+}
+
+Vector3 vectorOf(const Rewind::Command& command, std::size_t i) {
+  return {valueOf(command, i), valueOf(command, i + 1), valueOf(command, i + 2)};
+}
+
+void repeatPlacing(Simulation& simulation, const Rewind::Command& command) {
+  const auto at = [&](std::size_t i) { return valueOf(command, i); };
+  std::optional<ModelPosture> posture;
+  if (command.index > 0) posture.emplace(ModelPosture{std::nullopt, at(4), at(5)});
+  if (command.index > 1) posture->height = at(3);
+  // A pose that did not fit then does not fit now.
+  (void)simulation.placeModel(command.text, {at(0), at(1), at(2)}, posture);
+}
+
+void repeatErrors(Simulation& simulation, const Rewind::Command& command) {
+  const std::vector<double>& v = command.values;
+  SensorErrors errors{{}, valueOf(command, 0), valueOf(command, 1), valueOf(command, 2)};
+  for (std::size_t i = 3; i + 7 <= v.size(); i += 7)
+    errors.noise.push_back({v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4], v[i + 5], v[i + 6]});
+  (void)simulation.setSensorErrors(command.text, errors);
+}
+
+void repeatEvent(Simulation& simulation, const Rewind::Command& command) {
+  const std::size_t end = command.text.find('\n');
+  ViewEvent event{
+      static_cast<ViewEvent::Kind>(command.index), command.text.substr(0, end), command.text.substr(end + 1),
+      static_cast<int>(valueOf(command, 6)),       vectorOf(command, 0),        vectorOf(command, 3)};
+  (void)simulation.addEvent(std::move(event));
+}
+
 /// Gives a simulation the command that it had before.
 void repeat(Simulation& simulation, const Rewind::Command& command) {
-  const std::vector<double>& v = command.values;
-  const auto at = [&](std::size_t i) { return i < v.size() ? v[i] : 0; };
-  const auto vector = [&](std::size_t i) { return Vector3(at(i), at(i + 1), at(i + 2)); };
+  const auto at = [&](std::size_t i) { return valueOf(command, i); };
+  const auto vector = [&](std::size_t i) { return vectorOf(command, i); };
   switch (command.kind) {
     case CommandKind::kAngle:
       return simulation.requestAngle(command.index, at(0));
@@ -75,24 +108,13 @@ void repeat(Simulation& simulation, const Rewind::Command& command) {
     case CommandKind::kDriveOn:
       return simulation.setDriveOn(command.index, at(0) != 0);
     case CommandKind::kGuide:
-      return simulation.guide(command.index, v);
+      return simulation.guide(command.index, command.values);
     case CommandKind::kDoor:
       return simulation.moveDoor(command.index, at(0) != 0);
-    case CommandKind::kPlace: {
-      std::optional<ModelPosture> posture;
-      if (command.index > 0) posture.emplace(ModelPosture{std::nullopt, at(4), at(5)});
-      if (command.index > 1) posture->height = at(3);
-      // A pose that did not fit then does not fit now.
-      (void)simulation.placeModel(command.text, {at(0), at(1), at(2)}, posture);
-      return;
-    }
-    case CommandKind::kErrors: {
-      SensorErrors errors{{}, at(0), at(1), at(2)};
-      for (std::size_t i = 3; i + 7 <= v.size(); i += 7)
-        errors.noise.push_back({v[i], v[i + 1], v[i + 2], v[i + 3], v[i + 4], v[i + 5], v[i + 6]});
-      (void)simulation.setSensorErrors(command.text, errors);
-      return;
-    }
+    case CommandKind::kPlace:
+      return repeatPlacing(simulation, command);
+    case CommandKind::kErrors:
+      return repeatErrors(simulation, command);
     case CommandKind::kTurn:
       (void)simulation.turnModel(command.text, at(0), at(1), at(2));
       return;
@@ -110,17 +132,8 @@ void repeat(Simulation& simulation, const Rewind::Command& command) {
     case CommandKind::kPush:
       (void)simulation.push(command.text, vector(0), vector(3), at(6));
       return;
-    case CommandKind::kEvent: {
-      const std::size_t end = command.text.find('\n');
-      ViewEvent event{static_cast<ViewEvent::Kind>(command.index),
-                      command.text.substr(0, end),
-                      command.text.substr(end + 1),
-                      static_cast<int>(at(6)),
-                      vector(0),
-                      vector(3)};
-      (void)simulation.addEvent(std::move(event));
-      return;
-    }
+    case CommandKind::kEvent:
+      return repeatEvent(simulation, command);
   }
 }
 
