@@ -153,6 +153,7 @@ class MainWindow : public QMainWindow {
   void attach(const char* name, WindowCommand run, robotlink::CommandTable::Offer offer = {});
   void attachViewCommands();
   void attachPerspectiveCommands();
+  void attachAppearanceCommands();
   void attachPlotCommands();
   void attachSearchCommands();
   void createPalette();

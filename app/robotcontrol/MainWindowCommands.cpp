@@ -95,6 +95,7 @@ void MainWindow::attachCommands() {
   if (commands.isAttached("view.show")) return;
   attachViewCommands();
   attachPerspectiveCommands();
+  attachAppearanceCommands();
   attachPlotCommands();
   attachSearchCommands();
   attachExportCommands();
@@ -234,6 +235,9 @@ void MainWindow::attachPerspectiveCommands() {
   attachSimple("view.reset", [](MainWindow& window) { window.resetPerspective(); });
   attachSimple("view.undo", [](MainWindow& window) { window.stepLayout(&LayoutHistory::undo); });
   attachSimple("view.redo", [](MainWindow& window) { window.stepLayout(&LayoutHistory::redo); });
+}
+
+void MainWindow::attachAppearanceCommands() {
   attach("view.appearance", [](MainWindow& window, const Values& values) -> Result<void> {
     window.appearance_->setAppearance(appearanceFromName(argumentOf(values, 0)));
     return {};

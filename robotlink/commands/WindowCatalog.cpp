@@ -200,13 +200,9 @@ Rows dataRows() {
   };
 }
 
-}  // namespace
-
-Rows windowCatalog() {
-  Rows rows = exportRows();
-  for (Rows& more : std::vector<Rows>{pictureRows(), sceneViewRows(), dataRows()})
-    rows.insert(rows.end(), more.begin(), more.end());
-  const Rows others{
+/// The commands of views as such.
+Rows shownViewRows() {
+  return {
       {"view.show",
        "Brings a view to the front and opens it if needed",
        {{"view", Type::kText, "its name: image, field, packets, ..."}}},
@@ -222,6 +218,12 @@ Rows windowCatalog() {
          "numbers: its table, with tabs between the columns",
          {},
          {"picture", "numbers"}}}},
+  };
+}
+
+/// The commands of the scene editor.
+Rows sceneEditRows() {
+  return {
       {"scene.edit",
        "Shows an object of the simulated scene in the scene editor, or a scene file",
        {{"object", Type::kText, "red1/head/camera, or a file; '': what is selected in the scene",
@@ -250,6 +252,12 @@ Rows windowCatalog() {
        {{"object", Type::kText, "its name in the scene; '': what is selected", std::string()}}},
       {"scene.undo-edit", "Undoes the last change of the scene, made by hand or by these commands"},
       {"scene.redo-edit", "Redoes the last change undone"},
+  };
+}
+
+/// The commands that change bookmarks.
+Rows bookmarkRows() {
+  return {
       {"log.bookmark",
        "Adds a bookmark to the log",
        {{"seconds", Type::kNumber, "since the start"}, {"text", Type::kText, "text of the bookmark"}}},
@@ -260,7 +268,15 @@ Rows windowCatalog() {
        "Changes the text of a bookmark of the open logs; if several have this text, the first",
        {{"text", Type::kText, "text of the bookmark"}, {"new-text", Type::kText, "instead"}}},
   };
-  rows.insert(rows.end(), others.begin(), others.end());
+}
+
+}  // namespace
+
+Rows windowCatalog() {
+  Rows rows = exportRows();
+  for (Rows& more : std::vector<Rows>{pictureRows(), sceneViewRows(), dataRows(), shownViewRows(),
+                                      sceneEditRows(), bookmarkRows()})
+    rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }
 

@@ -197,20 +197,24 @@ std::vector<PlatformField> lineFields() {
        .unit = "baud",
        .items = baudItems,
        .sameRow = true,
-       .isArgument = false},
-      {.name = "kind",
-       .label = "&Kind:",
-       .help = "The robot's description: p3at, p3dx, peoplebot or one of your own",
-       .initial = PioneerAddress().kind,
-       .isArgument = false},
-      {.name = "laser",
-       .kind = Kind::kChoice,
-       .label = "La&ser:",
-       .help = "Line of a SICK LMS 200, such as /dev/ttyUSB1; empty: the robot has none",
-       .emptyText = "none",
-       .items = deviceItems,
-       .editable = true,
        .isArgument = false}};
+}
+
+/// The fields about the robot itself.
+std::vector<PlatformField> pioneerFields() {
+  return {{.name = "kind",
+           .label = "&Kind:",
+           .help = "The robot's description: p3at, p3dx, peoplebot or one of your own",
+           .initial = PioneerAddress().kind,
+           .isArgument = false},
+          {.name = "laser",
+           .kind = Kind::kChoice,
+           .label = "La&ser:",
+           .help = "Line of a SICK LMS 200, such as /dev/ttyUSB1; empty: the robot has none",
+           .emptyText = "none",
+           .items = deviceItems,
+           .editable = true,
+           .isArgument = false}};
 }
 
 PlatformForm pioneerForm() {
@@ -241,6 +245,7 @@ PlatformForm pioneerForm() {
                   .remembered = "recent_robots",
                   .recent = true}};
   for (auto& field : lineFields()) form.fields.push_back(std::move(field));
+  for (auto& field : pioneerFields()) form.fields.push_back(std::move(field));
   form.fields.push_back({.name = "layout",
                          .kind = Kind::kChoice,
                          .label = "&Layout:",

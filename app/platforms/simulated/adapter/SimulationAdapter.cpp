@@ -276,6 +276,66 @@ std::vector<PlatformField> hiddenFields() {
            .option = "--executor"}};
 }
 
+PlatformField sceneField() {
+  return {.name = "scene",
+          .kind = Kind::kChoice,
+          .label = "Scene:",
+          .help =
+              "A shipped scene by its name, or a file: an SDFormat world, or the map of a building "
+              "(.map)",
+          .initial = std::string("field2002"),
+          .noun = "scene",
+          .items = sceneItems,
+          .editable = true,
+          .files = "Worlds and maps (*.sdf *.world *.map)",
+          .group = "World",
+          .isSource = true,
+          .remembered = "simulation_setup/0"};
+}
+
+/// The fields about teams and sensors, and about the world's models and threads.
+std::vector<PlatformField> playFields() {
+  return {{.name = "teams",
+           .kind = Kind::kChoice,
+           .label = "Teams:",
+           .help = "Team of the added robots, if they play; red plays toward the sky-blue goal",
+           .initial = std::string(kBothTeams),
+           .noun = "teams",
+           .items = teamItems,
+           .group = "Robots",
+           .option = "--teams",
+           .remembered = "simulation_setup/6"},
+          {.name = "noise",
+           .kind = Kind::kFlag,
+           .label = "Sensors with noise",
+           .help = "Sensors, cameras and odometry have the errors set in the scene; otherwise they "
+                   "measure the true values",
+           .initial = true,
+           .group = "Robots",
+           .remembered = "simulation_setup/7"},
+          {.name = "models",
+           .label = "Models in:",
+           .help = "Folders in which model://NAME is searched first, with colons between them; the "
+                   "scene editor finds models there, too",
+           .noun = "folders of models",
+           .emptyText = "the scene's folder and the usual ones",
+           .group = "World",
+           .option = "--models",
+           .remembered = "simulation_setup/8"},
+          {.name = "threads",
+           .kind = Kind::kNumber,
+           .label = "Threads:",
+           .help = "How many threads share physics, sensors, images and the robots' programs; the "
+                   "results are the same for any number",
+           .initial = 0.0,
+           .noun = "number of threads",
+           .max = robotlink::ThreadPool::kMaxThreads,
+           .emptyText = "one per core",
+           .group = "World",
+           .option = "--threads",
+           .remembered = "simulation_setup/9"}};
+}
+
 PlatformForm simulationForm() {
   PlatformForm form{.name = "setup",
                     .command = "simulation.setup",
@@ -288,64 +348,10 @@ PlatformForm simulationForm() {
                     .entryHelp = "Opens a scene or a map and adds robots to it",
                     .title = "Simulate",
                     .accept = "&Open"};
-  form.fields = {{.name = "scene",
-                  .kind = Kind::kChoice,
-                  .label = "Scene:",
-                  .help =
-                      "A shipped scene by its name, or a file: an SDFormat world, or the map of a building "
-                      "(.map)",
-                  .initial = std::string("field2002"),
-                  .noun = "scene",
-                  .items = sceneItems,
-                  .editable = true,
-                  .files = "Worlds and maps (*.sdf *.world *.map)",
-                  .group = "World",
-                  .isSource = true,
-                  .remembered = "simulation_setup/0"}};
+  form.fields = {sceneField()};
   for (auto& field : robotFields()) form.fields.push_back(std::move(field));
   for (auto& field : portFields()) form.fields.push_back(std::move(field));
-  form.fields.push_back({.name = "teams",
-                         .kind = Kind::kChoice,
-                         .label = "Teams:",
-                         .help = "Team of the added robots, if they play; red plays toward the sky-blue goal",
-                         .initial = std::string(kBothTeams),
-                         .noun = "teams",
-                         .items = teamItems,
-                         .group = "Robots",
-                         .option = "--teams",
-                         .remembered = "simulation_setup/6"});
-  form.fields.push_back({.name = "noise",
-                         .kind = Kind::kFlag,
-                         .label = "Sensors with noise",
-                         .help =
-                             "Sensors, cameras and odometry have the errors set in the scene; otherwise they "
-                             "measure the true values",
-                         .initial = true,
-                         .group = "Robots",
-                         .remembered = "simulation_setup/7"});
-  form.fields.push_back({.name = "models",
-                         .label = "Models in:",
-                         .help =
-                             "Folders in which model://NAME is searched first, with colons between them; the "
-                             "scene editor finds models there, too",
-                         .noun = "folders of models",
-                         .emptyText = "the scene's folder and the usual ones",
-                         .group = "World",
-                         .option = "--models",
-                         .remembered = "simulation_setup/8"});
-  form.fields.push_back({.name = "threads",
-                         .kind = Kind::kNumber,
-                         .label = "Threads:",
-                         .help =
-                             "How many threads share physics, sensors, images and the robots' programs; the "
-                             "results are the same for any number",
-                         .initial = 0.0,
-                         .noun = "number of threads",
-                         .max = robotlink::ThreadPool::kMaxThreads,
-                         .emptyText = "one per core",
-                         .group = "World",
-                         .option = "--threads",
-                         .remembered = "simulation_setup/9"});
+  for (auto& field : playFields()) form.fields.push_back(std::move(field));
   for (auto& field : hiddenFields()) form.fields.push_back(std::move(field));
   form.follow = followSimulation;
   return form;
