@@ -140,5 +140,26 @@ TEST(ThreadExecutorTest, itStopsWhileAllWait) {
   EXPECT_EQ(0U, a.frames());
 }
 
+TEST(ThreadExecutorTest, aStopWithALimitGoesOnWithoutAFrameThatTakesLonger) {
+  ManualClock clock;
+  TestProcess slow("slow", clock);
+  slow.setPeriod(20ms);
+  std::latch begun{1}, release{1};
+  slow.body = [&] {
+    begun.count_down();
+    release.wait();
+  };
+  ThreadExecutor executor({});
+  executor.add(slow);
+  executor.start();
+  begun.wait();
+  EXPECT_FALSE(executor.stopWithin(5ms));
+  EXPECT_FALSE(executor.hasEnded(slow));
+  release.count_down();
+  // The frame ends at once, and so does the wait.
+  EXPECT_TRUE(executor.stopWithin(1h));
+  EXPECT_TRUE(executor.hasEnded(slow));
+}
+
 }  // namespace
 }  // namespace robotlink::test
