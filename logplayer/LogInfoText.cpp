@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LogInfo as text for the user, see toText().
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -17,12 +18,6 @@ namespace {
 using nlohmann::json;
 using robotlink::Instant;
 
-std::string formatted(const char* format, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 std::string bytesText(std::uint64_t bytes) {
   if (bytes < 1000) return std::to_string(bytes) + " B";
   auto value = static_cast<double>(bytes);
@@ -32,7 +27,7 @@ std::string bytesText(std::uint64_t bytes) {
     value /= 1000;
     ++unit;
   }
-  return formatted(value < 9.995 ? "%.2f " : value < 99.95 ? "%.1f " : "%.0f ", value) + kUnits[unit];
+  return fmt::format("{:.{}f} {}", value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0, kUnits[unit]);
 }
 
 /// A number with separators: "12,345".
@@ -44,11 +39,11 @@ std::string countText(std::uint64_t count) {
 
 std::string rateText(double rate) {
   if (rate <= 0) return "-";
-  return formatted(rate < 9.995 ? "%.2f Hz" : "%.1f Hz", rate);
+  return fmt::format("{:.{}f} Hz", rate, rate < 9.995 ? 2 : 1);
 }
 
 std::string dateOrSeconds(Instant time) {
-  return isDate(time) ? dateText(time) : formatted("%.3f s", robotlink::seconds(time));
+  return isDate(time) ? dateText(time) : fmt::format("{:.3f} s", robotlink::seconds(time));
 }
 
 /// The encoding of a stream's messages, if not all are Protobuf.
@@ -83,7 +78,7 @@ std::string undecodedText(const LogInfo& info) {
 
 std::string percentText(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? "-"
-                    : formatted("%.1f %%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+                    : fmt::format("{:.1f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
 /// A text table whose columns are as wide as their widest cell. `columns` is their alignment: "lr" is left,
@@ -184,7 +179,7 @@ std::string figures(const LogInfo& info) {
   add("time", info.messages == 0
                   ? "no messages"
                   : dateOrSeconds(info.begin) + " to " + dateOrSeconds(info.end) + ", " +
-                        formatted("%.3f s", robotlink::seconds(info.end - info.begin)) + " long");
+                        fmt::format("{:.3f} s long", robotlink::seconds(info.end - info.begin)));
   addParts(table, "robots", info.robots);
   add("messages", countText(info.messages) + " in " + countText(info.streams.size()) + " streams");
   add("not decoded", undecodedText(info));

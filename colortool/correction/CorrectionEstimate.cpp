@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "colortool/correction/CorrectionEstimate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <utility>
@@ -96,12 +97,6 @@ std::vector<Camera> camerasOf(const Samples& samples) {
   return cameras;
 }
 
-std::string formatted(const char* format, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 std::string cameraNameOf(const Camera& camera) {
   return camera.name.empty() ? "The camera" : "Camera " + camera.name;
 }
@@ -136,10 +131,10 @@ void estimateVignetting(Camera& camera, std::vector<std::string>& notes) {
     notes.push_back(cameraNameOf(camera) + ": the corners of its images are like their center.");
     return;
   }
-  notes.push_back(cameraNameOf(camera) + ": in the corners Y is " +
-                  formatted("%.0f %%", 100 * (1 + atCorner(luma))) +
-                  " of what it is in the middle, Cb differs by " + formatted("%+.1f", atCorner(blue)) +
-                  " and Cr by " + formatted("%+.1f", atCorner(red)) + ".");
+  notes.push_back(
+      fmt::format("{}: in the corners Y is {:.0f} % of what it is in the middle, Cb differs by {:+.1f} and "
+                  "Cr by {:+.1f}.",
+                  cameraNameOf(camera), 100 * (1 + atCorner(luma)), atCorner(blue), atCorner(red)));
 }
 
 /// The mean color of a kind as a camera sees it without vignetting, and its accuracy.
@@ -214,8 +209,7 @@ void estimateLines(Camera& camera, const Camera& reference, std::vector<std::str
   for (std::size_t i = 0; i < 3; ++i) {
     ChannelLine& line = camera.correction.channels[i];
     line = lineThrough(pairs[i], classes.size() >= kMinClasses);
-    note += std::string(i == 0 ? ", " : "; ") + kChannels[i] + formatted(" x %.2f", line.gain) +
-            formatted(" %+.1f", line.offset);
+    note += fmt::format("{} {} x {:.2f} {:+.1f}", i == 0 ? "," : ";", kChannels[i], line.gain, line.offset);
   }
   if (classes.size() < kMinClasses)
     note += " (with strokes of three classes in both, gains can be estimated)";
