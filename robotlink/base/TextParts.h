@@ -5,8 +5,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
-// Reading a text part by part, and joining parts.
+// Reading a text part by part, joining parts, and searching lists of texts.
 namespace robotlink {
 
 /// The text without blanks at its ends: spaces, tabs and carriage returns.
@@ -27,6 +28,10 @@ std::string joined(const Range& texts, std::string_view separator = ", ") {
     all += text;
   }
   return all;
+}
+
+inline bool contains(const std::vector<std::string>& texts, std::string_view text) {
+  return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
 /// Removes what is before the first `separator`, and the separator, from the text; returns what was before

@@ -9,14 +9,11 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Spelling.h"
+#include "robotlink/base/TextParts.h"
 #include "robotlink/debugging/DebugRoutes.h"
 
 namespace robotlink {
 namespace {
-
-bool contains(const std::vector<std::string>& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
 
 /// Follows the name of a solution whose time as a shadow is measured.
 constexpr char kInShadow[] = " (shadow)";

@@ -10,13 +10,10 @@
 #include <sstream>
 
 #include "robotlink/base/Spelling.h"
+#include "robotlink/base/TextParts.h"
 
 namespace robotlink {
 namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// The names that a stream may be called by: in full, and without its robot.
 std::vector<std::string> names(const std::vector<std::string>& streams,

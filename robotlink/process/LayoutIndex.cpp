@@ -3,16 +3,10 @@
 
 #include <algorithm>
 
+#include "robotlink/base/TextParts.h"
 #include "robotlink/packages/PackageTitles.h"
 
 namespace robotlink {
-namespace {
-
-bool contains(const std::vector<std::string>& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
-
-}  // namespace
 
 LayoutIndex::LayoutIndex(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform)
     : layout_(layout), platform_(platform) {

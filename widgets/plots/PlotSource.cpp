@@ -10,12 +10,16 @@
 #include <set>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/TextParts.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/expressions/FieldPath.h"
 #include "robotlink/series/PointFilter.h"
 #include "widgets/world/FieldUnits.h"
 
 namespace widgets {
+
+using robotlink::contains;
+
 namespace {
 
 constexpr char kBeforeField[] = ": ";
@@ -61,10 +65,6 @@ void readUnmarked(const std::string& text, const std::vector<std::string>& strea
   } else {
     source.expression = text;
   }
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
 }
 
 }  // namespace

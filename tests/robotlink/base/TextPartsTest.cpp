@@ -25,6 +25,13 @@ TEST(TextParts, aLineBreakAtTheEndBeginsNoLine) {
   EXPECT_EQ(linesOf(""), std::vector<std::string>{});
 }
 
+TEST(TextParts, aListContainsOnlyWholeTexts) {
+  const std::vector<std::string> texts{"red1", "red2"};
+  EXPECT_TRUE(contains(texts, "red2"));
+  EXPECT_FALSE(contains(texts, "red"));
+  EXPECT_FALSE(contains({}, ""));
+}
+
 TEST(TextParts, aPartEndsAtItsSeparatorOrWithTheText) {
   std::string_view text = "red1, red2";
   EXPECT_EQ(takePart(text, ','), "red1");
