@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "foxglove/Ranging.pb.h"
+#include "modules/FinitePose.h"
 #include "modules/navigation/RangePackages.h"
 #include "robotlink/packages/Conversions.h"
 
@@ -54,8 +55,7 @@ void DriveSensing::update(double requested) {
   const Instant now = clock_.now();
   if (drive_ && drive_.isNew()) {
     const Pose2 robot = robotlink::pose2(drive_->odometry());
-    const bool finite = std::isfinite(robot.x) && std::isfinite(robot.y) && std::isfinite(robot.heading);
-    if (finite && !odometry_.add(robotlink::instant(drive_->timestamp()), robot)) memory_.clear();
+    if (isFinite(robot) && !odometry_.add(robotlink::instant(drive_->timestamp()), robot)) memory_.clear();
     feelBumpers(requested);
   }
   // Rays first, because they explain echoes of cones.

@@ -7,6 +7,7 @@
 #include "MappingParameters.pb.h"
 #include "foxglove/Grid.pb.h"
 #include "foxglove/Ranging.pb.h"
+#include "modules/FinitePose.h"
 #include "modules/mapping/OccupancyMap.h"
 #include "modules/mapping/ScanMatcher.h"
 #include "modules/modeling/SelfLocalization.h"
@@ -97,10 +98,6 @@ const robotlink::ParameterTable<MatchingOptions> kScanMatchingTable{
     {MatchingFields::kDeviationFieldNumber, &matcherOption<&ScanMatcher::Options::deviation>, kAboveZero},
     {MatchingFields::kTrustFieldNumber, &matcherOption<&ScanMatcher::Options::trust>, kAtLeastZero},
     {MatchingFields::kLeastScoreFieldNumber, &matcherOption<&ScanMatcher::Options::leastScore>, kShare}};
-
-bool isFinite(const Pose2& pose) {
-  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
-}
 
 /// The part of an occupancy grid's message that only depends on its frame.
 std::shared_ptr<foxglove::Grid> emptyGrid(const GridFrame& frame) {

@@ -6,6 +6,7 @@
 
 #include "NavigationParameters.pb.h"
 #include "foxglove/Ranging.pb.h"
+#include "modules/FinitePose.h"
 #include "modules/modeling/SelfLocalization.h"
 #include "modules/navigation/MonteCarloLocalizer.h"
 #include "modules/navigation/OdometryHistory.h"
@@ -85,10 +86,6 @@ const robotlink::ParameterTable<WheelDrift> kWheelDriftTable{
     {DriftFields::kDriftPerMetreFieldNumber, &WheelDrift::perMeter, kAtLeastZero},
     {DriftFields::kDriftPerRadianFieldNumber, &WheelDrift::perRadian, kAtLeastZero}};
 
-bool finite(const Pose2& pose) {
-  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
-}
-
 class MonteCarloLocalization final : public SelfLocalization {
  public:
   explicit MonteCarloLocalization(robotlink::SolutionContext& context)
@@ -131,7 +128,7 @@ class MonteCarloLocalization final : public SelfLocalization {
 
   void takeStep() {
     const Pose2 odometry = robotlink::pose2(drive_->odometry());
-    if (!drive_.isNew() || !finite(odometry)) return;
+    if (!drive_.isNew() || !isFinite(odometry)) return;
     const std::optional<Pose2> last = odometry_.latest();
     const bool continued = odometry_.add(robotlink::instant(drive_->timestamp()), odometry);
     // After a reset of the odometry, the motion in between is unknown, but small.
@@ -233,7 +230,7 @@ class WheelLocalization final : public SelfLocalization {
   void execute() override {
     if (!drive_ || !drive_.isNew()) return;
     const Pose2 now = robotlink::pose2(drive_->odometry());
-    if (!finite(now)) return;
+    if (!isFinite(now)) return;
     const Pose2 step = last_.inverse() * now;
     last_ = now;
     way_ += std::hypot(step.x, step.y);

@@ -5,6 +5,7 @@
 #include "NavigationParameters.pb.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Ranging.pb.h"
+#include "modules/FinitePose.h"
 #include "modules/navigation/GridPlanner.h"
 #include "modules/navigation/OdometryHistory.h"
 #include "modules/navigation/RangePackages.h"
@@ -207,8 +208,7 @@ class GridPathPlanner final : public PathPlanner {
   void observe(const robotlink::Input<robotcontrol::RobotPose>& pose) override {
     if (drive_ && drive_.isNew()) {
       const robotlink::Pose2 odometry = robotlink::pose2(drive_->odometry());
-      if (std::isfinite(odometry.x + odometry.y + odometry.heading))
-        odometry_.add(robotlink::instant(drive_->timestamp()), odometry);
+      if (isFinite(odometry)) odometry_.add(robotlink::instant(drive_->timestamp()), odometry);
     }
     if (!obstacles_ || !pose || !laser_ || !laser_.isNew()) return;
     const GridPlanningOptions options = kGridPlanningTable.read(parameters_);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "foxglove/Ranging.pb.h"
+#include "modules/FinitePose.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/packages/Conversions.h"
 
@@ -18,10 +19,6 @@ constexpr int kMaxReadings = 256, kMaxRays = 4096;
 // The range of a Pioneer's sonars, used if a message does not contain it.
 constexpr double kSonarMaximum = 5;
 
-bool finite(const Pose2& pose) {
-  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
-}
-
 }  // namespace
 
 std::vector<RangeBeam> beams(const robotcontrol::SonarReadings& sonar) {
@@ -32,7 +29,7 @@ std::vector<RangeBeam> beams(const robotcontrol::SonarReadings& sonar) {
   for (int i = 0; i < count; ++i) {
     const robotcontrol::SonarReadings::Reading& reading = sonar.readings(i);
     const Pose2 sensor = robotlink::pose2(reading.sensor_in_robot());
-    if (!(reading.range() > 0) || !finite(sensor)) continue;
+    if (!(reading.range() > 0) || !isFinite(sensor)) continue;
     const auto& time = reading.has_timestamp() ? reading.timestamp() : sonar.timestamp();
     result.push_back(
         {sensor, std::min(reading.range(), maximum), maximum, opening, robotlink::instant(time)});
@@ -45,7 +42,7 @@ std::vector<RangeBeam> beams(const foxglove::LaserScan& laser, double maximum) {
   const int count = std::min(kMaxRays, laser.ranges_size());
   const Pose2 sensor = robotlink::groundPose(robotlink::pose3(laser.pose()));
   const double step = count > 1 ? (laser.end_angle() - laser.start_angle()) / (laser.ranges_size() - 1) : 0;
-  if (!finite(sensor) || !std::isfinite(laser.start_angle()) || !std::isfinite(step)) return result;
+  if (!isFinite(sensor) || !std::isfinite(laser.start_angle()) || !std::isfinite(step)) return result;
   const robotlink::Instant time = robotlink::instant(laser.timestamp());
   for (int i = 0; i < count; ++i) {
     const double range = laser.ranges(i);
