@@ -79,7 +79,7 @@ void LandmarkLocalizer::resample(std::span<const LandmarkMeasurement> seen) {
   for (const Particle& particle : particles_) sum += particle.weight;
   if (sum <= 0) return;
   const double fresh = fit_ < 0.5 ? options_.newShare * (1 - 2 * fit_) : 0;
-  if (fresh == 0 && effectiveParticles() > 0.5 * static_cast<double>(count)) return;
+  if (fresh == 0 && effectiveParticles(particles_) > 0.5 * static_cast<double>(count)) return;
   drawn_.clear();
   double position = random_.uniform(), passed = 0;
   std::size_t at = 0;
@@ -96,15 +96,6 @@ void LandmarkLocalizer::resample(std::span<const LandmarkMeasurement> seen) {
           drawFrom(seen[static_cast<std::size_t>(random_.uniform() * static_cast<double>(seen.size()))]);
   }
   particles_.swap(drawn_);
-}
-
-double LandmarkLocalizer::effectiveParticles() const {
-  double sum = 0, squares = 0;
-  for (const Particle& particle : particles_) {
-    sum += particle.weight;
-    squares += particle.weight * particle.weight;
-  }
-  return squares > 0 ? sum * sum / squares : 0;
 }
 
 void LandmarkLocalizer::summarize() {
@@ -139,12 +130,6 @@ void LandmarkLocalizer::update(const Pose2& robotInOdometry, bool shaken,
     resample(seen);
   }
   summarize();
-}
-
-std::vector<Pose2> LandmarkLocalizer::particles() const {
-  std::vector<Pose2> poses;
-  for (const Particle& particle : particles_) poses.push_back(particle.pose);
-  return poses;
 }
 
 }  // namespace modules

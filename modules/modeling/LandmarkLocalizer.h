@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "modules/modeling/Particles.h"
 #include "modules/modeling/PoseEstimate.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Random.h"
@@ -69,7 +70,7 @@ class LandmarkLocalizer {
               std::span<const LandmarkMeasurement> seen);
   const PoseEstimate& estimate() const { return estimate_; }
   /// The poses of all particles; for drawings.
-  std::vector<robotlink::Pose2> particles() const;
+  std::vector<robotlink::Pose2> particles() const { return posesOf(particles_); }
 
  private:
   struct Particle {
@@ -87,8 +88,6 @@ class LandmarkLocalizer {
   robotlink::Pose2 drawFrom(const LandmarkMeasurement& seen);
   /// Clamps a pose to the field and its borders.
   void keepOnField(robotlink::Pose2& pose) const;
-  /// The number of particles of equal weight that would be as informative.
-  double effectiveParticles() const;
   /// Computes the estimate from the particles.
   void summarize();
 

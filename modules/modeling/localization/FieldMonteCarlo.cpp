@@ -196,7 +196,7 @@ void FieldMonteCarlo::resample(const Frame& frame) {
   const double lack = options_.goodFit > 0 ? std::max(0.0, 1 - fit_ / options_.goodFit) : 0;
   const bool shows = !frame.landmarks.empty();
   const double fresh = shows ? options_.newShare * lack : 0;
-  if (fresh == 0 && effectiveParticles() > 0.5 * static_cast<double>(count)) return;
+  if (fresh == 0 && effectiveParticles(particles_) > 0.5 * static_cast<double>(count)) return;
   const double share = shows ? fresh + options_.probeShare : 0;
   const double start = random_.uniform(), rough = options_.roughening;
   double passed = 0;
@@ -214,15 +214,6 @@ void FieldMonteCarlo::resample(const Frame& frame) {
       set(added, {from.x + rough * noise(), from.y + rough * noise(), from.heading + rough * noise()});
   }
   particles_.swap(drawn_);
-}
-
-double FieldMonteCarlo::effectiveParticles() const {
-  double sum = 0, squares = 0;
-  for (const Particle& particle : particles_) {
-    sum += particle.weight;
-    squares += particle.weight * particle.weight;
-  }
-  return squares > 0 ? sum * sum / squares : 0;
 }
 
 bool FieldMonteCarlo::Block::contains(const Block& cell) const {
@@ -317,12 +308,6 @@ void FieldMonteCarlo::update(const Frame& frame) {
     resample(frame);
   }
   summarize();
-}
-
-std::vector<Pose2> FieldMonteCarlo::particles() const {
-  std::vector<Pose2> poses;
-  for (const Particle& particle : particles_) poses.push_back(particle.pose);
-  return poses;
 }
 
 }  // namespace modules

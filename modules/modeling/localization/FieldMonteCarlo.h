@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "modules/modeling/Particles.h"
 #include "modules/modeling/PoseEstimate.h"
 #include "modules/modeling/localization/FieldEdgeMap.h"
 #include "modules/modeling/localization/LandmarkMemory.h"
@@ -80,7 +81,7 @@ class FieldMonteCarlo {
   /// The recent fit of the particles to the landmarks, 0 to 1.
   double fit() const { return fit_; }
   /// The poses of all particles; for drawings.
-  std::vector<robotlink::Pose2> particles() const;
+  std::vector<robotlink::Pose2> particles() const { return posesOf(particles_); }
   const FieldEdgeMap& edges() const { return edges_; }
 
  private:
@@ -127,7 +128,6 @@ class FieldMonteCarlo {
   robotlink::Pose2 anyPose();
   /// The same place, turned so that a landmark is where the image shows it; it shows one at least.
   robotlink::Pose2 turned(const robotlink::Pose2& pose, const Frame& frame);
-  double effectiveParticles() const;
   /// The estimate is that of the densest cluster.
   void summarize();
   /// A number that is distributed nearly normally, much faster than Random::normal().
