@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/color/ColorBench.h"
 
-#include <QUndoCommand>
 #include <algorithm>
 
 #include "colortool/image/ClassPresets.h"
 #include "foxglove/Image.pb.h"
 #include "robotlink/config/FieldDescription.h"
+#include "widgets/controls/HistoryStep.h"
 #include "widgets/image/ImagePixels.h"
 
 namespace widgets {
@@ -16,28 +16,6 @@ constexpr int kThumbnailHeight = 72;
 /// The number of seen images that are kept to try the table on, and their minimum distance.
 constexpr std::size_t kMaxOthers = 12;
 constexpr std::chrono::seconds kMinApart(1);
-
-/// A step of the document's history. The document keeps the history itself; this is the step's place on Qt's
-/// undo stack.
-class DocumentStep final : public QUndoCommand {
- public:
-  DocumentStep(const QString& text, colortool::SampleDocument& document, std::function<void()> changed)
-      : QUndoCommand(text), document_(document), changed_(std::move(changed)) {}
-  void undo() override {
-    document_.undo();
-    changed_();
-  }
-  void redo() override {
-    // QUndoStack::push() calls redo() once, when the step is done already.
-    if (std::exchange(done_, true)) document_.redo();
-    changed_();
-  }
-
- private:
-  colortool::SampleDocument& document_;
-  std::function<void()> changed_;
-  bool done_ = false;
-};
 
 /// The classes of the preset that fits a field; null: none.
 colortool::ColorClasses classesFor(const robotlink::FieldDescription* field) {
@@ -77,7 +55,7 @@ void ColorBench::change(const QString& text, colortool::Samples next, const std:
   const bool step = document_.change(text.toStdString(), std::move(next), gesture);
   // A continued gesture has its place on the stack already.
   if (step || document_.position() != before)
-    undo_.push(new DocumentStep(text, document_, [this] { changed(); }));
+    undo_.push(new HistoryStep(text, document_, [this] { changed(); }));
   else
     changed();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/motions/MotionBench.h"
 
-#include <QUndoCommand>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,37 +13,12 @@
 #include "robotlink/motions/MotionLibrary.h"
 #include "robotlink/motions/MotionWords.h"
 #include "robotlink/session/Session.h"
+#include "widgets/controls/HistoryStep.h"
 
 namespace widgets {
 
 using robotlink::failure;
 using robotlink::Result;
-
-namespace {
-
-/// A step of the document's history. The document keeps the history itself; this is the step's place on Qt's
-/// undo stack.
-class MotionStep final : public QUndoCommand {
- public:
-  MotionStep(const QString& what, robotlink::MotionDocument& document, std::function<void()> changed)
-      : QUndoCommand(what), document_(document), changed_(std::move(changed)) {}
-  void undo() override {
-    document_.undo();
-    changed_();
-  }
-  void redo() override {
-    // QUndoStack::push() calls redo() once, when the step is done already.
-    if (std::exchange(done_, true)) document_.redo();
-    changed_();
-  }
-
- private:
-  robotlink::MotionDocument& document_;
-  std::function<void()> changed_;
-  bool done_ = false;
-};
-
-}  // namespace
 
 MotionBench::MotionBench(ViewContext& context, QObject* parent) : QObject(parent), context_(context) {
   setObjectName(QStringLiteral("motionBench"));
@@ -57,7 +31,7 @@ void MotionBench::change(const QString& what, std::string next, const std::strin
   const bool isStep = document_.change(what.toStdString(), std::move(next), gesture);
   // A continued gesture has its place on the stack already.
   if (isStep || document_.position() != before)
-    undo_.push(new MotionStep(what, document_, [this] { takeChange(); }));
+    undo_.push(new HistoryStep(what, document_, [this] { takeChange(); }));
   else
     takeChange();
 }
