@@ -41,7 +41,7 @@ void SimulationState::measure(std::size_t sensor, std::span<double> ranges) {
   rangesAhead->read(
       sensor, steps, [this](std::size_t other) { return stepOf(rangeTiming[other]) == steps; },
       [this](std::size_t, std::size_t one, std::span<double> values) {
-        ranging->measure(one, {options.noise, options.seed, steps}, values);
+        ranging->measure(one, noise(), values);
       },
       ranges);
 }
@@ -54,7 +54,7 @@ void SimulationState::measureImage(std::size_t sensor, std::span<float> values) 
       sensor, steps, [this](std::size_t other) { return stepOf(imageTiming[other]) == steps; },
       [this](std::size_t lane, std::size_t one, std::span<float> image) {
         ImageSensing& own = lane == 0 ? *imaging : *otherImaging[lane - 1];
-        own.measure(one, {options.noise, options.seed, steps}, image);
+        own.measure(one, noise(), image);
       },
       values);
 }

@@ -196,8 +196,8 @@ void SimulationState::transfer(StateStream& stream) {
   sensing->transfer(stream, noise());
   transferTiming(stream);
   history.transfer(stream, steps, poses.size());
-  if (ranging) ranging->transfer(stream, {options.noise, options.seed, steps});
-  if (imaging) imaging->transfer(stream, {options.noise, options.seed, steps});
+  if (ranging) ranging->transfer(stream, noise());
+  if (imaging) imaging->transfer(stream, noise());
   stream.bits(driveUnobstructed);
   stream.raw(ballContacts);
   stream.bits(touchedBall);

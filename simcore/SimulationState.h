@@ -232,7 +232,7 @@ struct SimulationState {
     recordPoses();
   }
 
-  Sensing::Noise noise() const { return {options.noise, options.seed, steps}; }
+  NoiseSelection noise() const { return {options.noise, options.seed, steps}; }
 
   void invalidate() {
     readingsValid = posesValid = rangingValid = imagingValid = false;

@@ -23,12 +23,7 @@ class Sensing {
   /// All arguments must outlive it.
   Sensing(const Physics& physics, const std::vector<SensorSource>& sources, const WorldDescription& world);
 
-  /// Selects the random numbers of a reading.
-  struct Noise {
-    bool on = true;
-    std::uint64_t seed = 0;
-    std::uint64_t step = 0;
-  };
+  using Noise = NoiseSelection;
   /// Updates what is measured over time, and takes the samples that are due of sensors that have a timing.
   /// Also to be called before the first step, with `step` 0.
   void afterStep(const Noise& noise);

@@ -10,6 +10,14 @@ namespace simcore {
 
 class StateStream;
 
+/// Selects the random numbers of a reading.
+struct NoiseSelection {
+  /// Whether the noise of the scene is added; noise that a user chose always is.
+  bool on = true;
+  std::uint64_t seed = 0;
+  std::uint64_t step = 0;
+};
+
 /// Adds noise, bias, drift and rounding to the readings of one sensor.
 ///
 /// All random numbers come from counters: the errors of a sample depend on the seed, the stream and the step

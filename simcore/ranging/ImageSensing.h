@@ -29,12 +29,7 @@ class ImageSensing {
   /// Sets the present poses of the bodies, by body index of the scene. They must stay valid until the last
   /// measure().
   void setPoses(std::span<const Pose3> bodyInWorld);
-  /// Selects the random numbers of an image.
-  struct Noise {
-    bool on = true;
-    std::uint64_t seed = 0;
-    std::uint64_t step = 0;
-  };
+  using Noise = NoiseSelection;
   /// Replaces the noise of a sensor from this step on, and applies it even where noise is off.
   void setErrors(std::size_t sensor, const SensorErrors& errors, const Noise& noise);
   /// Writes or reads the errors of all sensors and what has drifted; `noise` is that of the present step.

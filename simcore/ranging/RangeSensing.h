@@ -25,12 +25,7 @@ class RangeSensing {
   /// measure().
   void setPoses(std::span<const Pose3> bodyInWorld);
 
-  /// Selects the random numbers of a reading.
-  struct Noise {
-    bool on = true;
-    std::uint64_t seed = 0;
-    std::uint64_t step = 0;
-  };
+  using Noise = NoiseSelection;
   /// Replaces the noise of a sensor from this step on, and applies it even where noise is off.
   void setErrors(std::size_t sensor, const SensorErrors& errors, const Noise& noise);
   /// Writes or reads the errors of all sensors and what has drifted; `noise` is that of the present step.
