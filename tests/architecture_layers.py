@@ -63,7 +63,7 @@ ROOMS = {
     "simcore": ["world", "noise", "maps", "meshes", "placement", "rendering", "physics/shapes", "physics/threads", "physics", "devices", "ranging", "control", "sdf", "sdf/moving", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],
-    "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", "scratch", ".", "edit"],
+    "logplayer": ["images", "json", "base", "file", "bhuman", "pictures", "record", "bookmarks", "export", "search", "scratch", ".", "edit"],
     "modules": [".", "behavior", "modeling", "modeling/ball", "modeling/localization", "modeling/players", "modeling/team", "motion", "navigation", "mapping", "perception", "perception/body", "perception/lines", "driving"],
     "widgets": ["controls", ".", "text", "steering", "drawings", "picture", "keys", "ports", "packets", "processes", "solutions", "image", "camera", "motion", "motions", "joints", "world", "field",
         "log", "streams", "timing", "errors", "color", "drive", "behavior", "game", "messages", "search", "console", "plots/items", "plots", "data", "overview", "sceneedit", "scene/render", "scene/gizmo", "scene", "objects", "timeline", "export", "color/image", "color/quality",

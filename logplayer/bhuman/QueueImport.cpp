@@ -2,9 +2,12 @@
 #include "logplayer/bhuman/QueueImport.h"
 
 #include "logplayer/bhuman/MessageQueueReader.h"
+#include "logplayer/file/LogFormat.h"
 
 namespace logplayer::bhuman {
 namespace {
+
+constexpr char kFormatName[] = "B-Human message queue";
 
 /// A summary of the damage: "3 places are damaged: at byte 0 ...; at byte 17 ..."
 std::string damageText(const MessageQueueReader& reader) {
@@ -30,7 +33,7 @@ robotlink::Result<ImportReport> importQueue(ByteSource& bytes, const std::string
     reader.addDamage(offset, text);
   });
   ImportReport report;
-  report.format = "B-Human message queue";
+  report.format = kFormatName;
   while (const auto message = reader.next()) {
     ++report.messages;
     if (auto added = converter.add(*message); !added) return tl::unexpected(std::move(added.error()));
@@ -43,5 +46,27 @@ robotlink::Result<ImportReport> importQueue(ByteSource& bytes, const std::string
   report.damage = damageText(reader);
   return report;
 }
+
+namespace {
+
+LogFormat::Robot naoOf2009() {
+  return {"nao", "robots/nao.yaml"};
+}
+
+bool isQueue(const std::filesystem::path& file) {
+  const auto bytes = openFile(file);
+  return bytes && MessageQueueReader::recognizes(**bytes);
+}
+
+robotlink::Result<ImportReport> importQueueFile(const std::filesystem::path& from, const ImportSink& sink,
+                                                const ImportOptions& options) {
+  const auto bytes = openFile(from);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return importQueue(**bytes, options.robot, sink, options.progress);
+}
+
+const LogFormatRegistration kQueueFormat{{kFormatName, naoOf2009, isQueue, importQueueFile}};
+
+}  // namespace
 
 }  // namespace logplayer::bhuman

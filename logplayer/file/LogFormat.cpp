@@ -2,6 +2,7 @@
 #include "logplayer/file/LogFormat.h"
 
 #include <string>
+#include <string_view>
 
 #include "robotlink/base/Registrations.h"
 
@@ -9,7 +10,8 @@ namespace logplayer {
 namespace {
 
 robotlink::Registry<LogFormat>& formats() {
-  static robotlink::Registry<LogFormat> registered;
+  static robotlink::Registry<LogFormat> registered(
+      +[](const LogFormat& a, const LogFormat& b) { return std::string_view(a.name) < b.name; });
   return registered;
 }
 

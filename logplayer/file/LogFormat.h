@@ -36,7 +36,7 @@ struct LogFormat {
                                             const ImportOptions& options) = nullptr;
 };
 
-/// The log formats of plug-ins, in the order of registration. LogImport.cpp has the built-in ones.
+/// All log formats, ordered by name. A file that several formats recognize is read by the first of them.
 const std::vector<LogFormat>& registeredLogFormats();
 
 /// Registers a format when it is constructed: before main(), or while a plug-in is loaded.

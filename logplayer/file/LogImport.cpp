@@ -4,16 +4,10 @@
 #include <algorithm>
 #include <cctype>
 #include <exception>
-#include <optional>
 #include <utility>
 
 #include "logplayer/base/LogWriter.h"
-#include "logplayer/bhuman/MessageQueueReader.h"
-#include "logplayer/bhuman/QueueImport.h"
 #include "logplayer/file/LogFormat.h"
-#include "logplayer/pictures/FrameImport.h"
-#include "logplayer/pictures/PictureFrames.h"
-#include "logplayer/pictures/VideoFrames.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/base/AtomicFile.h"
@@ -30,14 +24,6 @@ using robotlink::Result;
 using robotlink::StreamMessage;
 
 namespace {
-
-LogFormat::Robot naoOf2009() {
-  return {"nao", "robots/nao.yaml"};
-}
-
-LogFormat::Robot camera() {
-  return {"camera", "robots/camera.yaml"};
-}
 
 Result<void> readResource(const std::string& name, ProgramSetup::File& to) {
   const auto text = robotlink::readFile(robotlink::resource(name));
@@ -118,65 +104,18 @@ class ImportWriter {
   std::unique_ptr<LogWriter> log_;
 };
 
-bool isQueue(const std::filesystem::path& file) {
-  const auto bytes = bhuman::openFile(file);
-  return bytes && bhuman::MessageQueueReader::recognizes(**bytes);
-}
-
-Result<ImportReport> importQueueFile(const std::filesystem::path& from, const ImportSink& sink,
-                                     const ImportOptions& options) {
-  const auto bytes = bhuman::openFile(from);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return bhuman::importQueue(**bytes, options.robot, sink, options.progress);
-}
-
-/// Imports frames; the pose of the camera is taken from its description.
-Result<ImportReport> importFrom(FrameSource& source, const ImportSink& sink, const ImportOptions& options) {
-  const auto file = robotlink::resource(camera().description);
-  const auto description = robotlink::readRobotDescription(file);
-  if (!description) return tl::unexpected(description.error().front());
-  if (!description->camera)
-    return robotlink::failure("import.camera", "there is no camera in this description",
-                              {file.string(), 0, 0});
-  return importFrames(source, *description->camera, sink, options.robot, options.progress);
-}
-
-Result<ImportReport> importVideo(const std::filesystem::path& from, const ImportSink& sink,
-                                 const ImportOptions& options) {
-  auto video = VideoFrames::open(from);
-  if (!video) return tl::unexpected(video.error());
-  return importFrom(*video, sink, options);
-}
-
-Result<ImportReport> importPictures(const std::filesystem::path& from, const ImportSink& sink,
-                                    const ImportOptions& options) {
-  auto pictures = PictureFrames::open(from);
-  if (!pictures) return tl::unexpected(pictures.error());
-  return importFrom(*pictures, sink, options);
-}
-
-/// Returns the built-in formats, followed by those of plug-ins.
-std::vector<LogFormat> logFormats() {
-  std::vector<LogFormat> formats{{"B-Human message queue", naoOf2009, isQueue, importQueueFile},
-                                 {"video", camera, isVideo, importVideo},
-                                 {"folder of pictures", camera, isPictureFolder, importPictures}};
-  const auto& more = registeredLogFormats();
-  formats.insert(formats.end(), more.begin(), more.end());
-  return formats;
-}
-
-/// Returns the format of a file; nothing if no format reads it.
-std::optional<LogFormat> formatOf(const std::filesystem::path& file) {
-  const auto formats = logFormats();
+/// Returns the format of a file; null if no format reads it.
+const LogFormat* formatOf(const std::filesystem::path& file) {
+  const auto& formats = registeredLogFormats();
   const auto found =
       std::ranges::find_if(formats, [&](const LogFormat& format) { return format.recognizes(file); });
-  return found == formats.end() ? std::nullopt : std::optional(*found);
+  return found == formats.end() ? nullptr : &*found;
 }
 
-/// "a B-Human message queue, a video or a folder of pictures"
+/// "B-Human message queue, folder of pictures or video"
 std::string formatsInWords() {
   std::string words;
-  const auto formats = logFormats();
+  const auto& formats = registeredLogFormats();
   for (std::size_t i = 0; i < formats.size(); ++i) {
     if (i > 0) words += i + 1 == formats.size() ? " or " : ", ";
     words += formats[i].name;
@@ -215,13 +154,13 @@ bool isRobotName(std::string_view name) {
 }
 
 bool canImport(const std::filesystem::path& file) {
-  return formatOf(file).has_value();
+  return formatOf(file) != nullptr;
 }
 
 Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
                                const ImportOptions& options) {
-  const auto format = formatOf(from);
-  if (!format) {
+  const LogFormat* format = formatOf(from);
+  if (format == nullptr) {
     std::error_code error;
     if (!std::filesystem::exists(from, error))
       return robotlink::failure("log.open", "there is no such file", {from.string(), 0, 0});

@@ -5,8 +5,12 @@
 #include <cmath>
 
 #include "logplayer/base/Plural.h"
+#include "logplayer/file/LogFormat.h"
+#include "logplayer/pictures/PictureFrames.h"
+#include "logplayer/pictures/VideoFrames.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/base/Resources.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
@@ -89,5 +93,41 @@ Result<ImportReport> importFrames(FrameSource& source, const robotlink::RobotDes
   }
   return report;
 }
+
+namespace {
+
+LogFormat::Robot camera() {
+  return {"camera", "robots/camera.yaml"};
+}
+
+/// Imports frames; the pose of the camera is taken from its description.
+Result<ImportReport> importFrom(FrameSource& source, const ImportSink& sink, const ImportOptions& options) {
+  const auto file = robotlink::resource(camera().description);
+  const auto description = robotlink::readRobotDescription(file);
+  if (!description) return tl::unexpected(description.error().front());
+  if (!description->camera)
+    return robotlink::failure("import.camera", "there is no camera in this description",
+                              {file.string(), 0, 0});
+  return importFrames(source, *description->camera, sink, options.robot, options.progress);
+}
+
+Result<ImportReport> importVideo(const std::filesystem::path& from, const ImportSink& sink,
+                                 const ImportOptions& options) {
+  auto video = VideoFrames::open(from);
+  if (!video) return tl::unexpected(video.error());
+  return importFrom(*video, sink, options);
+}
+
+Result<ImportReport> importPictures(const std::filesystem::path& from, const ImportSink& sink,
+                                    const ImportOptions& options) {
+  auto pictures = PictureFrames::open(from);
+  if (!pictures) return tl::unexpected(pictures.error());
+  return importFrom(*pictures, sink, options);
+}
+
+const LogFormatRegistration kVideoFormat{{"video", camera, isVideo, importVideo}};
+const LogFormatRegistration kPicturesFormat{{"folder of pictures", camera, isPictureFolder, importPictures}};
+
+}  // namespace
 
 }  // namespace logplayer
