@@ -5,6 +5,7 @@
 
 #include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
+#include "simcore/placement/RobotPlacement.h"
 #include "simcore/sdf/SceneFiles.h"
 #include "simcore/sdf/SdfReader.h"
 #include "simcore/sdf/SdfSpec.h"
@@ -41,12 +42,6 @@ double floorOf(const WorldDescription& world) {
     }
   }
   return floor.value_or(0);
-}
-
-bool wearsTeam(const ModelDescription& type) {
-  return std::ranges::any_of(type.links, [](const LinkDescription& link) {
-    return std::ranges::any_of(link.visuals, &VisualDescription::teamColor);
-  });
 }
 
 Pose3 poseOfAdded(const ModelToAdd& added, const ModelDescription& type, const WorldDescription& world) {
@@ -87,7 +82,7 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::with(const ModelToAdd&
     instance.teamColorName = added.team;
     instance.teamColor = color->second;
   }
-  const std::string& prefix = added.team.empty() || !wearsTeam(*type) ? type->name : added.team;
+  const std::string& prefix = added.team.empty() || !wearsTeamColor(*type) ? type->name : added.team;
   instance.name = added.name.empty() ? freeName(prefix, !type->robot.empty()) : added.name;
   if (hasModel(contents_->world, instance.name))
     return tl::unexpected(Errors{nameIsTaken(instance.name).value()});

@@ -7,11 +7,6 @@ namespace robotlink {
 namespace fs = std::filesystem;
 namespace {
 
-const char* environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0' ? value : nullptr;
-}
-
 bool isResourceDirectory(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path / "robots", error) && fs::is_directory(path / "layouts", error);
@@ -19,8 +14,13 @@ bool isResourceDirectory(const fs::path& path) {
 
 }  // namespace
 
+const char* environmentValue(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0' ? value : nullptr;
+}
+
 fs::path resourceDirectory() {
-  if (const char* chosen = environment("ROBOTCONTROL_RESOURCES")) return chosen;
+  if (const char* chosen = environmentValue("ROBOTCONTROL_RESOURCES")) return chosen;
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
@@ -36,7 +36,7 @@ fs::path resourceDirectory() {
 Result<void> checkResources() {
   const fs::path found = resourceDirectory();
   if (isResourceDirectory(found)) return {};
-  if (const char* chosen = environment("ROBOTCONTROL_RESOURCES")) {
+  if (const char* chosen = environmentValue("ROBOTCONTROL_RESOURCES")) {
     return failure("resources.wrong",
                    std::string("the variable ROBOTCONTROL_RESOURCES names the folder '") + chosen +
                        "', but there are no folders 'robots' and 'layouts' in it; set it to the folder "
@@ -68,8 +68,8 @@ fs::path builtResource(const fs::path& relative) {
 }
 
 fs::path userDirectory() {
-  if (const char* config = environment("XDG_CONFIG_HOME")) return fs::path(config) / "robotcontrol";
-  if (const char* home = environment("HOME")) return fs::path(home) / ".config/robotcontrol";
+  if (const char* config = environmentValue("XDG_CONFIG_HOME")) return fs::path(config) / "robotcontrol";
+  if (const char* home = environmentValue("HOME")) return fs::path(home) / ".config/robotcontrol";
   return fs::temp_directory_path() / "robotcontrol";
 }
 

@@ -22,6 +22,9 @@ std::filesystem::path resource(const std::filesystem::path& relative);
 /// in or above the program's folder in a build tree. The file need not exist.
 std::filesystem::path builtResource(const std::filesystem::path& relative);
 
+/// A variable of the environment; null if it is not set, or empty.
+const char* environmentValue(const char* name);
+
 /// The folder of the user's own files (window layouts, presets): $XDG_CONFIG_HOME/robotcontrol, otherwise
 /// ~/.config/robotcontrol, otherwise a folder below the system's temporary one. It is not created.
 std::filesystem::path userDirectory();

@@ -213,12 +213,6 @@ struct Group {
   int lastNumber = 0;
 };
 
-bool wearsTeamColor(const ModelDescription& type) {
-  return std::ranges::any_of(type.links, [](const LinkDescription& link) {
-    return std::ranges::any_of(link.visuals, &VisualDescription::teamColor);
-  });
-}
-
 /// A group for each team, or one for all robots.
 std::vector<Group> groupsOf(const WorldDescription& world, const GroundMap* map, const ModelDescription& type,
                             const RobotsToAdd& robots) {
@@ -270,6 +264,12 @@ robotlink::Result<void> dress(ModelInstance& robot, const std::string& color, co
 }
 
 }  // namespace
+
+bool wearsTeamColor(const ModelDescription& type) {
+  return std::ranges::any_of(type.links, [](const LinkDescription& link) {
+    return std::ranges::any_of(link.visuals, &VisualDescription::teamColor);
+  });
+}
 
 robotlink::Result<void> addRobots(WorldDescription& world, const GroundMap* map,
                                   const std::shared_ptr<const ModelDescription>& type,

@@ -15,4 +15,7 @@ robotlink::Result<void> addRobots(WorldDescription& world, const robotlink::Grou
                                   const std::shared_ptr<const ModelDescription>& type,
                                   const RobotsToAdd& robots, const Palette& palette, const std::string& file);
 
+/// Whether a part of such models has the color of their team.
+bool wearsTeamColor(const ModelDescription& type);
+
 }  // namespace simcore

@@ -78,11 +78,6 @@ robotlink::Result<nlohmann::json> readResult(const std::filesystem::path& file) 
 
 }  // namespace
 
-std::string wholePath(const std::string& name) {
-  std::error_code ignored;
-  return std::filesystem::exists(name, ignored) ? std::filesystem::absolute(name).string() : name;
-}
-
 robotlink::Result<void> checkSolutions(const std::string& task, const std::vector<std::string>& solutions) {
   std::vector<std::string> known, tasks;
   for (const auto& solution : robotlink::SolutionRegistry::all()) {

@@ -65,7 +65,5 @@ struct RunExecution {
 robotlink::Result<void> checkSolutions(const std::string& task, const std::vector<std::string>& solutions);
 /// Prints the differences that are real, a line each.
 void printDifferences(const Comparison& comparison);
-/// A file by its whole path, since jobs run in other folders; the name of what is shipped as it is.
-std::string wholePath(const std::string& name);
 
 }  // namespace app

@@ -44,6 +44,11 @@ robotlink::Error cannot(const std::string& what, const std::filesystem::path& fi
 
 }  // namespace
 
+std::string wholePath(const std::string& name) {
+  std::error_code ignored;
+  return std::filesystem::exists(name, ignored) ? std::filesystem::absolute(name).string() : name;
+}
+
 std::string shellLine(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words) {

@@ -49,5 +49,7 @@ class RunFiles {
 
 /// A command line that a shell reads as these words.
 std::string shellLine(const std::vector<std::string>& words);
+/// A file by its whole path, since jobs run in other folders; the name of what is shipped as it is.
+std::string wholePath(const std::string& name);
 
 }  // namespace app

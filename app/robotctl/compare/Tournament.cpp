@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <sstream>
 
 namespace app {
@@ -16,12 +15,6 @@ using nlohmann::json;
 /// a robot whose program merely had to wait.
 constexpr char kGamePatience[] = "60";
 constexpr char kLayoutPart[] = "layout", kPresetPart[] = "preset";
-
-/// A file by its whole path, since jobs run in other folders; a name as it is.
-std::string wholeFile(const std::string& name) {
-  std::error_code ignored;
-  return std::filesystem::exists(name, ignored) ? std::filesystem::absolute(name).string() : name;
-}
 
 /// The share of a win that a game counts as.
 double shareOfWin(int own, int other) {
@@ -92,9 +85,9 @@ std::vector<std::string> TeamChoice::optionsFor(const std::string& color) const 
     options.emplace_back(option);
     options.push_back(value);
   };
-  if (!layout.empty()) add("--layout", color + "=" + wholeFile(layout));
+  if (!layout.empty()) add("--layout", color + "=" + wholePath(layout));
   for (const auto& [task, solution] : solutions) add("--solution", color + "/" + task + "=" + solution);
-  if (!preset.empty()) add("--preset", color + "=" + wholeFile(preset));
+  if (!preset.empty()) add("--preset", color + "=" + wholePath(preset));
   return options;
 }
 
@@ -102,7 +95,7 @@ PlannedRun Tournament::run(int game) const {
   const TeamChoice& first = teams[teamOf(game, 0)];
   const TeamChoice& second = teams[teamOf(game, 1)];
   PlannedRun run{first.name + " against " + second.name, fmt::format("game {}", game + 1), {}};
-  run.arguments = {"sim",        wholeFile(scene),
+  run.arguments = {"sim",        wholePath(scene),
                    "--threads",  "1",
                    "--seconds",  fmt::format("{}", seconds),
                    "--seed",     std::to_string(seedOf(game)),

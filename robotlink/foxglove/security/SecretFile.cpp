@@ -6,10 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/Resources.h"
 #include "robotlink/base/UnfinishedFile.h"
 
 namespace robotlink::websocket {
@@ -18,11 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxSecret = 1U << 20U;
-
-const char* environmentValue(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr && *value != '\0' ? value : nullptr;
-}
 
 tl::unexpected<Error> secretFailure(const std::string& action, const fs::path& path, int reason) {
   return failure("secret.io", "cannot " + action + ": " + std::strerror(reason), {path.string(), 0, 0});

@@ -102,6 +102,13 @@ TEST_F(RunFilesTest, aResultDoesNotCountOnceWhatItDependsOnHasChanged) {
   EXPECT_FALSE(files_.isDone(run));
 }
 
+TEST_F(RunFilesTest, jobsInOtherFoldersFindFilesByTheirWholePaths) {
+  folder_.write("scene.sdf", "");
+  const auto relative = std::filesystem::relative(folder_ / "scene.sdf");
+  EXPECT_TRUE(std::filesystem::path(wholePath(relative.string())).is_absolute());
+  EXPECT_EQ(wholePath("no-file-but-a-shipped-scene"), "no-file-but-a-shipped-scene");
+}
+
 TEST_F(RunFilesTest, anUnfinishedRunIsNoResult) {
   const PlannedRun run = runOn("seed 1");
   ASSERT_TRUE(files_.prepare(run));
