@@ -2,7 +2,6 @@
 #include "app/robotctl/compare/RunPool.h"
 
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,31 +11,13 @@
 #include <iterator>
 #include <thread>
 
+#include "app/robotctl/SpawnSelf.h"
+
 namespace app {
 namespace {
 
 constexpr std::chrono::milliseconds kLookAtRunsEvery{50};
 constexpr ::mode_t kFileMode = 0644;
-
-/// Runs in the child between fork() and exec(): only calls that are safe there.
-[[noreturn]] void becomeRun(const char* result, const char* texts, ::pid_t parent, char* const* arguments) {
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != parent) ::_exit(127);  // it ended before that
-  // Ctrl-C in a terminal is for the program that compares, which ends the runs.
-  ::setpgid(0, 0);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  const int in = ::open("/dev/null", O_RDONLY);
-  const int out = ::open(result, O_WRONLY | O_CREAT | O_TRUNC, kFileMode);
-  const int errors = ::open(texts, O_WRONLY | O_CREAT | O_TRUNC, kFileMode);
-  if (in < 0 || out < 0 || errors < 0) ::_exit(127);
-  ::dup2(in, STDIN_FILENO);
-  ::dup2(out, STDOUT_FILENO);
-  ::dup2(errors, STDERR_FILENO);
-  ::execv("/proc/self/exe", arguments);
-  ::_exit(127);
-}
 
 }  // namespace
 
@@ -46,15 +27,14 @@ RunPool::~RunPool() {
 
 bool RunPool::start(const PlannedRun& run) {
   if (!files_.prepare(run)) return false;
-  std::vector<std::string> words{"robotctl"};
-  words.insert(words.end(), run.arguments.begin(), run.arguments.end());
-  std::vector<char*> list;
-  for (std::string& word : words) list.push_back(word.data());
-  list.push_back(nullptr);
   const std::string result = files_.unfinished(run).string(), texts = files_.texts(run).string();
-  const ::pid_t parent = ::getpid();
-  const ::pid_t pid = ::fork();
-  if (pid == 0) becomeRun(result.c_str(), texts.c_str(), parent, list.data());
+  const ::pid_t pid = spawnSelf(run.arguments, [&] {
+    const int in = ::open("/dev/null", O_RDONLY);
+    const int out = ::open(result.c_str(), O_WRONLY | O_CREAT | O_TRUNC, kFileMode);
+    const int errors = ::open(texts.c_str(), O_WRONLY | O_CREAT | O_TRUNC, kFileMode);
+    return ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 &&
+           ::dup2(errors, STDERR_FILENO) >= 0;
+  });
   if (pid < 0) return false;
   children_.push_back({pid, run});
   return true;

@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,26 +15,13 @@
 #include <thread>
 #include <utility>
 
+#include "app/robotctl/SpawnSelf.h"
+
 namespace app {
 namespace {
 
 constexpr int kLookMs = 50;
 constexpr std::size_t kMaxLine = 65'536;  // longer ones are printed in pieces
-
-/// Runs in the child between fork() and exec(): only calls that are safe there.
-[[noreturn]] void becomeProgram(int output, ::pid_t parent, char* const* arguments) {
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != parent) ::_exit(127);  // it ended before that
-  // Ctrl-C in a terminal is for the launcher, which passes it on.
-  ::setpgid(0, 0);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  ::dup2(output, STDOUT_FILENO);
-  ::dup2(output, STDERR_FILENO);
-  ::execv("/proc/self/exe", arguments);
-  ::_exit(127);
-}
 
 }  // namespace
 
@@ -50,19 +36,13 @@ LaunchedPrograms::~LaunchedPrograms() {
 robotlink::Result<void> LaunchedPrograms::start(const std::string& name,
                                                 const std::vector<std::string>& arguments,
                                                 const std::string& again) {
-  std::vector<std::string> words{"robotctl"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> list;
-  for (std::string& word : words) list.push_back(word.data());
-  list.push_back(nullptr);
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) {
     return robotlink::failure("launch.start",
                               "program " + name + " cannot be started: " + std::strerror(errno), {}, {name});
   }
-  const ::pid_t parent = ::getpid();
-  const ::pid_t pid = ::fork();
-  if (pid == 0) becomeProgram(ends[1], parent, list.data());
+  const ::pid_t pid = spawnSelf(
+      arguments, [&] { return ::dup2(ends[1], STDOUT_FILENO) >= 0 && ::dup2(ends[1], STDERR_FILENO) >= 0; });
   ::close(ends[1]);
   if (pid < 0) {
     ::close(ends[0]);
