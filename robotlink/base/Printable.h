@@ -13,4 +13,7 @@ std::string printable(const std::string& text);
 /// Makes a text of several lines printable, which also keeps its tabs; `indent` follows each new line.
 std::string printableLines(const std::string& text, const std::string& indent = {});
 
+/// Returns a text as it is written in XML and HTML, also in attributes: with escaped signs and new lines.
+std::string escapedMarkup(const std::string& text);
+
 }  // namespace robotlink

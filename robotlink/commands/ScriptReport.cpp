@@ -12,29 +12,7 @@ namespace robotlink {
 namespace {
 
 std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : printableLines(text)) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += "&#10;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
+  return escapedMarkup(printableLines(text));
 }
 
 }  // namespace

@@ -12,9 +12,13 @@
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Geometry.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/truth/PackageErrors.h"
 
 namespace app {
+
+using robotlink::escapedMarkup;
+
 namespace {
 
 // The plot of a figure, in pixels.
@@ -32,23 +36,6 @@ tr.group td{font-weight:bold;padding-top:1.2em;border-bottom:2px solid #8888}tr:
 code{background:#8882;padding:.1em .3em;overflow-wrap:anywhere}svg text{fill:currentColor;font-size:12px}.note{opacity:.75}
 .missing{color:#b3261e}
 )";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '&')
-      result += "&amp;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 std::string csvNumber(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : std::string();
@@ -136,7 +123,7 @@ std::string shortened(const std::string& name) {
 std::string plotLine(const Comparison::Row& row, const std::string& variant, const char* color,
                      const Range& range, double y) {
   std::string svg = fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>", kLabelWidth, y + 4,
-                                escaped(shortened(variant)));
+                                escapedMarkup(shortened(variant)));
   const auto cell = row.byVariant.find(variant);
   if (cell == row.byVariant.end()) return svg;
   const ShownUnit unit = shownUnit(row.name, row.unit);
@@ -144,7 +131,7 @@ std::string plotLine(const Comparison::Row& row, const std::string& variant, con
     svg += fmt::format(
         "<circle cx='{:.1f}' cy='{:.1f}' r='{}' fill='{}' fill-opacity='.45'><title>{}, {}: "
         "{}</title></circle>",
-        range.place(value), y, kDotRadius, color, escaped(variant), escaped(subject),
+        range.place(value), y, kDotRadius, color, escapedMarkup(variant), escapedMarkup(subject),
         numberText(value, unit));
   const MeanInterval mean = Comparison::meanOf(row, variant);
   if (std::isfinite(mean.low))
@@ -183,11 +170,11 @@ std::string plotOf(const Comparison::Row& row, const std::vector<std::string>& v
 }
 
 std::string plainTable(const ReportTable& table) {
-  std::string html = "<h2>" + escaped(table.heading) + "</h2>\n<table>";
+  std::string html = "<h2>" + escapedMarkup(table.heading) + "</h2>\n<table>";
   const char* cell = "th";
   for (const auto& row : table.rows) {
     html += "<tr>";
-    for (const std::string& text : row) html += fmt::format("<{0}>{1}</{0}>", cell, escaped(text));
+    for (const std::string& text : row) html += fmt::format("<{0}>{1}</{0}>", cell, escapedMarkup(text));
     html += "</tr>\n";
     cell = "td";
   }
@@ -198,21 +185,21 @@ using Rows = std::vector<const Comparison::Row*>;
 
 std::string summaryTable(const Comparison& comparison, const Rows& rows) {
   std::string html = "<div class=wide><table><tr><th>figure</th>";
-  for (const std::string& variant : comparison.variants()) html += "<th>" + escaped(variant) + "</th>";
+  for (const std::string& variant : comparison.variants()) html += "<th>" + escapedMarkup(variant) + "</th>";
   html += "<th>mean, 95 % bounds, single runs</th></tr>\n";
   std::string group, constants;
   for (const Comparison::Row* row : rows) {
     const ShownUnit unit = shownUnit(row->name, row->unit);
     if (const auto value = row->constant()) {
-      constants += fmt::format("{}{} ({})", constants.empty() ? "" : ", ", escaped(row->name),
+      constants += fmt::format("{}{} ({})", constants.empty() ? "" : ", ", escapedMarkup(row->name),
                                numberText(*value, unit));
       continue;
     }
     const std::string own = groupOf(row->name);
     if (std::exchange(group, own) != own && !own.empty())
       html += fmt::format("<tr class=group><td colspan={}>{}</td></tr>\n", comparison.variants().size() + 2,
-                          escaped(own));
-    html += "<tr><td>" + escaped(own.empty() ? row->name : row->name.substr(own.size() + 1)) + "</td>";
+                          escapedMarkup(own));
+    html += "<tr><td>" + escapedMarkup(own.empty() ? row->name : row->name.substr(own.size() + 1)) + "</td>";
     for (const std::string& variant : comparison.variants())
       html += "<td>" +
               (row->byVariant.contains(variant) ? intervalText(Comparison::meanOf(*row, variant), unit)
@@ -243,7 +230,7 @@ std::string figureTables(const Comparison& comparison, const ReportTitle& title)
       "which.</p>\n";
   if (own.empty()) return std::string("<h2>Figures</h2>\n") + note + summaryTable(comparison, others);
   return fmt::format("<h2>Figures of {}</h2>\n{}{}<h2>Other figures of the same runs</h2>\n{}",
-                     escaped(fmt::format("{}", fmt::join(title.packages, ", "))), note,
+                     escapedMarkup(fmt::format("{}", fmt::join(title.packages, ", "))), note,
                      summaryTable(comparison, own), summaryTable(comparison, others));
 }
 
@@ -267,10 +254,10 @@ std::string differenceTable(const Comparison& comparison, const std::vector<Diff
   std::string rows;
   for (const Difference& one : differences) {
     if (!one.isReal()) continue;
-    rows +=
-        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{:.2g}</td><td>{}</td></tr>\n",
-                    escaped(one.figure), escaped(one.first), escaped(one.second), changeText(comparison, one),
-                    intervalText(one.change, shownUnit(one.figure, one.unit)), one.chance, one.subjects);
+    rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{:.2g}</td><td>{}</td></tr>\n",
+                        escapedMarkup(one.figure), escapedMarkup(one.first), escapedMarkup(one.second),
+                        changeText(comparison, one),
+                        intervalText(one.change, shownUnit(one.figure, one.unit)), one.chance, one.subjects);
   }
   if (rows.empty()) {
     const bool areFew = std::ranges::all_of(
@@ -296,7 +283,7 @@ std::string extentText(const Comparison& comparison, const std::vector<Differenc
     for (const Comparison::Row& row : comparison.rows())
       if (const auto cell = row.byVariant.find(variant); cell != row.byVariant.end())
         runs = std::max(runs, cell->second.bySubject.size());
-    text += fmt::format("{}{} ({} run{})", text.empty() ? "" : ", ", escaped(variant), runs,
+    text += fmt::format("{}{} ({} run{})", text.empty() ? "" : ", ", escapedMarkup(variant), runs,
                         runs == 1 ? "" : "s");
   }
   const auto real = std::ranges::count_if(differences, &Difference::isReal);
@@ -350,16 +337,16 @@ std::string differencesCsv(const Comparison& comparison) {
 
 std::string reportHtml(const Comparison& comparison, const ReportTitle& title) {
   std::string html = "<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8><title>" +
-                     escaped(title.title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
-                     escaped(title.title) + "</h1>\n";
-  html += "<p>Made by <code>" + escaped(title.command) + "</code></p>\n";
+                     escapedMarkup(title.title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" +
+                     escapedMarkup(title.title) + "</h1>\n";
+  html += "<p>Made by <code>" + escapedMarkup(title.command) + "</code></p>\n";
   std::vector<Difference> differences = comparison.differences();
   std::stable_partition(differences.begin(), differences.end(),
                         [&](const Difference& one) { return isOwn(title, one.figure); });
   html += extentText(comparison, differences);
-  for (const std::string& note : title.notes) html += "<p>" + escaped(note) + "</p>\n";
+  for (const std::string& note : title.notes) html += "<p>" + escapedMarkup(note) + "</p>\n";
   for (const std::string& run : title.missing)
-    html += "<p class=missing>Without a result: " + escaped(run) + "</p>\n";
+    html += "<p class=missing>Without a result: " + escapedMarkup(run) + "</p>\n";
   for (const ReportTable& table : title.tables) html += plainTable(table);
   html +=
       "<h2>Differences that are real</h2>\n<p class=note>Changes between two variants on the same subjects, "

@@ -29,5 +29,10 @@ TEST(Printable, aLineIsOneAndLinesAreIndented) {
   EXPECT_EQ(printableLines("a\nb", "  "), "a\n  b");
 }
 
+TEST(Printable, markupShowsTheTextThatItWasMadeOf) {
+  EXPECT_EQ(escapedMarkup("x < 3 && \"y\" > z\n"), "x &lt; 3 &amp;&amp; &quot;y&quot; &gt; z&#10;");
+  EXPECT_EQ(escapedMarkup("&amp;"), "&amp;amp;");
+}
+
 }  // namespace
 }  // namespace robotlink
