@@ -128,19 +128,6 @@ void ImageCanvas::paintAll(QPainter& painter) const {
   if (measure_ != nullptr) measure_->paint(painter);
 }
 
-void ImageCanvas::paintCaption(QPainter& painter, const QRectF& pane, const QString& text) const {
-  if (text.isEmpty()) return;
-  painter.save();
-  const QFontMetricsF metrics(painter.font());
-  const QString cut = metrics.elidedText(text, Qt::ElideMiddle, std::max(0.0, pane.width() - 20));
-  QRectF box = metrics.boundingRect(cut).adjusted(-5, -2, 5, 2);
-  box.moveTopLeft(pane.topLeft() + QPointF(4, 4));
-  painter.fillRect(box, QColor(0, 0, 0, 170));
-  painter.setPen(Qt::white);
-  painter.drawText(box, Qt::AlignCenter, cut);
-  painter.restore();
-}
-
 void ImageCanvas::paintBackground(QPainter& painter) const {
   const QColor base = palette().color(QPalette::Window);
   painter.fillRect(rect(), isDark(palette()) ? base.darker(135) : base.darker(112));

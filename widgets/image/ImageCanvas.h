@@ -89,7 +89,6 @@ class ImageCanvas final : public QWidget {
   QPointF inPane(const QPointF& widget) const;
   /// Paints all but frame and hint.
   void paintAll(QPainter& painter) const;
-  void paintCaption(QPainter& painter, const QRectF& pane, const QString& text) const;
   /// Moves the image by widget pixels.
   void panBy(const QPointF& by);
   /// Finds the pixel under the cursor.

@@ -155,4 +155,17 @@ void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& p
   painter.restore();
 }
 
+void paintCaption(QPainter& painter, const QRectF& pane, const QString& text) {
+  if (text.isEmpty()) return;
+  painter.save();
+  const QFontMetricsF metrics(painter.font());
+  const QString cut = metrics.elidedText(text, Qt::ElideMiddle, std::max(0.0, pane.width() - 20));
+  QRectF box = metrics.boundingRect(cut).adjusted(-5, -2, 5, 2);
+  box.moveTopLeft(pane.topLeft() + QPointF(4, 4));
+  painter.fillRect(box, QColor(0, 0, 0, 170));
+  painter.setPen(Qt::white);
+  painter.drawText(box, Qt::AlignCenter, cut);
+  painter.restore();
+}
+
 }  // namespace widgets

@@ -46,5 +46,7 @@ QTransform drawingsToWidget(const ImagePicture& picture, const ImageViewport& vi
 /// pixels at every zoom. `style` is that of lines.
 void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawing,
                       const QTransform& imageToWidget, Qt::PenStyle style = Qt::SolidLine);
+/// Paints a text into the upper left corner of a picture's pane, in widget pixels; nothing for an empty one.
+void paintCaption(QPainter& painter, const QRectF& pane, const QString& text);
 
 }  // namespace widgets

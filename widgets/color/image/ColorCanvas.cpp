@@ -156,12 +156,7 @@ void ColorCanvas::paintEvent(QPaintEvent*) {
     painter.restore();
   }
   paintCursor(painter);
-  if (caption_.isEmpty()) return;
-  QRect box = painter.fontMetrics().boundingRect(caption_).adjusted(-5, -2, 5, 2);
-  box.moveTopLeft({4, 4});
-  painter.fillRect(box, QColor(0, 0, 0, 150));
-  painter.setPen(Qt::white);
-  painter.drawText(box, Qt::AlignCenter, caption_);
+  paintCaption(painter, rect(), caption_);
 }
 
 QImage ColorCanvas::rendered() const {
