@@ -12,6 +12,8 @@ namespace robotlink::websocket {
 
 template <typename T, typename Message>
 concept Is = std::same_as<std::remove_const_t<T>, Message>;
+template <typename T, typename... Messages>
+concept IsAny = (Is<T, Messages> || ...);
 
 template <typename Message>
 concept IsText = requires {
@@ -41,7 +43,7 @@ void fields(auto& io, Is<Status> auto& m) {
 void fields(auto& io, Is<RemoveStatus> auto& m) {
   io.field("statusIds", m.ids);
 }
-void fields(auto& io, Is<Channel> auto& m) {
+void fields(auto& io, IsAny<Channel, ClientChannel> auto& m) {
   io.field("id", m.id);
   io.field("topic", m.topic);
   io.field("encoding", m.encoding);
@@ -49,13 +51,13 @@ void fields(auto& io, Is<Channel> auto& m) {
   io.option("schemaEncoding", m.schemaEncoding);
   io.schema(m.schemaEncoding.empty() ? m.encoding : m.schemaEncoding, m.schema);
 }
-void fields(auto& io, Is<Advertise> auto& m) {
+void fields(auto& io, IsAny<Advertise, ClientAdvertise> auto& m) {
   io.field("channels", m.channels);
 }
-void fields(auto& io, Is<Unadvertise> auto& m) {
+void fields(auto& io, IsAny<Unadvertise, ClientUnadvertise> auto& m) {
   io.field("channelIds", m.channelIds);
 }
-void fields(auto& io, Is<ParameterValues> auto& m) {
+void fields(auto& io, IsAny<ParameterValues, SetParameters> auto& m) {
   io.field("parameters", m.parameters);
   io.option("id", m.id);
 }
@@ -100,32 +102,11 @@ void fields(auto& io, Is<Subscribe> auto& m) {
 void fields(auto& io, Is<Unsubscribe> auto& m) {
   io.field("subscriptionIds", m.subscriptionIds);
 }
-void fields(auto& io, Is<ClientChannel> auto& m) {
-  io.field("id", m.id);
-  io.field("topic", m.topic);
-  io.field("encoding", m.encoding);
-  io.field("schemaName", m.schemaName);
-  io.option("schemaEncoding", m.schemaEncoding);
-  io.schema(m.schemaEncoding.empty() ? m.encoding : m.schemaEncoding, m.schema);
-}
-void fields(auto& io, Is<ClientAdvertise> auto& m) {
-  io.field("channels", m.channels);
-}
-void fields(auto& io, Is<ClientUnadvertise> auto& m) {
-  io.field("channelIds", m.channelIds);
-}
 void fields(auto& io, Is<GetParameters> auto& m) {
   io.field("parameterNames", m.names);
   io.option("id", m.id);
 }
-void fields(auto& io, Is<SetParameters> auto& m) {
-  io.field("parameters", m.parameters);
-  io.option("id", m.id);
-}
-void fields(auto& io, Is<SubscribeParameterUpdates> auto& m) {
-  io.field("parameterNames", m.names);
-}
-void fields(auto& io, Is<UnsubscribeParameterUpdates> auto& m) {
+void fields(auto& io, IsAny<SubscribeParameterUpdates, UnsubscribeParameterUpdates> auto& m) {
   io.field("parameterNames", m.names);
 }
 void fields(auto&, Is<SubscribeConnectionGraph> auto&) {}
