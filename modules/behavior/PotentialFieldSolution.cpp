@@ -134,24 +134,15 @@ class ReactivePlayer final : public robotlink::Solution {
 };
 
 const robotlink::SolutionRegistration kPotentialField =
-    robotlink::SolutionBuilder<ReactivePlayer>(
-        "behavior", "potential-field",
-        "Walks along the sum of the forces of ball, robots and walls, and kicks whenever the ball is in "
-        "front of its chest and the goal ahead; has neither roles nor states.")
-        .source(
-            "O. Khatib: Real-time obstacle avoidance for manipulators and mobile robots, 1986; T. Laue, T. "
-            "R\u00f6fer: A behavior architecture for autonomous mobile robots based on potential fields, "
-            "RoboCup 2004.")
-        .needs(robotlink::kBallModel)
-        .uses(robotlink::kRobotPose)
-        .uses(robotlink::kPlayersModel)
-        .uses(robotlink::kTeamBall)
-        .uses(robotlink::kTeamMessages)
-        .uses(robotlink::kGameState)
-        .uses(robotlink::kRobotState)
-        .uses(robotlink::kColorRegions)
-        .uses(robotlink::kLandmarkPercepts)
-        .uses(robotlink::kMotionStatus)
+    SituationReader::declareInputs(
+        robotlink::SolutionBuilder<ReactivePlayer>(
+            "behavior", "potential-field",
+            "Walks along the sum of the forces of ball, robots and walls, and kicks whenever the ball is in "
+            "front of its chest and the goal ahead; has neither roles nor states.")
+            .source(
+                "O. Khatib: Real-time obstacle avoidance for manipulators and mobile robots, 1986; T. Laue, "
+                "T. R\u00f6fer: A behavior architecture for autonomous mobile robots based on potential "
+                "fields, RoboCup 2004."))
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)

@@ -10,8 +10,8 @@
 
 namespace modules {
 
-/// Reads the packages of which a player's situation is made; its solution must declare that it needs the ball
-/// model and uses the others. Used by its process's thread; the context must outlive it.
+/// Reads the packages of which a player's situation is made; its solution must declare them by
+/// declareInputs(). Used by its process's thread; the context must outlive it.
 class SituationReader {
  public:
   struct Options {
@@ -27,6 +27,20 @@ class SituationReader {
     double robotConfidence = 0.3;
   };
 
+  /// Declares in the builder of a solution that it needs the ball model and uses the others.
+  template <typename S>
+  static robotlink::SolutionBuilder<S>& declareInputs(robotlink::SolutionBuilder<S>& solution) {
+    return solution.needs(robotlink::kBallModel)
+        .uses(robotlink::kRobotPose)
+        .uses(robotlink::kPlayersModel)
+        .uses(robotlink::kTeamBall)
+        .uses(robotlink::kTeamMessages)
+        .uses(robotlink::kGameState)
+        .uses(robotlink::kRobotState)
+        .uses(robotlink::kColorRegions)
+        .uses(robotlink::kLandmarkPercepts)
+        .uses(robotlink::kMotionStatus);
+  }
   explicit SituationReader(robotlink::SolutionContext& context);
 
   /// Call it once a frame.

@@ -330,24 +330,15 @@ robotlink::ParameterRules soccerRules() {
 }
 
 const robotlink::SolutionRegistration kSoccer =
-    robotlink::SolutionBuilder<Soccer>(
-        "behavior", "soccer",
-        "Plays in a team as goalie, defender, supporter or striker, using a hierarchy of state machines: the "
-        "phase of the game, the role agreed with its team by messages, and ball skills.")
-        .source(
-            "M. L\u00f6tzsch, J. Bach, H.-D. Burkhard, M. J\u00fcngel: Designing agent behavior with the "
-            "extensible agent behavior specification language XABSL, RoboCup 2003; D. Vail, M. Veloso: "
-            "Dynamic multi-robot coordination, 2003.")
-        .needs(robotlink::kBallModel)
-        .uses(robotlink::kRobotPose)
-        .uses(robotlink::kPlayersModel)
-        .uses(robotlink::kTeamBall)
-        .uses(robotlink::kTeamMessages)
-        .uses(robotlink::kGameState)
-        .uses(robotlink::kRobotState)
-        .uses(robotlink::kColorRegions)
-        .uses(robotlink::kLandmarkPercepts)
-        .uses(robotlink::kMotionStatus)
+    SituationReader::declareInputs(
+        robotlink::SolutionBuilder<Soccer>(
+            "behavior", "soccer",
+            "Plays in a team as goalie, defender, supporter or striker, using a hierarchy of state machines: "
+            "the phase of the game, the role agreed with its team by messages, and ball skills.")
+            .source(
+                "M. L\u00f6tzsch, J. Bach, H.-D. Burkhard, M. J\u00fcngel: Designing agent behavior with the "
+                "extensible agent behavior specification language XABSL, RoboCup 2003; D. Vail, M. Veloso: "
+                "Dynamic multi-robot coordination, 2003."))
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
         .yields(robotlink::kBehaviorState)
