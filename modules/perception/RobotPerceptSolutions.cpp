@@ -85,20 +85,22 @@ class RobotPerceptor : public robotlink::Solution {
   std::vector<colortool::Region> known_;
 };
 
-class PatchRobotPerceptor final : public RobotPerceptor {
+/// Finds robots by one of the two functions of PatchFinder.
+template <auto kFind>
+class PatchSolution final : public RobotPerceptor {
  public:
   using RobotPerceptor::RobotPerceptor;
 
  private:
   std::vector<RobotObservation> find(const PatchFinder& finder, std::span<const int> teams,
                                      const CameraView& view) const override {
-    return finder.findPatches(regions(), teams, view);
+    return (finder.*kFind)(regions(), teams, view);
   }
 };
 
 const robotlink::SolutionRegistration kPatches =
-    robotlink::SolutionBuilder<PatchRobotPerceptor>("robot-percepts", "patches",
-                                                    "Counts every patch of a team's color as a robot.")
+    robotlink::SolutionBuilder<PatchSolution<&PatchFinder::findPatches>>(
+        "robot-percepts", "patches", "Counts every patch of a team's color as a robot.")
         .source("A method of this project.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
@@ -106,19 +108,8 @@ const robotlink::SolutionRegistration kPatches =
         .keys({&kRobotPlacesKey, &kRobotCountKey})
         .parameters<robotcontrol::PatchParameters>();
 
-class ClusterRobotPerceptor final : public RobotPerceptor {
- public:
-  using RobotPerceptor::RobotPerceptor;
-
- private:
-  std::vector<RobotObservation> find(const PatchFinder& finder, std::span<const int> teams,
-                                     const CameraView& view) const override {
-    return finder.findClusters(regions(), teams, view);
-  }
-};
-
 const robotlink::SolutionRegistration kClusters =
-    robotlink::SolutionBuilder<ClusterRobotPerceptor>(
+    robotlink::SolutionBuilder<PatchSolution<&PatchFinder::findClusters>>(
         "robot-percepts", "patch-clusters",
         "Counts patches of a team's color less than a robot's length apart as one robot.")
         .source("A method of this project.")
