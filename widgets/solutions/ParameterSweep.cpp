@@ -4,7 +4,6 @@
 #include <QPointer>
 #include <algorithm>
 #include <cmath>
-#include <locale>
 #include <sstream>
 #include <utility>
 
@@ -29,11 +28,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 std::string numberText(double number) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(9);
-  text << number;
-  return text.str();
+  return QString::number(number, 'g', 9).toStdString();
 }
 
 }  // namespace
