@@ -42,10 +42,6 @@ std::string rateText(double rate) {
   return fmt::format("{:.{}f} Hz", rate, rate < 9.995 ? 2 : 1);
 }
 
-std::string dateOrSeconds(Instant time) {
-  return isDate(time) ? dateText(time) : fmt::format("{:.3f} s", robotlink::seconds(time));
-}
-
 /// The encoding of a stream's messages, if not all are Protobuf.
 std::string encodingText(const LogInfo::Stream& stream) {
   if (stream.undecoded == 0) return stream.encoding;

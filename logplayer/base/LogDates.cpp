@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/base/LogDates.h"
 
-#include <array>
+#include <fmt/format.h>
+
 #include <charconv>
 #include <chrono>
-#include <cstdio>
 
 namespace logplayer {
 
@@ -87,13 +87,14 @@ std::string dateText(Instant time) {
   const Days day = std::chrono::floor<std::chrono::days>(whole);
   const std::chrono::year_month_day date{day};
   const std::chrono::hh_mm_ss clock{whole - day};
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u %02d:%02d:%02d.%03d UTC",
-                static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                static_cast<unsigned>(date.day()), static_cast<int>(clock.hours().count()),
-                static_cast<int>(clock.minutes().count()), static_cast<int>(clock.seconds().count()),
-                static_cast<int>(clock.subseconds().count() / 1'000'000));
-  return text.data();
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}.{:03} UTC", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                     clock.hours().count(), clock.minutes().count(), clock.seconds().count(),
+                     clock.subseconds().count() / 1'000'000);
+}
+
+std::string dateOrSeconds(Instant time) {
+  return isDate(time) ? dateText(time) : fmt::format("{:.3f} s", robotlink::seconds(time));
 }
 
 std::optional<Instant> instantOfDate(std::string_view text) {

@@ -16,6 +16,8 @@ bool isDate(robotlink::Instant time);
 
 /// Formats a time as "2026-05-04 12:30:01.250 UTC".
 std::string dateText(robotlink::Instant time);
+/// Formats a time as its date, or as "12.500 s" if it is none.
+std::string dateOrSeconds(robotlink::Instant time);
 
 /// Parses a date in UTC: "2026-05-04", "2026-05-04 12:30", "2026-05-04T12:30:01.25Z"; empty if the text is
 /// none.

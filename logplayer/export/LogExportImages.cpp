@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Export of images as PNG files.
-#include <array>
+#include <fmt/format.h>
+
 #include <cctype>
-#include <cstdio>
 #include <map>
 #include <ostream>
 
@@ -57,10 +57,8 @@ std::string imageName(const StreamMessage& message, std::uint64_t number) {
     if (!plain) c = '-';
   }
   if (name.starts_with('.')) name[0] = '-';
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "-%017.6f-%05llu.png", robotlink::seconds(message.time),
-                static_cast<unsigned long long>(message.frame > 0 ? message.frame : number));
-  return name + text.data();
+  return fmt::format("{}-{:017.6f}-{:05}.png", name, robotlink::seconds(message.time),
+                     message.frame > 0 ? message.frame : number);
 }
 
 Result<void> writeImage(const fs::path& file, const std::vector<std::uint8_t>& png, bool overwrite) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/export/MessageTable.h"
 
+#include <fmt/format.h>
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
 #include <array>
 #include <charconv>
-#include <cinttypes>
-#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <type_traits>
@@ -176,12 +175,9 @@ std::string secondsText(std::int64_t seconds, std::int64_t nanos) {
     ++seconds;
     nanos = 1'000'000'000 - nanos;
   }
-  std::array<char, 48> text{};
   const auto whole = seconds < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(seconds)
                                  : static_cast<std::uint64_t>(seconds);
-  std::snprintf(text.data(), text.size(), "%s%" PRIu64 ".%09" PRId64, negative ? "-" : "", whole,
-                std::abs(nanos));
-  return text.data();
+  return fmt::format("{}{}.{:09}", negative ? "-" : "", whole, std::abs(nanos));
 }
 
 }  // namespace logplayer

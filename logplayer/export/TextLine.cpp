@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/export/TextLine.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "foxglove/Robot.pb.h"
 #include "logplayer/base/LogDates.h"
@@ -31,13 +30,12 @@ const char* levelText(foxglove::Log::Level level) {
 }  // namespace
 
 std::string textLine(const robotlink::StreamMessage& message, const foxglove::Log& text) {
-  std::array<char, 64> head{};
-  std::snprintf(head.data(), head.size(), "%12.6f", robotlink::seconds(message.time));
-  const std::string time = isDate(message.time) ? dateText(message.time) : head.data();
-  std::snprintf(head.data(), head.size(), "  %-7s  ", levelText(text.level()));
+  const std::string time = isDate(message.time) ? dateText(message.time)
+                                                : fmt::format("{:12.6f}", robotlink::seconds(message.time));
   const std::string source =
       text.name().empty() ? message.path : message.path.substr(0, message.path.find('/')) + "/" + text.name();
-  return time + head.data() + robotlink::printableLines(source + ": " + text.message(), "    ") + "\n";
+  return fmt::format("{}  {:<7}  {}\n", time, levelText(text.level()),
+                     robotlink::printableLines(source + ": " + text.message(), "    "));
 }
 
 }  // namespace logplayer

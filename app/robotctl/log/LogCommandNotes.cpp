@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `robotctl log` bookmark and attachment.
 #include <CLI/CLI.hpp>
-#include <array>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,7 +19,6 @@ namespace {
 using logplayer::Bookmark;
 using logplayer::Bookmarks;
 using nlohmann::json;
-using robotlink::Instant;
 using robotlink::Result;
 
 // ---- Bookmarks
@@ -33,20 +30,13 @@ struct BookmarkArguments {
   bool asJson = false;
 };
 
-std::string timeText(Instant time) {
-  if (logplayer::isDate(time)) return logplayer::dateText(time);
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.3f s", robotlink::seconds(time));
-  return text.data();
-}
-
 void printBookmarks(const Bookmarks& bookmarks, bool asJson) {
   json all = json::array();
   for (const Bookmark& bookmark : bookmarks.all()) {
     if (!asJson) {
-      std::cout << timeText(bookmark.from)
-                << (bookmark.to == bookmark.from ? "" : " to " + timeText(bookmark.to)) << "  "
-                << robotlink::printableLines(bookmark.text, "    ") << "\n";
+      std::cout << logplayer::dateOrSeconds(bookmark.from)
+                << (bookmark.to == bookmark.from ? "" : " to " + logplayer::dateOrSeconds(bookmark.to))
+                << "  " << robotlink::printableLines(bookmark.text, "    ") << "\n";
     }
     all.push_back({{"id", bookmark.id},
                    {"from", robotlink::seconds(bookmark.from)},

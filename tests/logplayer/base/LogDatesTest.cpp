@@ -22,6 +22,8 @@ TEST(LogDates, timesOfThisCenturyAreDates) {
   EXPECT_TRUE(isDate(timeAt(946'684'800)));
   EXPECT_FALSE(isDate(timeAt(4'102'444'800)));
   EXPECT_EQ(dateText(kTime), "2023-11-14 22:13:20.250 UTC");
+  EXPECT_EQ(dateOrSeconds(kTime), dateText(kTime));
+  EXPECT_EQ(dateOrSeconds(timeAt(12.5)), "12.500 s");
 }
 
 TEST(LogDates, whatIsWrittenIsRead) {
