@@ -102,7 +102,7 @@ THREADS = [
 # Asking for the number of processors makes no thread.
 THREAD = re.compile(r"\bstd::(j?thread\b(?!::)|async\b)|\bpthread_create\b|\bQThread\b")
 QT_WIDGETS = re.compile(r"^(QtWidgets|QWidget|Q(Abstract)?(Button|ItemView|ScrollArea|Slider)|QApplication|QStyle\w*|"
-                        r"QDialog|QMenu|QToolBar|QAction|QLayout|Q\w*(Box|Edit|Label|View|Dialog|Bar|Delegate))$")
+                        r"QDialog|QMenu|QToolBar|QToolTip|QAction|QLayout|Q\w*(Box|Edit|Label|View|Dialog|Bar|Delegate))$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[>"]')
 
 
