@@ -203,7 +203,7 @@ void MainWindow::savePerspectiveAs() {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (!event->spontaneous()) dockSpace_->reopenFloats();
+  if (!event->spontaneous()) dockSpace_->openFloats();
 }
 
 }  // namespace app

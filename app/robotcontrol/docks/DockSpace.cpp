@@ -141,6 +141,7 @@ DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
             // Only windows of this kind are tied to their parent on X.
             floating->setWindowFlags(Qt::Dialog | Qt::CustomizeWindowHint | Qt::WindowTitleHint |
                                      Qt::WindowCloseButtonHint | Qt::WindowMaximizeButtonHint);
+            floating->setAttribute(Qt::WA_DontShowOnScreen, !window()->isVisible());
           });
 }
 
@@ -181,9 +182,11 @@ void DockSpace::nameFloats() {
   }
 }
 
-void DockSpace::reopenFloats() {
+void DockSpace::openFloats() {
   std::vector<QPointer<ads::CDockWidget>> docks;
   for (ads::CFloatingDockContainer* floating : floatingWidgets()) {
+    if (!floating->testAttribute(Qt::WA_DontShowOnScreen)) continue;
+    floating->setAttribute(Qt::WA_DontShowOnScreen, false);
     if (!floating->isVisible()) continue;
     for (const ads::CDockAreaWidget* area : floating->dockContainer()->openedDockAreas()) {
       for (ads::CDockWidget* dock : area->openedDockWidgets()) {

@@ -28,9 +28,10 @@ class DockSpace : public ads::CDockManager, private QAbstractNativeEventFilter {
   /// Makes titles of tabs readable: where they would be cut, tabs have no icons, and that of the view in
   /// front is cut last. If there are too many to be read, they are scrolled.
   void fitTabs();
-  /// Hides the floating windows and shows them again; call this when the main window is shown, since
-  /// window managers associate them with it only then.
-  void reopenFloats();
+  /// Opens the floating windows that were made before the main window was visible; call this when it is
+  /// shown. Window managers associate them with it only then. They are not on the screen before: a window
+  /// that is hidden and shown again before the window manager has seen it may never appear.
+  void openFloats();
   /// Hides all floating windows.
   void hideFloats();
 

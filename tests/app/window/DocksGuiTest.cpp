@@ -183,6 +183,30 @@ class DocksGuiTest : public WindowTest {
     QVERIFY(!desk.window.docks().docks(QStringLiteral("image")).front()->isFloating());
   }
 
+  void floatingDocksAreOpenedAfterTheWindowAndOnlyOnce() {
+    {
+      EmptyDesk desk(home_);
+      dock(desk, "messages").setFloating();
+      settle(desk);
+      desk.window.close();
+    }
+    MadeUpRobots network;
+    Workbench workbench(home_);
+    workbench.search().listenBy(network.source());
+    MainWindow window(workbench, home_);
+    const auto docks = window.docks().docks(QStringLiteral("messages"));
+    QVERIFY(docks.size() == 1 && docks.front()->isFloating());
+    const QWidget* floating = docks.front()->floatingDockContainer();
+    const auto isOnScreen = [&] {
+      return floating->windowHandle() != nullptr && floating->windowHandle()->isVisible();
+    };
+    QVERIFY(!isOnScreen());
+    window.show();
+    QVERIFY(!isOnScreen());
+    QVERIFY(comes(isOnScreen));
+    QVERIFY(floating->isVisible() && docks.front()->isVisible());
+  }
+
   void titlesOfTabsAreReadableOnASmallScreen() {
     Desk desk(home_);
     desk.window.resize(1264, 672);
