@@ -106,8 +106,12 @@ bool MainWindow::showViewsOfScene(const LoadedPlatform& loaded) {
   if (scene.empty() || isPerspectiveWanted_ || dockSpace_->busy()) return false;
   const QString before = perspectives_.current();
   if (isVisible()) perspectives_.keep(before, *docks_);
-  if (!perspectives_.showFor(scene, *docks_)) return false;
+  // At the start, the window has the views of the scene that was open last. To restore them again would close
+  // and open floating views, and undo what the user has changed meanwhile.
+  const bool hasThem = beginning_.isEmpty() && perspectives_.hasRestoredFor(scene);
+  if (!hasThem && !perspectives_.showFor(scene, *docks_)) return false;
   beginning_ = Perspectives::beginningWith(loaded);
+  if (hasThem) return true;
   layouts_->forget();
   fillPerspectiveMenu();
   QTimer::singleShot(0, keys_, &WindowKeys::focusContent);  // after the old views are deleted

@@ -217,6 +217,7 @@ bool Perspectives::isShipped(const QString& name) const {
 void Perspectives::show(const QString& name, ViewDocks& docks) {
   if (kept_.contains(name) && docks.restore(kept_.value(name).toObject())) {
     current_ = name;
+    restored_ = kept_.value(name).toObject();
     return;
   }
   showShipped(name, docks);
@@ -228,6 +229,7 @@ void Perspectives::showShipped(const QString& name, ViewDocks& docks) {
   docks.closeAll();
   build(*perspective, docks);
   current_ = QLatin1String(perspective->name);
+  restored_ = {};
   kept_.remove(current_);
 }
 
@@ -297,6 +299,7 @@ void Perspectives::keepFor(const std::string& scene, const ViewDocks& docks) {
   for (int i = scenes_.size() - 1; i >= 0; --i)
     if (scenes_.at(i).toArray().at(0).toString() == kept) scenes_.removeAt(i);
   scenes_.append(QJsonArray{kept, current_, docks.save()});
+  restored_ = {};
   while (scenes_.size() > kMaxScenes) scenes_.removeFirst();
 }
 
@@ -308,9 +311,17 @@ bool Perspectives::showFor(const std::string& scene, ViewDocks& docks) {
     const QString name = kept.at(1).toString();
     if (!names().contains(name) || !docks.restore(kept.at(2).toObject())) return false;
     current_ = name;
+    restored_ = {};
     return true;
   }
   return false;
+}
+
+bool Perspectives::hasRestoredFor(const std::string& scene) const {
+  const QString wanted = QString::fromStdString(scene);
+  return !restored_.isEmpty() && std::ranges::any_of(scenes_, [&](const QJsonValue& value) {
+    return value.toArray() == QJsonArray{wanted, current_, restored_};
+  });
 }
 
 robotlink::Result<void> Perspectives::save() {

@@ -63,6 +63,9 @@ class Perspectives {
   void keepFor(const std::string& scene, const ViewDocks& docks);
   /// Shows the views of a scene as they were kept. False: there are none, or they cannot be used.
   bool showFor(const std::string& scene, ViewDocks& docks);
+  /// Whether the views that show() restored are those of a scene, as after a restart with the scene that was
+  /// open last; false after the views of a scene were kept, since the shown ones may be different now.
+  bool hasRestoredFor(const std::string& scene) const;
   static constexpr int kMaxScenes = 30;
 
   /// The state of the window itself (geometry, toolbars, recent files), stored in the same file.
@@ -85,6 +88,8 @@ class Perspectives {
   /// Triples of a scene, the name of its perspective and its views, the newest last.
   QJsonArray scenes_;
   QString current_;
+  /// The views that show() has restored; empty: none, or they may have changed.
+  QJsonObject restored_;
   /// The contents of the file at the last save.
   QByteArray saved_;
   robotlink::Errors problems_;

@@ -34,6 +34,10 @@ ads::CDockWidget& dock(Desk& desk, const char* id) {
   return *docks.front();
 }
 
+widgets::View& view(Desk& desk, const char* id) {
+  return *static_cast<widgets::View*>(dock(desk, id).widget());
+}
+
 app::DockSpace& space(Desk& desk) {
   auto* found = desk.window.findChild<app::DockSpace*>();
   if (found == nullptr) qFatal("there is no space for docks");
@@ -205,6 +209,32 @@ class DocksGuiTest : public WindowTest {
     QVERIFY(!isOnScreen());
     QVERIFY(comes(isOnScreen));
     QVERIFY(floating->isVisible() && docks.front()->isVisible());
+  }
+
+  void theViewsOfTheSceneThatWasOpenLastStayWhenItIsLoadedAtTheStart() {
+    QJsonObject before;
+    {
+      Desk desk(home_);
+      QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+      for (const char* line : {"scene.view wire", "scene.hide ball"})
+        QVERIFY(desk.workbench.commands().runLine(line).has_value());
+      dock(desk, "messages").setFloating();
+      settle(desk);
+      before = view(desk, "scene").saveState();
+      desk.window.close();
+    }
+    Desk desk(home_);
+    const QPointer<QWidget> scene = &view(desk, "scene");
+    const QPointer<QWidget> floating = dock(desk, "messages").floatingDockContainer();
+    QVERIFY(desk.workbench.loaded() == nullptr && floating != nullptr);
+    // A view that is opened before the scene is loaded stays open, too.
+    desk.window.docks().open(QStringLiteral("columns"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    settle(desk);
+    QVERIFY(scene != nullptr && &view(desk, "scene") == scene);
+    QCOMPARE(view(desk, "scene").saveState(), before);
+    QVERIFY(floating != nullptr && floating->isVisible());
+    QVERIFY(desk.window.docks().isOpen(QStringLiteral("columns")));
   }
 
   void titlesOfTabsAreReadableOnASmallScreen() {
