@@ -21,7 +21,7 @@ namespace {
 QByteArray output(const QString& program, const QStringList& arguments) {
   QProcess process;
   process.start(program, arguments);
-  if (!QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kWaitMs))
+  if (!comes([&] { return process.state() == QProcess::NotRunning; }))
     qFatal("%s hangs", qPrintable(program));
   return process.readAllStandardOutput();
 }
@@ -32,7 +32,7 @@ void xdotool(const QStringList& arguments) {
 
 bool moveMouse(QPoint to) {
   xdotool({QStringLiteral("mousemove"), QString::number(to.x()), QString::number(to.y())});
-  return QTest::qWaitFor([&] { return QCursor::pos() == to; });
+  return comes([&] { return QCursor::pos() == to; });
 }
 
 bool click(QPoint at) {
@@ -71,6 +71,18 @@ bool isAbove(const QList<WId>& windows, const QWidget& upper, const QWidget& low
          windows.indexOf(upper.winId()) > windows.indexOf(lower.winId());
 }
 
+/// The windows that the window manager knows, the lowest first, and those that this program shows, for the
+/// message of a failure.
+QString allWindows() {
+  QStringList lines;
+  for (const WId window : stacking()) lines << QStringLiteral("managed: 0x%1").arg(window, 0, 16);
+  for (const QWidget* widget : QApplication::topLevelWidgets()) {
+    if (widget->isVisible())
+      lines << QStringLiteral("shown here: 0x%1 %2").arg(widget->winId(), 0, 16).arg(widget->windowTitle());
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
 ads::CDockWidget& dock(Desk& desk, const char* id) {
   const auto docks = desk.window.docks().docks(QLatin1String(id));
   if (docks.empty()) qFatal("there is no dock for %s", id);
@@ -88,12 +100,13 @@ QPoint handle(const ads::CDockWidget& dock) {
 
 bool dragOut(Desk& desk, const char* id, QPoint to) {
   dock(desk, id).setAsCurrentTab();
-  return drag(handle(dock(desk, id)), to) && QTest::qWaitFor([&] { return dock(desk, id).isFloating(); });
+  return drag(handle(dock(desk, id)), to) && comes([&] { return dock(desk, id).isFloating(); });
 }
 
+/// Waits for the window, and for the scene, whose views the window may show when it is loaded.
 bool exposed(Desk& desk) {
-  return QTest::qWaitForWindowActive(&desk.window) &&
-         QTest::qWaitFor([&] { return dock(desk, "scene").isVisible(); });
+  return QTest::qWaitForWindowActive(&desk.window) && comes([&] { return desk.loaded(); }) &&
+         comes([&] { return dock(desk, "scene").isVisible(); });
 }
 
 }  // namespace
@@ -151,27 +164,28 @@ class DocksUnderXTest : public QObject {
     }
     Desk desk(home_);
     QVERIFY(QTest::qWaitForWindowExposed(&desk.window));
-    // Opening the scene restores its docks, so that the window that floats is another one then.
-    const auto floating = [&]() -> QWidget* { return dock(desk, "messages").floatingDockContainer(); };
+    const QPointer<QWidget> floating = dock(desk, "messages").floatingDockContainer();
     const auto floatsAbove = [&](const QWidget& lower) {
       const QList<WId> windows = stacking();
-      return floating() != nullptr && isAbove(windows, *floating(), lower);
+      return floating != nullptr && isAbove(windows, *floating, lower);
     };
-    QTRY_VERIFY(floating() != nullptr && floating()->isVisible());
-    QTRY_VERIFY(floatsAbove(desk.window));
+    QVERIFY2(comes([&] { return floatsAbove(desk.window); }), qPrintable(allWindows()));
+    // The scene finds its views, which stay as they are.
+    QVERIFY(comes([&] { return desk.loaded(); }));
+    QVERIFY2(floatsAbove(desk.window), qPrintable(allWindows()));
     QVERIFY(click(middle(*desk.window.statusBar())));
-    QTRY_VERIFY(floatsAbove(desk.window));
+    QVERIFY2(comes([&] { return floatsAbove(desk.window); }), qPrintable(allWindows()));
     // In the dialog's own event loop, which returns when it is closed.
     bool above = false, stillAbove = false;
     QTimer::singleShot(0, &desk.window, [&] {
-      if (!QTest::qWaitFor([] { return QApplication::activeModalWidget() != nullptr; })) return;
+      if (!comes([] { return QApplication::activeModalWidget() != nullptr; })) return;
       QWidget* dialog = QApplication::activeModalWidget();
       const auto isBelow = [&] {
         const QList<WId> windows = stacking();
-        return floating() != nullptr && isAbove(windows, *dialog, *floating());
+        return floating != nullptr && isAbove(windows, *dialog, *floating);
       };
-      above = QTest::qWaitFor(isBelow);
-      stillAbove = click(middle(*floating())) && QTest::qWaitFor(isBelow);
+      above = comes(isBelow);
+      stillAbove = click(middle(*floating)) && comes(isBelow);
       dialog->close();
     });
     desk.find<QAction>("help.about").trigger();
@@ -192,7 +206,7 @@ class DocksUnderXTest : public QObject {
     QProcess program;
     program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     program.start(QStringLiteral(ROBOTCONTROL), QStringList());
-    QTRY_COMPARE_WITH_TIMEOUT(stacking().size(), 3, kWaitMs);
+    QVERIFY2(comes([] { return stacking().size() == 3; }), qPrintable(allWindows()));
     press("ctrl+q");
     QTRY_COMPARE_WITH_TIMEOUT(program.state(), QProcess::NotRunning, kWaitMs);
     QCOMPARE(program.exitCode(), 0);
