@@ -74,7 +74,7 @@ bool FarDesk::takeOver() {
   show("motion");
   auto& button = find<QToolButton>("motionTakeOver");
   if (!comes([&] { return button.isEnabled() && !button.isChecked(); })) return false;
-  QTest::mouseClick(&button, Qt::LeftButton);
+  widgets::test::click(button);
   return comes([&] { return button.isChecked(); });
 }
 

@@ -12,6 +12,7 @@
 #include "robotcontrol/Perception.pb.h"
 #include "tests/app/far/FarHall.h"
 #include "tests/logplayer/RecordedMessages.h"
+#include "widgets/console/CommandLog.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/image/ImageCanvas.h"
 
@@ -90,6 +91,18 @@ bool showAll(FarDesk& desk) {
   desk.find<widgets::ImageCanvas>("imageCanvas").setFixedSize(480, 300);
   desk.find<widgets::FieldCanvas>("fieldCanvas").setFixedSize(480, 340);
   return true;
+}
+
+/// Describes the robot's program for the message of a failure: where it runs, refused requests, the state of
+/// the line, and all that the robot has printed.
+QString programOf(FarHall& hall) {
+  FarDesk& desk = *hall.desk;
+  const auto* status = desk.newest<robotcontrol::HostingStatus>("red1/hosting");
+  QStringList lines{status == nullptr ? QStringLiteral("no status of the program")
+                                      : QString::fromStdString(status->ShortDebugString())};
+  for (const auto& entry : widgets::commandLog(desk.window.context()).entries()) lines << entry.text;
+  lines << desk.state() << QString::fromStdString(hall.robot.notes());
+  return lines.join(QLatin1Char('\n'));
 }
 
 }  // namespace
@@ -182,17 +195,19 @@ void FarRobotSteps::itsProgramMovesToAProcessOfItsOwnAndIsStartedAgain() {
   QCOMPARE(hall.wrong, QString());
   FarDesk& desk = *hall.desk;
   const auto hosting = [&] { return desk.newest<robotcontrol::HostingStatus>("red1/hosting"); };
+  QVERIFY2(comes([&] { return hosting() != nullptr; }), qPrintable(programOf(hall)));
   desk.show("processes");
-  QTRY_VERIFY_WITH_TIMEOUT(hosting() != nullptr && desk.find<QToolButton>("hostingOwn").isVisible(), kWaitMs);
-  QVERIFY(!hosting()->own_process());
-  QTest::mouseClick(&desk.find<QToolButton>("hostingOwn"), Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(hosting() != nullptr && hosting()->own_process() && hosting()->pid() != 0,
-                           kWaitMs);
+  QVERIFY2(comes([&] { return desk.find<QToolButton>("hostingOwn").isVisible(); }),
+           qPrintable(programOf(hall)));
+  QVERIFY2(!hosting()->own_process(), qPrintable(programOf(hall)));
+  click(desk.find<QToolButton>("hostingOwn"));
+  QVERIFY2(comes([&] { return hosting() != nullptr && hosting()->own_process() && hosting()->pid() != 0; }),
+           qPrintable(programOf(hall)));
   const auto before = hosting()->pid();
-  QTest::mouseClick(&desk.find<QToolButton>("hostingStartAgain"), Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(hosting() != nullptr && hosting()->pid() != 0 && hosting()->pid() != before,
-                           kWaitMs);
-  QCOMPARE(hosting()->state(), robotcontrol::HostingStatus::RUNNING);
+  click(desk.find<QToolButton>("hostingStartAgain"));
+  QVERIFY2(comes([&] { return hosting() != nullptr && hosting()->pid() != 0 && hosting()->pid() != before; }),
+           qPrintable(programOf(hall)));
+  QVERIFY2(hosting()->state() == robotcontrol::HostingStatus::RUNNING, qPrintable(programOf(hall)));
 }
 
 void FarRobotSteps::theLineIsLostWhileItIsDrivenAndFoundByItself() {
@@ -334,7 +349,7 @@ void FarRobotSteps::aPioneerIsDrivenStoppedLostAndFound() {
   QTRY_VERIFY_WITH_TIMEOUT(state() != nullptr, kWaitMs);
   QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("statusSpeed").text(), QStringLiteral("real time"), kWaitMs);
   QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("statusState").text(), QStringLiteral("running"), kWaitMs);
-  QTest::mouseClick(&desk.find<QToolButton>("motionMotors"), Qt::LeftButton);
+  click(desk.find<QToolButton>("motionMotors"));
   QTRY_VERIFY_WITH_TIMEOUT(state()->motors_on(), kWaitMs);
   const double begun = state()->odometry().x();
   desk.hold(Qt::Key_W);

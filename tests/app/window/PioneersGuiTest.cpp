@@ -141,7 +141,7 @@ class PioneersGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(state() != nullptr, kWaitMs);
     QVERIFY(!desk.find<QAction>("simulation.pause").isVisible());  // its time cannot be stopped
     QVERIFY(!state()->motors_on());                                // a real robot waits for a person
-    QTest::mouseClick(&desk.find<QToolButton>("baseMotors"), Qt::LeftButton);
+    click(desk.find<QToolButton>("baseMotors"));
     QTRY_VERIFY_WITH_TIMEOUT(state()->motors_on(), kWaitMs);
     QTest::mouseClick(&desk.find<QToolButton>("stopButton"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!state()->motors_on(), kWaitMs);
