@@ -18,6 +18,7 @@
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
+#include "widgets/Requests.h"
 #include "widgets/camera/LensPanel.h"
 #include "widgets/camera/PlacePanel.h"
 #include "widgets/camera/SettingsPanel.h"
