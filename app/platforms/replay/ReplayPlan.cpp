@@ -9,6 +9,7 @@
 namespace app {
 
 using robotcontrol::ControlReplay;
+using robotlink::contains;
 using robotlink::Errors;
 using robotlink::Layout;
 using robotlink::TaskCatalog;
@@ -17,10 +18,6 @@ namespace {
 
 /// The period of a process whose pace nothing else sets: so short that it runs at every instant of any log.
 constexpr robotlink::Duration kEveryInstant = std::chrono::microseconds(1);
-
-bool contains(const std::vector<std::string>& list, const std::string& item) {
-  return std::ranges::find(list, item) != list.end();
-}
 
 /// The packages that any solution of a task yields; none for null.
 std::set<std::string> outputsOf(const TaskCatalog::Task* task) {
