@@ -46,8 +46,8 @@ tl::expected<SimulatedRun::Reloaded, Errors> SimulatedRun::goOn(bool mustFit) {
   // Controllers are remade, and may fail again.
   endedControllers_.clear();
   const auto next = withEdits(*scene);
-  const auto hasModel = [](const simcore::Scene& scene, const std::string& name) {
-    return std::ranges::count(scene.world().models, name, &simcore::ModelInstance::name) > 0;
+  const auto hasModel = [](const simcore::Scene& in, const std::string& name) {
+    return std::ranges::count(in.world().models, name, &simcore::ModelInstance::name) > 0;
   };
   const auto isThere = [&](const std::string& name) { return hasModel(*next, name); };
   auto motions = goneMotions_;
