@@ -31,7 +31,7 @@ struct PluginDescription {
 
 /// The version of the interface that plug-ins are built for: the classes in the installed headers. It grows
 /// whenever a plug-in that was built before would no longer run.
-#define ROBOTCONTROL_PLUGIN_VERSION 2
+#define ROBOTCONTROL_PLUGIN_VERSION 3
 /// A string in the file of a plug-in that is compared before any of its code runs.
 #define ROBOTCONTROL_PLUGIN_MARK "RobotControl plug-in interface "
 #ifdef __clang__
