@@ -114,4 +114,11 @@ class EmptyDesk : public Desk {
   explicit EmptyDesk(const std::filesystem::path& home) : Desk(home, Opens::kNothing) {}
 };
 
+/// Lets what was deleted later go, and looks at everything once more.
+inline void settle(Desk& desk) {
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  QCoreApplication::processEvents();
+  desk.window.tick();
+}
+
 }  // namespace app::test
