@@ -4,7 +4,7 @@
 
 The tables are those of ARCHITECTURE.md. TARGETS says which targets a target may include; ROOMS lists the
 folders of a target in their order: a folder may include those before it. A folder that is in neither table
-fails. What widgets/CMakeLists.txt lists as widgets_models and widgets_painting knows no Qt Widgets and no view. A
+fails. What widgets/CMakeLists.txt lists as widgets_models knows no Qt Widgets and no view. A
 test that is named after a unit is in the folder of tests/ that mirrors the unit's room, or in one beside it, not above it.
 Threads are made by the classes of robotlink/base/threads and by Worker; the other files that make one are in THREADS.
 Usage: architecture_layers.py SOURCE_DIR
@@ -117,10 +117,10 @@ def split(path):
 
 
 def models_of(root):
-    """The files that widgets/CMakeLists.txt lists as models and painting, without their suffix."""
+    """The files that widgets/CMakeLists.txt lists as models, without their suffix."""
     text = (root / "widgets/CMakeLists.txt").read_text()
-    listed = re.findall(r"robotcontrol_library\(widgets_(?:models|painting) MOC\s+SOURCES(.*?)PUBLIC", text, re.S)
-    return {f"widgets/{name}" for name in re.findall(r"([\w/]+)\.cpp", "".join(listed))}
+    listed = re.search(r"robotcontrol_library\(widgets_models MOC\s+SOURCES(.*?)PUBLIC", text, re.S)
+    return {f"widgets/{name}" for name in re.findall(r"([\w/]+)\.cpp", listed.group(1))}
 
 
 def room_problem(target, room, included_target, included_room):

@@ -95,8 +95,8 @@ function(robotcontrol_even_batches target)
   endif()
 endfunction()
 
-# robotcontrol_no_loops(TARGET): for what waits for people, files and lines: wiring, dialogs, commands, and views whose painting
-# is elsewhere. A little optimization, which inlines small functions only, is enough there, and takes two thirds of the time to compile.
+# robotcontrol_no_loops(TARGET): for what waits for people, files and lines: wiring, dialogs, commands. A little optimization, which
+# inlines small functions only, is enough there, and takes two thirds of the time to compile.
 function(robotcontrol_no_loops target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
