@@ -159,12 +159,17 @@ void paintCaption(QPainter& painter, const QRectF& pane, const QString& text) {
   if (text.isEmpty()) return;
   painter.save();
   const QFontMetricsF metrics(painter.font());
-  const QString cut = metrics.elidedText(text, Qt::ElideMiddle, std::max(0.0, pane.width() - 20));
-  QRectF box = metrics.boundingRect(cut).adjusted(-5, -2, 5, 2);
-  box.moveTopLeft(pane.topLeft() + QPointF(4, 4));
-  painter.fillRect(box, QColor(0, 0, 0, 170));
+  const double width = std::max(0.0, pane.width() - 20);
+  QStringList words = text.split(QLatin1Char(' '));
+  for (QString& word : words) word = metrics.elidedText(word, Qt::ElideMiddle, width);
+  constexpr int kFlags = Qt::AlignLeft | Qt::TextWordWrap;
+  const QString shown = words.join(QLatin1Char(' '));
+  QRectF box = metrics.boundingRect(QRectF(0, 0, width, pane.height()), kFlags, shown);
+  box.moveTopLeft(pane.topLeft() + QPointF(9, 6));
+  painter.setClipRect(pane, Qt::IntersectClip);
+  painter.fillRect(box.adjusted(-5, -2, 5, 2), QColor(0, 0, 0, 170));
   painter.setPen(Qt::white);
-  painter.drawText(box, Qt::AlignCenter, cut);
+  painter.drawText(box, kFlags, shown);
   painter.restore();
 }
 

@@ -47,6 +47,7 @@ QTransform drawingsToWidget(const ImagePicture& picture, const ImageViewport& vi
 void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawing,
                       const QTransform& imageToWidget, Qt::PenStyle style = Qt::SolidLine);
 /// Paints a text into the upper left corner of a picture's pane, in widget pixels; nothing for an empty one.
+/// Where it is too wide it gets several lines, and only words that are wider than the pane are shortened.
 void paintCaption(QPainter& painter, const QRectF& pane, const QString& text);
 
 }  // namespace widgets

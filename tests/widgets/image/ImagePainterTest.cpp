@@ -24,6 +24,18 @@ class ImagePainterTest : public QObject {
     QVERIFY(!isDarkened(captioned(QStringLiteral("picture ").repeated(20)), {198, 0, 2, 80}));
   }
 
+  void aLongCaptionHasLinesAndAWordThatIsTooLongIsShortened() {
+    const auto bottom = [](const QString& text) {
+      int y = 79;
+      while (y > 0 && !isDarkened(captioned(text), {104, y, 20, 1})) --y;
+      return y;
+    };
+    const int line = bottom(QStringLiteral("a"));
+    QVERIFY(bottom(QStringLiteral("in the left picture")) >= 1.6 * line);
+    QCOMPARE(bottom(QString(100, QLatin1Char('w'))), line);
+    QVERIFY(!isDarkened(captioned(QString(100, QLatin1Char('w'))), {198, 0, 2, 80}));
+  }
+
   void anEmptyCaptionPaintsNothing() { QVERIFY(!isDarkened(captioned({}), {0, 0, 200, 80})); }
 
  private:
